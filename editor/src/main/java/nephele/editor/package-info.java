@@ -1,0 +1,2 @@
+/** The level editor in Swing. */
+package nephele.editor;

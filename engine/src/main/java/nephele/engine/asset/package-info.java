@@ -1,0 +1,2 @@
+/** Names to bytes, safely: id grammar, header checks, size limits, decoding. */
+package nephele.engine.asset;

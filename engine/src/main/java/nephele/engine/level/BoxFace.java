@@ -1,0 +1,30 @@
+package nephele.engine.level;
+
+import nephele.engine.math.Vec3;
+
+/** A side of a box by its outward normal. */
+public enum BoxFace {
+    PLUS_X("+x", new Vec3(1, 0, 0)),
+    MINUS_X("-x", new Vec3(-1, 0, 0)),
+    PLUS_Y("+y", new Vec3(0, 1, 0)),
+    MINUS_Y("-y", new Vec3(0, -1, 0)),
+    PLUS_Z("+z", new Vec3(0, 0, 1)),
+    MINUS_Z("-z", new Vec3(0, 0, -1));
+
+    private final String text;
+    private final Vec3 normal;
+
+    BoxFace(String text, Vec3 normal) {
+        this.text = text;
+        this.normal = normal;
+    }
+
+    /** As written in a level file. */
+    public String text() {
+        return text;
+    }
+
+    public Vec3 normal() {
+        return normal;
+    }
+}

@@ -1,0 +1,31 @@
+package nephele.engine.level;
+
+import nephele.engine.math.Vec3;
+
+/**
+ * Metallic-roughness material. One that sets only colour or texture is Lambert: {@code roughness} and {@code metallic}
+ * are then {@code null}.
+ *
+ * @param baseColour linear RGB, multiplies the texture
+ * @param texture asset id of an sRGB picture, or {@code null}
+ * @param roughness perceptual roughness 0–1 (α = roughness²), or {@code null} for Lambert
+ * @param metallic 0–1, or {@code null} for 0
+ * @param normalTexture asset id of a tangent-space normal map (RGB; alpha multiplies roughness), or {@code null}
+ * @param emission linear RGB radiance
+ * @param textureMetres side of the square that one repeat of the texture covers
+ */
+public record Material(
+        String id,
+        Vec3 baseColour,
+        String texture,
+        Double roughness,
+        Double metallic,
+        String normalTexture,
+        Vec3 emission,
+        double textureMetres) {
+
+    /** True when the material needs no view-dependent term. */
+    public boolean lambert() {
+        return roughness == null && metallic == null;
+    }
+}

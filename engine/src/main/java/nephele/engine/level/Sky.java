@@ -1,0 +1,23 @@
+package nephele.engine.level;
+
+import java.util.List;
+import nephele.engine.math.Vec3;
+
+/** Radiance from every direction that meets nothing, linear RGB. */
+public sealed interface Sky {
+    /** {@code "kind": "constant"}. */
+    record Constant(Vec3 radiance) implements Sky {}
+
+    /** {@code "kind": "gradient"}: by the sine of the altitude, horizon at 0, zenith at 1, ground at −1. */
+    record Gradient(Vec3 zenith, Vec3 horizon, Vec3 ground) implements Sky {}
+
+    /**
+     * {@code "kind": "skybox"}.
+     *
+     * @param files asset ids: six in the order +x, −x, +y, −y, +z, −z for {@link SkyboxLayout#FACES}, one for CROSS
+     */
+    record Skybox(SkyboxLayout layout, List<String> files) implements Sky {}
+
+    /** {@code "kind": "atmosphere"}: computed scattering. */
+    record Atmosphere() implements Sky {}
+}
