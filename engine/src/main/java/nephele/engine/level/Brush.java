@@ -1,0 +1,149 @@
+package nephele.engine.level;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+
+/** A solid's shape, with what the author said of each face. */
+public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> faces) {
+    /**
+     * One face, in the order of {@code shape.faces()}.
+     *
+     * @param name as the author would name it: {@code +y}, {@code planes[3]}, {@code slope}, {@code side 2}
+     * @param material id, or {@code null} for the default grey
+     */
+    public record BrushFace(
+            String name,
+            Plane plane,
+            List<Vec3> polygon,
+            String material,
+            boolean portalable,
+            TextureMapping textureMapping) {}
+
+    private record Named(String name, Plane plane, String material, Boolean portalable) {}
+
+    /** @throws IllegalArgumentException with the reason when the solid encloses no bounded volume */
+    public static Brush of(Solid solid) {
+        if (solid instanceof Solid.Box box) {
+            requirePositive(box.size());
+            return assemble(solid, ConvexPolyhedron.box(Aabb.around(box.centre(), box.size())), boxFaces(box));
+        }
+        List<Named> named = named(solid);
+        return assemble(
+                solid,
+                ConvexPolyhedron.fromPlanes(named.stream().map(Named::plane).toList()),
+                named);
+    }
+
+    private static List<Named> named(Solid solid) {
+        if (solid instanceof Solid.Planes planes) {
+            return planeFaces(planes);
+        } else if (solid instanceof Solid.Wedge wedge) {
+            return wedgeFaces(wedge);
+        } else if (solid instanceof Solid.Prism prism) {
+            return prismFaces(prism);
+        }
+        throw new IllegalArgumentException("no shape for " + solid.getClass().getSimpleName());
+    }
+
+    private static Brush assemble(Solid solid, ConvexPolyhedron shape, List<Named> named) {
+        List<BrushFace> faces = new ArrayList<>(shape.faces().size());
+        for (ConvexPolyhedron.Face face : shape.faces()) {
+            Named said = named.get(face.planeIndex());
+            faces.add(new BrushFace(
+                    said.name(),
+                    face.plane(),
+                    face.polygon(),
+                    said.material() == null ? solid.material() : said.material(),
+                    said.portalable() == null ? solid.portalable() : said.portalable(),
+                    solid.textureMapping()));
+        }
+        return new Brush(solid.id(), shape, faces);
+    }
+
+    private static List<Named> boxFaces(Solid.Box box) {
+        List<Named> faces = new ArrayList<>(6);
+        for (BoxFace side : BoxFace.values()) {
+            faces.add(named(side.text(), null, box.faces().get(side)));
+        }
+        return faces;
+    }
+
+    private static Named named(String name, Plane plane, Solid.Face said) {
+        return said == null
+                ? new Named(name, plane, null, null)
+                : new Named(name, plane, said.material(), said.portalable());
+    }
+
+    private static List<Named> planeFaces(Solid.Planes planes) {
+        List<Named> faces = new ArrayList<>();
+        for (int i = 0; i < planes.planes().size(); i++) {
+            Solid.PlaneFace p = planes.planes().get(i);
+            faces.add(new Named(
+                    "planes[" + i + "]", Plane.of(p.normal(), p.distanceMetres()), p.material(), p.portalable()));
+        }
+        return faces;
+    }
+
+    /** The box's sides without the top and the low side, and the slope through the low bottom and the high top edge. */
+    private static List<Named> wedgeFaces(Solid.Wedge wedge) {
+        requirePositive(wedge.size());
+        Aabb box = Aabb.around(wedge.centre(), wedge.size());
+        Vec3 high = wedge.rising().normal();
+        if (high.y() != 0) {
+            throw new IllegalArgumentException("a wedge rises towards a horizontal side: +x, -x, +z or -z");
+        }
+        List<Named> faces = new ArrayList<>();
+        for (BoxFace side : BoxFace.values()) {
+            Vec3 n = side.normal();
+            boolean isLow = n.x() == -high.x() && n.z() == -high.z() && n.y() == 0;
+            if (side != BoxFace.PLUS_Y && !isLow) {
+                faces.add(named(side.text(), sidePlane(box, n), wedge.faces().get(side.text())));
+            }
+        }
+        double run = high.x() != 0 ? wedge.size().x() : wedge.size().z();
+        double rise = wedge.size().y();
+        Vec3 slope = new Vec3(-high.x() * rise, run, -high.z() * rise);
+        Plane unit = Plane.of(slope, 0);
+        faces.add(named(
+                "slope",
+                new Plane(unit.nx(), unit.ny(), unit.nz(), unit.signedDistance(wedge.centre())),
+                wedge.faces().get("slope")));
+        return faces;
+    }
+
+    private static Plane sidePlane(Aabb box, Vec3 n) {
+        double x = n.x() > 0 ? box.maxX() : box.minX();
+        double y = n.y() > 0 ? box.maxY() : box.minY();
+        double z = n.z() > 0 ? box.maxZ() : box.minZ();
+        return new Plane(n.x(), n.y(), n.z(), n.x() * x + n.y() * y + n.z() * z);
+    }
+
+    private static List<Named> prismFaces(Solid.Prism prism) {
+        if (!(prism.radiusMetres() > 0) || !(prism.heightMetres() > 0) || prism.sides() < 3) {
+            throw new IllegalArgumentException("a prism needs a positive radius and height and at least 3 sides");
+        }
+        List<Named> faces = new ArrayList<>();
+        double y = prism.centre().y();
+        faces.add(new Named("+y", new Plane(0, 1, 0, y + prism.heightMetres() / 2), null, null));
+        faces.add(new Named("-y", new Plane(0, -1, 0, -(y - prism.heightMetres() / 2)), null, null));
+        double apothem = prism.radiusMetres() * StrictMath.cos(Math.PI / prism.sides());
+        for (int i = 0; i < prism.sides(); i++) {
+            double angle = 2 * Math.PI * i / prism.sides();
+            double nx = StrictMath.cos(angle);
+            double nz = StrictMath.sin(angle);
+            double distance = nx * prism.centre().x() + nz * prism.centre().z() + apothem;
+            faces.add(new Named("side " + i, new Plane(nx, 0, nz, distance), null, null));
+        }
+        return faces;
+    }
+
+    private static void requirePositive(Vec3 size) {
+        if (!(size.x() > 0 && size.y() > 0 && size.z() > 0)) {
+            throw new IllegalArgumentException("every side of the size must be greater than 0");
+        }
+    }
+}

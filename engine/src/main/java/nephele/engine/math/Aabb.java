@@ -1,0 +1,56 @@
+package nephele.engine.math;
+
+/** An axis-aligned box; empty when a minimum exceeds its maximum. */
+public record Aabb(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
+    public static final Aabb EMPTY = new Aabb(
+            Double.POSITIVE_INFINITY,
+            Double.POSITIVE_INFINITY,
+            Double.POSITIVE_INFINITY,
+            Double.NEGATIVE_INFINITY,
+            Double.NEGATIVE_INFINITY,
+            Double.NEGATIVE_INFINITY);
+
+    public static Aabb around(Vec3 centre, Vec3 size) {
+        return new Aabb(
+                centre.x() - size.x() / 2,
+                centre.y() - size.y() / 2,
+                centre.z() - size.z() / 2,
+                centre.x() + size.x() / 2,
+                centre.y() + size.y() / 2,
+                centre.z() + size.z() / 2);
+    }
+
+    public static Aabb of(Iterable<Vec3> points) {
+        Aabb box = EMPTY;
+        for (Vec3 p : points) {
+            box = box.union(new Aabb(p.x(), p.y(), p.z(), p.x(), p.y(), p.z()));
+        }
+        return box;
+    }
+
+    public boolean isEmpty() {
+        return !(minX <= maxX && minY <= maxY && minZ <= maxZ);
+    }
+
+    public Aabb union(Aabb b) {
+        return new Aabb(
+                Math.min(minX, b.minX),
+                Math.min(minY, b.minY),
+                Math.min(minZ, b.minZ),
+                Math.max(maxX, b.maxX),
+                Math.max(maxY, b.maxY),
+                Math.max(maxZ, b.maxZ));
+    }
+
+    public Aabb grown(double metres) {
+        return new Aabb(minX - metres, minY - metres, minZ - metres, maxX + metres, maxY + metres, maxZ + metres);
+    }
+
+    public boolean overlaps(Aabb b) {
+        return minX <= b.maxX && b.minX <= maxX && minY <= b.maxY && b.minY <= maxY && minZ <= b.maxZ && b.minZ <= maxZ;
+    }
+
+    public Vec3 centre() {
+        return new Vec3((minX + maxX) / 2, (minY + maxY) / 2, (minZ + maxZ) / 2);
+    }
+}

@@ -1,0 +1,223 @@
+package nephele.engine.math;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** A bounded convex solid as the planes around it and the polygons between them. */
+public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bounds) {
+    /** More planes than this are refused: every triple of them is intersected. */
+    public static final int MAX_PLANES = 64;
+
+    /** Relative to the solid's extent: corners closer than this are one corner. */
+    private static final double WELD = 1e-9;
+
+    /**
+     * @param planeIndex which of the given planes bounds this face
+     * @param polygon corners, counter-clockwise seen from outside; shared corners are the same bits in all faces
+     */
+    public record Face(int planeIndex, Plane plane, List<Vec3> polygon) {}
+
+    /** The box in closed form; faces in the order +x −x +y −y +z −z. */
+    public static ConvexPolyhedron box(Aabb b) {
+        Vec3[] c = new Vec3[8];
+        for (int i = 0; i < 8; i++) {
+            c[i] = new Vec3(
+                    (i & 1) == 0 ? b.minX() : b.maxX(),
+                    (i & 2) == 0 ? b.minY() : b.maxY(),
+                    (i & 4) == 0 ? b.minZ() : b.maxZ());
+        }
+        List<Face> faces = List.of(
+                new Face(0, new Plane(1, 0, 0, b.maxX()), List.of(c[5], c[1], c[3], c[7])),
+                new Face(1, new Plane(-1, 0, 0, -b.minX()), List.of(c[0], c[4], c[6], c[2])),
+                new Face(2, new Plane(0, 1, 0, b.maxY()), List.of(c[6], c[7], c[3], c[2])),
+                new Face(3, new Plane(0, -1, 0, -b.minY()), List.of(c[0], c[1], c[5], c[4])),
+                new Face(4, new Plane(0, 0, 1, b.maxZ()), List.of(c[4], c[5], c[7], c[6])),
+                new Face(5, new Plane(0, 0, -1, -b.minZ()), List.of(c[1], c[0], c[2], c[3])));
+        return new ConvexPolyhedron(faces, List.of(c), b);
+    }
+
+    /**
+     * The intersection of the half spaces behind {@code planes}. Planes that touch it in less than a face give none.
+     *
+     * @throws IllegalArgumentException with the reason when the intersection is empty, flat or unbounded
+     */
+    public static ConvexPolyhedron fromPlanes(List<Plane> planes) {
+        if (planes.size() < 4 || planes.size() > MAX_PLANES) {
+            throw new IllegalArgumentException("a solid needs 4 to " + MAX_PLANES + " planes, not " + planes.size());
+        }
+        double epsilon = WELD * extent(planes);
+        List<Vec3> corners = corners(planes, epsilon);
+        List<Face> faces = new ArrayList<>();
+        for (int i = 0; i < planes.size(); i++) {
+            List<Vec3> polygon = polygon(planes.get(i), corners, epsilon * 4);
+            if (polygon.size() >= 3 && notSeen(faces, polygon)) {
+                faces.add(new Face(i, planes.get(i), polygon));
+            }
+        }
+        requireClosed(faces);
+        return new ConvexPolyhedron(List.copyOf(faces), List.copyOf(corners), Aabb.of(corners));
+    }
+
+    private static double extent(List<Plane> planes) {
+        double extent = 1;
+        for (Plane plane : planes) {
+            extent = Math.max(extent, Math.abs(plane.distance()));
+        }
+        return extent;
+    }
+
+    private static List<Vec3> corners(List<Plane> planes, double epsilon) {
+        List<Vec3> corners = new ArrayList<>();
+        for (int i = 0; i < planes.size(); i++) {
+            for (int j = i + 1; j < planes.size(); j++) {
+                for (int k = j + 1; k < planes.size(); k++) {
+                    Vec3 p = intersection(planes.get(i), planes.get(j), planes.get(k));
+                    if (p != null && behindAll(planes, p, epsilon) && !near(corners, p, epsilon * 2)) {
+                        corners.add(p);
+                    }
+                }
+            }
+        }
+        return corners;
+    }
+
+    /** Cramer's rule on the three plane equations; {@code null} when they share a direction. */
+    private static Vec3 intersection(Plane a, Plane b, Plane c) {
+        double bcX = b.ny() * c.nz() - b.nz() * c.ny();
+        double bcY = b.nz() * c.nx() - b.nx() * c.nz();
+        double bcZ = b.nx() * c.ny() - b.ny() * c.nx();
+        double determinant = a.nx() * bcX + a.ny() * bcY + a.nz() * bcZ;
+        if (Math.abs(determinant) < 1e-9) {
+            return null;
+        }
+        double caX = c.ny() * a.nz() - c.nz() * a.ny();
+        double caY = c.nz() * a.nx() - c.nx() * a.nz();
+        double caZ = c.nx() * a.ny() - c.ny() * a.nx();
+        double abX = a.ny() * b.nz() - a.nz() * b.ny();
+        double abY = a.nz() * b.nx() - a.nx() * b.nz();
+        double abZ = a.nx() * b.ny() - a.ny() * b.nx();
+        return new Vec3(
+                (a.distance() * bcX + b.distance() * caX + c.distance() * abX) / determinant,
+                (a.distance() * bcY + b.distance() * caY + c.distance() * abY) / determinant,
+                (a.distance() * bcZ + b.distance() * caZ + c.distance() * abZ) / determinant);
+    }
+
+    private static boolean behindAll(List<Plane> planes, Vec3 p, double epsilon) {
+        for (Plane plane : planes) {
+            if (plane.signedDistance(p) > epsilon) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean near(List<Vec3> corners, Vec3 p, double epsilon) {
+        for (Vec3 c : corners) {
+            if (Math.abs(c.x() - p.x()) <= epsilon
+                    && Math.abs(c.y() - p.y()) <= epsilon
+                    && Math.abs(c.z() - p.z()) <= epsilon) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static List<Vec3> polygon(Plane plane, List<Vec3> corners, double epsilon) {
+        List<Vec3> on = new ArrayList<>();
+        for (Vec3 c : corners) {
+            if (Math.abs(plane.signedDistance(c)) <= epsilon) {
+                on.add(c);
+            }
+        }
+        return on.size() < 3 ? on : counterClockwise(plane, on);
+    }
+
+    /** Gift wrapping: each next corner has all others on its left, seen from outside. Corners on an edge are dropped. */
+    private static List<Vec3> counterClockwise(Plane plane, List<Vec3> points) {
+        List<Vec3> ring = new ArrayList<>();
+        Vec3 first = lowest(points);
+        Vec3 current = first;
+        do {
+            ring.add(current);
+            Vec3 next = null;
+            for (Vec3 candidate : points) {
+                if (candidate != current && (next == null || isBetter(plane, current, next, candidate))) {
+                    next = candidate;
+                }
+            }
+            current = next;
+        } while (current != first && ring.size() <= points.size());
+        return List.copyOf(ring);
+    }
+
+    private static Vec3 lowest(List<Vec3> points) {
+        Vec3 lowest = points.get(0);
+        for (Vec3 p : points) {
+            if (Arrays.compare(new double[] {p.x(), p.y(), p.z()}, new double[] {lowest.x(), lowest.y(), lowest.z()})
+                    < 0) {
+                lowest = p;
+            }
+        }
+        return lowest;
+    }
+
+    private static boolean isBetter(Plane plane, Vec3 from, Vec3 best, Vec3 candidate) {
+        double ax = best.x() - from.x();
+        double ay = best.y() - from.y();
+        double az = best.z() - from.z();
+        double bx = candidate.x() - from.x();
+        double by = candidate.y() - from.y();
+        double bz = candidate.z() - from.z();
+        double turn =
+                plane.nx() * (ay * bz - az * by) + plane.ny() * (az * bx - ax * bz) + plane.nz() * (ax * by - ay * bx);
+        double a2 = ax * ax + ay * ay + az * az;
+        double b2 = bx * bx + by * by + bz * bz;
+        double collinear = 1e-12 * Math.sqrt(a2 * b2);
+        return turn < -collinear || (Math.abs(turn) <= collinear && b2 > a2);
+    }
+
+    /** Two equal planes give one face. */
+    private static boolean notSeen(List<Face> faces, List<Vec3> polygon) {
+        return faces.stream().noneMatch(f -> f.polygon().equals(polygon));
+    }
+
+    /** A closed surface has area vectors that cancel; an unbounded or flat intersection has not. */
+    private static void requireClosed(List<Face> faces) {
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        double total = 0;
+        for (Face face : faces) {
+            double area = area(face);
+            x += area * face.plane().nx();
+            y += area * face.plane().ny();
+            z += area * face.plane().nz();
+            total += area;
+        }
+        if (faces.size() < 4) {
+            throw new IllegalArgumentException("the planes enclose no volume: check that every normal points outwards");
+        }
+        if (!(Math.sqrt(x * x + y * y + z * z) <= 1e-6 * total)) {
+            throw new IllegalArgumentException("the planes leave the solid open on one side: add the missing plane");
+        }
+    }
+
+    private static double area(Face face) {
+        Vec3 o = face.polygon().get(0);
+        double doubled = 0;
+        for (int i = 2; i < face.polygon().size(); i++) {
+            Vec3 a = face.polygon().get(i - 1);
+            Vec3 b = face.polygon().get(i);
+            double ax = a.x() - o.x();
+            double ay = a.y() - o.y();
+            double az = a.z() - o.z();
+            double bx = b.x() - o.x();
+            double by = b.y() - o.y();
+            double bz = b.z() - o.z();
+            Plane n = face.plane();
+            doubled += n.nx() * (ay * bz - az * by) + n.ny() * (az * bx - ax * bz) + n.nz() * (ax * by - ay * bx);
+        }
+        return doubled / 2;
+    }
+}
