@@ -1,0 +1,27 @@
+package nephele.engine.asset;
+
+/** An asset that cannot be used: which one, why, and what its author can do about it. */
+public final class AssetException extends RuntimeException {
+    private final String assetId;
+    private final String reason;
+    private final String remedy;
+
+    public AssetException(String assetId, String reason, String remedy) {
+        super(assetId + ": " + reason + "; " + remedy);
+        this.assetId = assetId;
+        this.reason = reason;
+        this.remedy = remedy;
+    }
+
+    public String assetId() {
+        return assetId;
+    }
+
+    public String reason() {
+        return reason;
+    }
+
+    public String remedy() {
+        return remedy;
+    }
+}

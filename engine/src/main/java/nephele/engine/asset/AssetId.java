@@ -1,0 +1,79 @@
+package nephele.engine.asset;
+
+import java.util.Locale;
+import java.util.Set;
+
+/**
+ * The names an asset may have: relative paths that mean the same file on every system. Letters, digits and
+ * {@code . _ - /}; no empty, {@code .} or {@code ..} segment, no segment that ends in a dot, no Windows device name.
+ */
+public final class AssetId {
+    /** Longest id in characters. */
+    public static final int MAX_LENGTH = 128;
+
+    private static final Set<String> DEVICES = Set.of("con", "prn", "aux", "nul");
+    private static final String REMEDY =
+            "write a path relative to the level's folder or to assets/, of letters, digits, '.', '_', '-' and '/'";
+
+    private AssetId() {}
+
+    /** The reason why {@code id} is no asset id, or {@code null} if it is one. */
+    public static String objection(String id) {
+        if (id.isEmpty() || id.length() > MAX_LENGTH) {
+            return "an asset id has 1 to " + MAX_LENGTH + " characters";
+        }
+        for (int i = 0; i < id.length(); i++) {
+            if (!allowed(id.charAt(i))) {
+                return String.format(Locale.ROOT, "character U+%04X is not allowed in an asset id", (int) id.charAt(i));
+            }
+        }
+        for (String segment : id.split("/", -1)) {
+            String objection = segmentObjection(segment);
+            if (objection != null) {
+                return objection;
+            }
+        }
+        return null;
+    }
+
+    /** Throws unless {@code id} is one. */
+    public static void check(String id) {
+        String objection = objection(id);
+        if (objection != null) {
+            throw new AssetException(printable(id), objection, REMEDY);
+        }
+    }
+
+    private static boolean allowed(char c) {
+        return c >= 'a' && c <= 'z'
+                || c >= 'A' && c <= 'Z'
+                || c >= '0' && c <= '9'
+                || c == '.'
+                || c == '_'
+                || c == '-'
+                || c == '/';
+    }
+
+    private static String segmentObjection(String segment) {
+        if (segment.isEmpty()) {
+            return "an asset id neither starts nor ends with '/' and has no '//'";
+        }
+        if (segment.endsWith(".")) {
+            return "no part of an asset id is '.' or '..' or ends with a dot";
+        }
+        if (segment.startsWith("-")) {
+            return "no part of an asset id starts with '-'";
+        }
+        int dot = segment.indexOf('.');
+        String stem = (dot < 0 ? segment : segment.substring(0, dot)).toLowerCase(Locale.ROOT);
+        boolean port = stem.length() == 4
+                && (stem.startsWith("com") || stem.startsWith("lpt"))
+                && Character.isDigit(stem.charAt(3));
+        return DEVICES.contains(stem) || port ? "'" + stem + "' is a device name on Windows" : null;
+    }
+
+    private static String printable(String id) {
+        String shortened = id.length() <= MAX_LENGTH ? id : id.substring(0, MAX_LENGTH) + "…";
+        return shortened.replaceAll("[^\\x20-\\x7e…]", "?");
+    }
+}

@@ -1,0 +1,53 @@
+package nephele.engine.asset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+
+/**
+ * Assets below one folder. A link that leads out of the folder is refused, and so is a name whose case differs from the
+ * file's: it would work on one system only.
+ */
+public final class FolderAssets implements AssetSource {
+    private final Path root;
+
+    public FolderAssets(Path root) {
+        this.root = root.toAbsolutePath().normalize();
+    }
+
+    @Override
+    public boolean exists(String assetId) {
+        return AssetId.objection(assetId) == null && Files.isRegularFile(root.resolve(assetId));
+    }
+
+    @Override
+    public byte[] bytes(String assetId) {
+        AssetId.check(assetId);
+        Path file = root.resolve(assetId);
+        try {
+            requireInside(assetId, file);
+            return AssetLimits.readBounded(assetId, Files.newInputStream(file));
+        } catch (IOException problem) {
+            throw new AssetException(
+                    assetId,
+                    "cannot be read (" + problem.getClass().getSimpleName() + ")",
+                    "check that " + file + " is a readable file");
+        }
+    }
+
+    private void requireInside(String assetId, Path file) throws IOException {
+        Path realRoot = root.toRealPath();
+        if (!file.toRealPath().startsWith(realRoot)) {
+            throw new AssetException(assetId, "leads out of " + root, "copy the file into the folder");
+        }
+        Path named = realRoot.relativize(realRoot.resolve(assetId).toRealPath(LinkOption.NOFOLLOW_LINKS));
+        String onDisk = named.toString().replace('\\', '/');
+        if (!onDisk.equals(assetId) && onDisk.equalsIgnoreCase(assetId)) {
+            throw new AssetException(assetId, "is called " + onDisk + " on disk", "write it in the same case");
+        }
+        if (!Files.isRegularFile(file)) {
+            throw new AssetException(assetId, "is not a regular file", "name a file");
+        }
+    }
+}

@@ -1,0 +1,123 @@
+package nephele.engine.asset;
+
+import com.twelvemonkeys.imageio.plugins.bmp.BMPImageReaderSpi;
+import com.twelvemonkeys.imageio.plugins.tga.TGAImageReaderSpi;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferByte;
+import java.awt.image.DataBufferUShort;
+import java.awt.image.PixelInterleavedSampleModel;
+import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+
+/** Decoding through {@code javax.imageio}, which touches no window toolkit. */
+final class ImageIoPictures {
+    private ImageIoPictures() {}
+
+    static Picture decode(PictureFormat format, byte[] bytes) throws IOException {
+        ImageReader reader = reader(format);
+        try (MemoryCacheImageInputStream stream = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
+            reader.setInput(stream, true, true);
+            return picture(reader.read(0));
+        } finally {
+            reader.dispose();
+        }
+    }
+
+    /** The fat jar holds no merged provider lists, so TwelveMonkeys' readers are made directly. */
+    private static ImageReader reader(PictureFormat format) throws IOException {
+        return switch (format) {
+            case BMP -> new BMPImageReaderSpi().createReaderInstance(null);
+            case TGA -> new TGAImageReaderSpi().createReaderInstance(null);
+            case PNG, JPEG -> jdkReader(format.name().toLowerCase(Locale.ROOT));
+        };
+    }
+
+    private static ImageReader jdkReader(String name) {
+        for (var readers = ImageIO.getImageReadersByFormatName(name); readers.hasNext(); ) {
+            ImageReader reader = readers.next();
+            if (reader.getClass().getName().startsWith("com.sun.")) {
+                return reader;
+            }
+        }
+        throw new IllegalStateException("this Java runtime has no " + name + " reader");
+    }
+
+    private static Picture picture(BufferedImage image) {
+        boolean components = image.getColorModel() instanceof ComponentColorModel;
+        if (components && image.getSampleModel() instanceof PixelInterleavedSampleModel) {
+            int type = image.getRaster().getDataBuffer().getDataType();
+            if (type == DataBuffer.TYPE_BYTE) {
+                return bytes(image.getRaster());
+            }
+            if (type == DataBuffer.TYPE_USHORT) {
+                return shorts(image.getRaster());
+            }
+        }
+        return converted(image);
+    }
+
+    private static Picture bytes(Raster raster) {
+        var model = (PixelInterleavedSampleModel) raster.getSampleModel();
+        byte[] data = ((DataBufferByte) raster.getDataBuffer()).getData();
+        int[] offsets = model.getBandOffsets();
+        int bands = offsets.length;
+        int stride = model.getPixelStride();
+        byte[] samples = new byte[raster.getWidth() * raster.getHeight() * bands];
+        for (int y = 0, out = 0; y < raster.getHeight(); y++) {
+            int pixel = y * model.getScanlineStride();
+            for (int x = 0; x < raster.getWidth(); x++, pixel += stride) {
+                for (int band = 0; band < bands; band++) {
+                    samples[out++] = data[pixel + offsets[band]];
+                }
+            }
+        }
+        return new Picture(raster.getWidth(), raster.getHeight(), bands, 8, samples);
+    }
+
+    private static Picture shorts(Raster raster) {
+        var model = (PixelInterleavedSampleModel) raster.getSampleModel();
+        short[] data = ((DataBufferUShort) raster.getDataBuffer()).getData();
+        int[] offsets = model.getBandOffsets();
+        byte[] samples = new byte[raster.getWidth() * raster.getHeight() * offsets.length * 2];
+        for (int y = 0, out = 0; y < raster.getHeight(); y++) {
+            int pixel = y * model.getScanlineStride();
+            for (int x = 0; x < raster.getWidth(); x++, pixel += model.getPixelStride()) {
+                for (int offset : offsets) {
+                    short value = data[pixel + offset];
+                    samples[out++] = (byte) value;
+                    samples[out++] = (byte) (value >>> 8);
+                }
+            }
+        }
+        return new Picture(raster.getWidth(), raster.getHeight(), offsets.length, 16, samples);
+    }
+
+    /** Palettes and packed pixels: all of them are sRGB with 8 bits or fewer, so the conversion changes no value. */
+    private static Picture converted(BufferedImage image) {
+        ColorModel model = image.getColorModel();
+        int channels = model.hasAlpha() ? 4 : 3;
+        int width = image.getWidth();
+        byte[] samples = new byte[width * image.getHeight() * channels];
+        int[] row = new int[width];
+        for (int y = 0, out = 0; y < image.getHeight(); y++) {
+            image.getRGB(0, y, width, 1, row, 0, width);
+            for (int argb : row) {
+                samples[out++] = (byte) (argb >> 16);
+                samples[out++] = (byte) (argb >> 8);
+                samples[out++] = (byte) argb;
+                if (channels == 4) {
+                    samples[out++] = (byte) (argb >>> 24);
+                }
+            }
+        }
+        return new Picture(width, image.getHeight(), channels, 8, samples);
+    }
+}

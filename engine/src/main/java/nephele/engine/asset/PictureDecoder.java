@@ -1,0 +1,60 @@
+package nephele.engine.asset;
+
+/** Files to pictures, in pure Java and behind limits that hold before a pixel is allocated. */
+public final class PictureDecoder {
+    /** Pixels of either side. */
+    public static final int MAX_SIDE = 8192;
+
+    private static final long MAX_PIXELS = 64L << 20;
+    private static final int MAX_FILE_BYTES = 64 << 20;
+
+    /** Largest honest ratio of pixel bytes to file bytes; OpenImageIO's limit (its pull request 5319). */
+    private static final int MAX_EXPANSION = 10_000;
+
+    private PictureDecoder() {}
+
+    /**
+     * Decodes PNG, JPEG, BMP or TGA.
+     *
+     * @param assetId names the file in errors; a TGA file is recognised by it
+     */
+    public static Picture decode(String assetId, byte[] bytes) throws AssetException {
+        PictureFormat format = PictureFormat.of(assetId, bytes);
+        if (format == null) {
+            throw new AssetException(assetId, "is not a picture", "use a PNG, JPEG, BMP or TGA file");
+        }
+        checkHeader(assetId, format, bytes);
+        try {
+            return ImageIoPictures.decode(format, bytes);
+        } catch (java.io.IOException | RuntimeException problem) {
+            throw new AssetException(
+                    assetId, "is damaged or of an unknown kind of " + format, "save it again as 8-bit PNG");
+        } catch (OutOfMemoryError tooLarge) {
+            throw new AssetException(assetId, "does not fit into memory", "make the picture smaller");
+        }
+    }
+
+    private static void checkHeader(String assetId, PictureFormat format, byte[] bytes) {
+        if (bytes.length > MAX_FILE_BYTES) {
+            throw new AssetException(assetId, "has more than 64 MiB", "make the picture smaller");
+        }
+        PictureFormat.Size size = format.size(bytes);
+        if (size == null) {
+            throw new AssetException(assetId, "is cut off in its header", "copy the file again");
+        }
+        long pixels = size.width() * size.height();
+        if (size.width() < 1 || size.height() < 1) {
+            throw new AssetException(assetId, "has no pixels", "save it with a width and height of at least 1");
+        }
+        if (size.width() > MAX_SIDE || size.height() > MAX_SIDE || pixels > MAX_PIXELS) {
+            throw new AssetException(
+                    assetId,
+                    "claims " + size.width() + " x " + size.height() + " pixels",
+                    "at most " + MAX_SIDE + " on a side are read");
+        }
+        if (4 * pixels > (long) MAX_EXPANSION * bytes.length) {
+            throw new AssetException(
+                    assetId, "claims " + pixels + " pixels in " + bytes.length + " bytes", "copy the file again");
+        }
+    }
+}
