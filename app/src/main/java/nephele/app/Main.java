@@ -1,10 +1,27 @@
 package nephele.app;
 
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import nephele.app.command.CommandLineFront;
+import nephele.app.terminal.Terminal;
+
 /** The front of the jar. */
 public final class Main {
     private Main() {}
 
     public static void main(String[] args) {
-        System.exit(2);
+        Locale.setDefault(Locale.ROOT);
+        var terminal = new Terminal(utf8(FileDescriptor.out), utf8(FileDescriptor.err));
+        var exitCode = new CommandLineFront(terminal).run(args);
+        terminal.out().flush();
+        terminal.err().flush();
+        System.exit(exitCode.number());
+    }
+
+    private static PrintStream utf8(FileDescriptor descriptor) {
+        return new PrintStream(new FileOutputStream(descriptor), true, StandardCharsets.UTF_8);
     }
 }

@@ -1,0 +1,58 @@
+package nephele.app.command;
+
+import java.util.Arrays;
+import java.util.List;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import picocli.CommandLine;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.ParameterException;
+
+/** From arguments to an exit code: finds the command, lets picocli read its options, runs it and explains failures. */
+public final class CommandLineFront {
+    private final Terminal terminal;
+
+    public CommandLineFront(Terminal terminal) {
+        this.terminal = terminal;
+    }
+
+    public ExitCode run(String... arguments) {
+        var words = List.of(arguments);
+        if (words.isEmpty() || words.get(0).equals("--help") || words.get(0).equals("-h")) {
+            (words.isEmpty() ? terminal.err() : terminal.out()).print(Overview.text());
+            return words.isEmpty() ? ExitCode.USAGE : ExitCode.DONE;
+        }
+        var entry = Commands.named(words.get(0));
+        if (entry.isEmpty()) {
+            terminal.err().println("nephele: " + Overview.unknown(words.get(0)));
+            return ExitCode.USAGE;
+        }
+        return run(entry.get(), arguments);
+    }
+
+    private ExitCode run(CommandEntry entry, String[] arguments) {
+        var command = entry.build().get();
+        var commandLine = new CommandLine(command);
+        commandLine.setExpandAtFiles(false).setCaseInsensitiveEnumValuesAllowed(true);
+        commandLine
+                .getCommandSpec()
+                .name("nephele " + entry.name())
+                .usageMessage()
+                .description(entry.summary());
+        try {
+            var parsed = commandLine.parseArgs(Arrays.copyOfRange(arguments, 1, arguments.length));
+            if (parsed.isUsageHelpRequested()) {
+                commandLine.usage(terminal.out(), Ansi.OFF);
+                return ExitCode.DONE;
+            }
+            return command.run(terminal);
+        } catch (ParameterException wrongUsage) {
+            terminal.err().println("nephele " + entry.name() + ": " + wrongUsage.getMessage());
+            terminal.err().println("`nephele " + entry.name() + " --help` lists what it takes.");
+            return ExitCode.USAGE;
+        } catch (Exception | LinkageError | OutOfMemoryError | StackOverflowError failure) {
+            var explained = Explanation.of(failure, List.of(arguments));
+            return explained.tell(terminal, "nephele " + entry.name(), command.common().verbose);
+        }
+    }
+}

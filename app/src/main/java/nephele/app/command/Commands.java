@@ -1,0 +1,27 @@
+package nephele.app.command;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Every command in the order of the help text; the only registration. */
+public final class Commands {
+    public static final List<CommandEntry> ALL = List.of(
+            new CommandEntry("prove", "Run the proofs at full count and write docs/proofs.md", ProveCommand::new),
+            new CommandEntry("edit", "Edit a level: edit [LEVEL]", UnbuiltCommand::new),
+            new CommandEntry(
+                    "trade", "Report speed against accuracy: trade [SUBJECT...] --out DIR", UnbuiltCommand::new),
+            new CommandEntry(
+                    "bake", "Bake the sky into a skybox, and whatever a level caches: bake LEVEL", UnbuiltCommand::new),
+            new CommandEntry(
+                    "generate", "Make a primitive mesh: generate SHAPE ARGUMENT... FILE.3d", UnbuiltCommand::new),
+            new CommandEntry(
+                    "scene", "View an XML scene: scene [FILE.xml [ENTITY.xml [BACKGROUND]]]", UnbuiltCommand::new),
+            new CommandEntry(
+                    "import", "Turn an XML scene into a level: import FILE.xml --out LEVEL.json", UnbuiltCommand::new));
+
+    private Commands() {}
+
+    public static Optional<CommandEntry> named(String name) {
+        return ALL.stream().filter(entry -> entry.name().equals(name)).findFirst();
+    }
+}

@@ -1,0 +1,58 @@
+package nephele.app.command;
+
+import java.io.IOException;
+import java.nio.file.NoSuchFileException;
+import java.time.Instant;
+import java.util.List;
+import nephele.app.prove.Proof;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.CrashReport;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+
+/** A failure in plain words: the only place that decides what an exception means to a user. */
+record Explanation(ExitCode exitCode, String message, Throwable failure) {
+    static Explanation of(Throwable failure, List<String> arguments) {
+        if (failure instanceof CommandFailure known) {
+            return new Explanation(known.exitCode(), known.getMessage(), failure);
+        }
+        if (failure instanceof Proof.UnavailableException) {
+            return new Explanation(ExitCode.ENVIRONMENT, failure.getMessage(), failure);
+        }
+        if (failure instanceof NoSuchFileException missing) {
+            return new Explanation(ExitCode.INPUT, missing.getFile() + ": no such file", failure);
+        }
+        if (failure instanceof UnsatisfiedLinkError) {
+            return new Explanation(ExitCode.ENVIRONMENT, withoutLibrary(failure), failure);
+        }
+        if (failure instanceof OutOfMemoryError) {
+            return new Explanation(
+                    ExitCode.ENVIRONMENT, "out of memory; give Java more, for example `java -Xmx4g -jar …`", failure);
+        }
+        return new Explanation(ExitCode.INPUT, reported(failure, arguments), failure);
+    }
+
+    ExitCode tell(Terminal terminal, String command, boolean withStackTrace) {
+        terminal.out().flush();
+        terminal.err().println(command + ": " + message);
+        if (withStackTrace) {
+            failure.printStackTrace(terminal.err());
+        }
+        return exitCode;
+    }
+
+    private static String withoutLibrary(Throwable failure) {
+        return "a native library is missing: " + failure.getMessage()
+                + "\nOn Debian or Ubuntu: apt-get install libegl1 libgl1 libgl1-mesa-dri";
+    }
+
+    private static String reported(Throwable crash, List<String> arguments) {
+        try {
+            var file = new CrashReport(arguments, Instant.now(), crash).write();
+            return "this is a bug in Nephele, not in your input. Please report it with the file " + file;
+        } catch (IOException unwritable) {
+            return "this is a bug in Nephele, and the crash report can't be written: " + unwritable.getMessage()
+                    + "\n`--verbose` shows it here.";
+        }
+    }
+}

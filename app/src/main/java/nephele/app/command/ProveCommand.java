@@ -1,0 +1,96 @@
+package nephele.app.command;
+
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.List;
+import java.util.stream.Collectors;
+import nephele.app.prove.Proof;
+import nephele.app.prove.ProofResult;
+import nephele.app.prove.ProofRun;
+import nephele.app.prove.ProofTable;
+import nephele.app.prove.Proofs;
+import nephele.app.prove.Surroundings;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Runs the proofs at full count; a stopped run goes on where it was. */
+@Command
+final class ProveCommand implements nephele.app.command.Command {
+    private static final Path STATE_FOLDER = Path.of("build", "prove");
+    private static final Path TABLE = Path.of("docs", "proofs.md");
+
+    @Parameters(arity = "0..1", paramLabel = "NAME", description = "One proof; without it all of them run in order.")
+    private String name;
+
+    @Option(
+            names = "--count",
+            paramLabel = "N",
+            description = "Run only up to this many units; the figures are shown but not written to docs/proofs.md.")
+    private Long count;
+
+    @Option(names = "--again", description = "Start over instead of going on where the last run stopped.")
+    private boolean again;
+
+    @Option(names = "--list", description = "List the proofs and their claims.")
+    private boolean list;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) throws Exception {
+        if (list) {
+            Proofs.ALL.forEach(proof -> terminal.out().println(proof.name() + ": " + proof.claim()));
+            return ExitCode.DONE;
+        }
+        if (count != null && count < 1) {
+            throw CommandFailure.usage("--count must be at least 1");
+        }
+        boolean allHold = true;
+        for (var proof : chosen()) {
+            allHold &= prove(proof, terminal).holds();
+        }
+        return allHold ? ExitCode.DONE : ExitCode.INPUT;
+    }
+
+    private List<Proof> chosen() {
+        if (name == null) {
+            return Proofs.ALL;
+        }
+        var named =
+                Proofs.ALL.stream().filter(proof -> proof.name().equals(name)).toList();
+        if (named.isEmpty()) {
+            var names = Proofs.ALL.stream().map(Proof::name).collect(Collectors.joining(", "));
+            throw CommandFailure.usage("there is no proof `" + name + "`; there are: " + names);
+        }
+        return named;
+    }
+
+    private ProofResult prove(Proof proof, Terminal terminal) throws Exception {
+        String commit = Surroundings.commit();
+        long wanted = count == null ? proof.fullCount() : Math.min(count, proof.fullCount());
+        var run = new ProofRun(proof, STATE_FOLDER, terminal.err());
+        if (again) {
+            run.startOver(commit);
+        }
+        var result = run.upTo(wanted, commit);
+        terminal.out().println(ProofTable.summary(proof, result));
+        if (result.units() >= proof.fullCount()) {
+            String date = LocalDate.now(ZoneOffset.UTC).toString();
+            new ProofTable(TABLE)
+                    .write(proof, result, new ProofTable.Circumstances(date, commit, Surroundings.machine()));
+        }
+        return result;
+    }
+}

@@ -1,0 +1,30 @@
+package nephele.app.command;
+
+import java.util.List;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Unmatched;
+
+/** A command of the design that has no body yet: it answers --help and otherwise says so. */
+@Command(synopsisHeading = "Usage (not built yet): ")
+final class UnbuiltCommand implements nephele.app.command.Command {
+    @Mixin
+    private CommonOptions common;
+
+    @Unmatched
+    private List<String> arguments;
+
+    @Override
+    public ExitCode run(Terminal terminal) {
+        throw CommandFailure.environment(
+                "this command is not built yet in this version. `nephele --help` lists the others.");
+    }
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+}

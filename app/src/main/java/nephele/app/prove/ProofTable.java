@@ -1,0 +1,88 @@
+package nephele.app.prove;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/** docs/proofs.md: one row a proof, in the order of {@link Proofs#ALL}; a new figure replaces the old row. */
+public final class ProofTable {
+    private static final String HEAD =
+            """
+            # Proofs
+
+            Written by `nephele prove`; every row is the last full run of one proof. `nephele prove NAME` repeats it.
+
+            | proof | claim | count | failures | figures | date | commit | machine |
+            |---|---|---|---|---|---|---|---|
+            """;
+
+    private final Path file;
+
+    public ProofTable(Path file) {
+        this.file = file;
+    }
+
+    /** Where and when a result was found. */
+    public record Circumstances(String date, String commit, String machine) {}
+
+    /** Puts the result into the table, over the row that this proof had. */
+    public void write(Proof proof, ProofResult result, Circumstances found) throws IOException {
+        var rows = rows();
+        rows.removeIf(row -> nameOf(row).equals(proof.name()));
+        rows.add(row(proof, result, found));
+        var order = Proofs.ALL.stream().map(Proof::name).collect(Collectors.toList());
+        rows.sort((a, b) -> Integer.compare(order.indexOf(nameOf(a)), order.indexOf(nameOf(b))));
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        Files.writeString(file, HEAD + String.join("\n", rows) + "\n");
+    }
+
+    private List<String> rows() throws IOException {
+        if (!Files.exists(file)) {
+            return new ArrayList<>();
+        }
+        return Files.readAllLines(file).stream()
+                .filter(line -> line.startsWith("| ") && !line.startsWith("| proof |"))
+                .collect(Collectors.toCollection(ArrayList::new));
+    }
+
+    private static String nameOf(String row) {
+        return row.split("\\|")[1].strip();
+    }
+
+    private static String row(Proof proof, ProofResult result, Circumstances found) {
+        var figures = result.figures().stream().map(ProofTable::text).collect(Collectors.joining("; "));
+        return "| "
+                + String.join(
+                        " | ",
+                        proof.name(),
+                        proof.claim(),
+                        String.format(Locale.ROOT, "%,d %s", result.units(), proof.unit()),
+                        Long.toString(result.failures()),
+                        figures,
+                        found.date(),
+                        found.commit(),
+                        found.machine())
+                + " |";
+    }
+
+    /** The result for the terminal: verdict, count, figures and the first failures. */
+    public static String summary(Proof proof, ProofResult result) {
+        var verdict = result.holds() ? "holds" : "FAILS (" + result.failures() + " failures)";
+        var text = new StringBuilder(
+                String.format(Locale.ROOT, "%s: %s after %,d %s", proof.name(), verdict, result.units(), proof.unit()));
+        result.figures().forEach(figure -> text.append("\n  ").append(text(figure)));
+        result.examples().forEach(example -> text.append("\n  failed: ").append(example));
+        return text.toString();
+    }
+
+    /** A figure as a reader wants it: whole numbers whole, others with five digits. */
+    static String text(Figure figure) {
+        boolean whole = figure.value() == Math.rint(figure.value()) && Math.abs(figure.value()) < 1e15;
+        String number = String.format(Locale.ROOT, whole ? "%,.0f" : "%.5g", figure.value());
+        return (figure.name() + " " + number + " " + figure.unit()).strip();
+    }
+}
