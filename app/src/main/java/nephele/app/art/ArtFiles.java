@@ -1,0 +1,30 @@
+package nephele.app.art;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** Regenerates the pictures below {@code assets/} from code: {@code gradle textures}. */
+public final class ArtFiles {
+    private ArtFiles() {}
+
+    /** @param arguments the checkout's root, default the working directory */
+    public static void main(String[] arguments) throws IOException {
+        Path root = Path.of(arguments.length > 0 ? arguments[0] : "");
+        for (Map.Entry<String, BufferedImage> picture : benchPictures().entrySet()) {
+            PictureFile.write(root.resolve("assets").resolve(picture.getKey()), picture.getValue());
+        }
+    }
+
+    /** By asset id. */
+    static Map<String, BufferedImage> benchPictures() {
+        Map<String, BufferedImage> pictures = new LinkedHashMap<>();
+        pictures.put("textures/bench/box.png", BenchPixels.box());
+        for (int face = 0; face < 6; face++) {
+            pictures.put(BenchLevels.skyFiles().get(face), BenchPixels.sky(face));
+        }
+        return pictures;
+    }
+}
