@@ -7,8 +7,20 @@ public sealed interface Body {
     String id();
 
     /** {@code "kind": "box"}. */
-    record Box(String id, Vec3 centre, Vec3 size, double massKilograms, String material) implements Body {}
+    record Box(
+            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(required = true) Vec3 centre,
+            @Written(required = true, min = 1e-4) Vec3 size,
+            @Written(required = true, min = 1e-6) double massKilograms,
+            @Written(text = TextFormat.Rule.ID) String material)
+            implements Body {}
 
     /** {@code "kind": "sphere"}. */
-    record Sphere(String id, Vec3 centre, double radiusMetres, double massKilograms, String material) implements Body {}
+    record Sphere(
+            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(required = true) Vec3 centre,
+            @Written(required = true, min = 1e-4) double radiusMetres,
+            @Written(required = true, min = 1e-6) double massKilograms,
+            @Written(text = TextFormat.Rule.ID) String material)
+            implements Body {}
 }

@@ -6,20 +6,28 @@ import nephele.engine.math.Vec3;
 /**
  * A fixed camera, or one that follows {@code path} with one entry a frame.
  *
- * @param horizontalFovDegrees 0 when {@code verticalFovDegrees} is given instead
+ * @param horizontalFovDegrees 0 when {@code verticalFovDegrees} is given instead; 90 when neither is
  * @param verticalFovDegrees 0 when {@code horizontalFovDegrees} is given
  */
 public record Camera(
-        String id,
-        Vec3 position,
-        Vec3 target,
-        Vec3 up,
-        double horizontalFovDegrees,
-        double verticalFovDegrees,
-        double nearMetres,
-        double farMetres,
-        List<Waypoint> path) {
+        @Written(required = true, text = TextFormat.Rule.ID) String id,
+        @Written(required = true) Vec3 position,
+        @Written(required = true) Vec3 target,
+        @Written(absent = "[0, 1, 0]") Vec3 up,
+        @Written(min = 1, max = 170) double horizontalFovDegrees,
+        @Written(min = 1, max = 170) double verticalFovDegrees,
+        @Written(absent = "0.1", min = 1e-3) double nearMetres,
+        @Written(absent = "10000", min = 1e-3) double farMetres,
+        @Written(most = 100_000) List<Waypoint> path) {
+
+    private static final double DEFAULT_HORIZONTAL_FOV_DEGREES = 90;
+
+    public Camera {
+        if (horizontalFovDegrees == 0 && verticalFovDegrees == 0) {
+            horizontalFovDegrees = DEFAULT_HORIZONTAL_FOV_DEGREES;
+        }
+    }
 
     /** Eye and look-at point of one frame. */
-    public record Waypoint(Vec3 position, Vec3 target) {}
+    public record Waypoint(@Written(required = true) Vec3 position, @Written(required = true) Vec3 target) {}
 }

@@ -5,41 +5,50 @@ import nephele.engine.math.Vec3;
 
 /** A cloud: where it is, what it consists of and the technique that draws it. */
 public record Cloud(
-        String id,
-        Extent extent,
-        CloudTechnique technique,
-        Density density,
-        double extinctionPerMetre,
-        double albedo,
-        double phaseG) {
+        @Written(required = true, text = TextFormat.Rule.ID) String id,
+        @Written(beside = true) Extent extent,
+        @Written(absent = "\"auto\"") CloudTechnique technique,
+        @Written(absent = "{\"kind\": \"ellipsoid\"}") Density density,
+        @Written(absent = "0.05", min = 0, max = 1e3) double extinctionPerMetre,
+        @Written(absent = "1", min = 0, max = 1) double albedo,
+        @Written(min = -0.999, max = 0.999) double phaseG) {
 
     /** Where the cloud is; the file's {@code kind}, its members beside the cloud's own. */
     public sealed interface Extent {
         /** {@code "kind": "volume"}: an axis-aligned box. */
-        record Volume(Vec3 centre, Vec3 size) implements Extent {}
+        record Volume(@Written(required = true) Vec3 centre, @Written(required = true, min = 1e-4) Vec3 size)
+                implements Extent {}
 
         /** {@code "kind": "layer"}. */
-        record Layer(double baseAltitudeMetres, double thicknessMetres) implements Extent {}
+        record Layer(
+                @Written(required = true) double baseAltitudeMetres,
+                @Written(required = true, min = 1e-3) double thicknessMetres)
+                implements Extent {}
     }
 
     /** Density 0–1 inside the extent, times {@code extinctionPerMetre}. */
     public sealed interface Density {
         /** {@code "kind": "image"}: a grey picture as density from above. */
-        record Image(String file) implements Density {}
+        record Image(@Written(required = true, text = TextFormat.Rule.ASSET) String file) implements Density {}
 
         /** {@code "kind": "ellipsoid"}: 1 inside the inscribed ellipsoid. */
         record Ellipsoid() implements Density {}
 
         /** {@code "kind": "puffs"}: soft balls. */
-        record Puffs(List<Puff> puffs) implements Density {}
+        record Puffs(@Written(required = true) List<Puff> puffs) implements Density {}
 
         /** {@code "kind": "noise"}. */
-        record Noise(long seed, double featureMetres, double coverage) implements Density {}
+        record Noise(
+                @Written(min = -9.007199254740991e15, max = 9.007199254740991e15) long seed,
+                @Written(absent = "100", min = 1e-3) double featureMetres,
+                @Written(absent = "0.5", min = 0, max = 1) double coverage)
+                implements Density {}
 
         /** {@code "kind": "grid"}: a Mitsuba {@code .vol} version 3 file. */
-        record Grid(String file) implements Density {}
+        record Grid(@Written(required = true, text = TextFormat.Rule.ASSET) String file) implements Density {}
     }
 
     /** One soft ball, relative to the extent's centre. */
-    public record Puff(Vec3 centre, double radiusMetres) {}
+    public record Puff(
+            @Written(required = true) Vec3 centre, @Written(required = true, min = 1e-4) double radiusMetres) {}
 }

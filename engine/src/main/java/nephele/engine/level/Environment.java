@@ -14,4 +14,10 @@ import nephele.engine.math.Vec3;
  * @param fog {@code null}: none
  */
 public record Environment(
-        Sun sun, Sky sky, Vec3 ambient, double exposureStops, ToneCurve toneCurve, Fog fog, List<Cloud> clouds) {}
+        @Written Sun sun,
+        @Written Sky sky,
+        @Written(min = 0, max = 1e9) Vec3 ambient,
+        @Written(min = -32, max = 32) double exposureStops,
+        @Written(absent = "\"clip\"") ToneCurve toneCurve,
+        @Written Fog fog,
+        @Written(most = 1000) List<Cloud> clouds) {}

@@ -4,17 +4,17 @@ import java.util.List;
 
 /**
  * A level as its author wrote it, version 1. Every section is optional in the file: an absent list is empty here, an
- * absent record {@code null}. Nothing in here is derived.
+ * absent environment the empty one, an absent player {@code null}. Nothing in here is derived.
  */
 public record Level(
-        String name,
-        String description,
-        Environment environment,
-        PlayerStart player,
-        List<Camera> cameras,
-        List<Material> materials,
-        List<Solid> solids,
-        List<Light> lights,
-        List<PortalSpec> portals,
-        List<ModelPlacement> models,
-        List<Body> bodies) {}
+        @Written(absent = "\"\"") String name,
+        @Written(absent = "\"\"", text = TextFormat.Rule.PROSE) String description,
+        @Written(absent = "{}") Environment environment,
+        @Written PlayerStart player,
+        @Written(most = 1000) List<Camera> cameras,
+        @Written List<Material> materials,
+        @Written(most = 100_000) List<Solid> solids,
+        @Written(most = 1000) List<Light> lights,
+        @Written(most = 1000) List<PortalSpec> portals,
+        @Written List<ModelPlacement> models,
+        @Written List<Body> bodies) {}

@@ -16,18 +16,23 @@ public sealed interface Light {
     boolean castsShadow();
 
     /** {@code "kind": "point"}. */
-    record Point(String id, Vec3 position, Vec3 radiantIntensity, double rangeMetres, boolean castsShadow)
+    record Point(
+            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(required = true) Vec3 position,
+            @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,
+            @Written(absent = "20", min = 0) double rangeMetres,
+            @Written(absent = "true") boolean castsShadow)
             implements Light {}
 
     /** {@code "kind": "spot"}; cones are half angles from the axis, full light inside the inner one. */
     record Spot(
-            String id,
-            Vec3 position,
-            Vec3 direction,
-            Vec3 radiantIntensity,
-            double rangeMetres,
-            double innerConeDegrees,
-            double outerConeDegrees,
-            boolean castsShadow)
+            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(required = true) Vec3 position,
+            @Written(required = true) Vec3 direction,
+            @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,
+            @Written(absent = "20", min = 0) double rangeMetres,
+            @Written(absent = "20", min = 0, max = 90) double innerConeDegrees,
+            @Written(absent = "30", min = 0.1, max = 90) double outerConeDegrees,
+            @Written(absent = "true") boolean castsShadow)
             implements Light {}
 }

@@ -15,14 +15,14 @@ import nephele.engine.math.Vec3;
  * @param textureMetres side of the square that one repeat of the texture covers
  */
 public record Material(
-        String id,
-        Vec3 baseColour,
-        String texture,
-        Double roughness,
-        Double metallic,
-        String normalTexture,
-        Vec3 emission,
-        double textureMetres) {
+        @Written(required = true, text = TextFormat.Rule.ID) String id,
+        @Written(absent = "[1, 1, 1]", min = 0, max = 1) Vec3 baseColour,
+        @Written(text = TextFormat.Rule.ASSET) String texture,
+        @Written(min = 0, max = 1) Double roughness,
+        @Written(min = 0, max = 1) Double metallic,
+        @Written(text = TextFormat.Rule.ASSET) String normalTexture,
+        @Written(absent = "[0, 0, 0]", min = 0, max = 1e9) Vec3 emission,
+        @Written(absent = "1", min = 1e-3) double textureMetres) {
 
     /** True when the material needs no view-dependent term. */
     public boolean lambert() {

@@ -4,11 +4,11 @@ import nephele.engine.math.Vec3;
 
 /** A portal that the level starts with. */
 public record PortalSpec(
-        String id,
-        String linkedTo,
-        Vec3 centre,
-        Vec3 normal,
-        Vec3 up,
-        double widthMetres,
-        double heightMetres,
-        PortalShape shape) {}
+        @Written(required = true, text = TextFormat.Rule.ID) String id,
+        @Written(required = true, text = TextFormat.Rule.ID) String linkedTo,
+        @Written(required = true) Vec3 centre,
+        @Written(required = true) Vec3 normal,
+        @Written(absent = "[0, 1, 0]") Vec3 up,
+        @Written(required = true, min = 1e-2) double widthMetres,
+        @Written(required = true, min = 1e-2) double heightMetres,
+        @Written(absent = "\"rectangle\"") PortalShape shape) {}

@@ -6,17 +6,24 @@ import nephele.engine.math.Vec3;
 /** Radiance from every direction that meets nothing, linear RGB. */
 public sealed interface Sky {
     /** {@code "kind": "constant"}. */
-    record Constant(Vec3 radiance) implements Sky {}
+    record Constant(@Written(required = true, min = 0, max = 1e9) Vec3 radiance) implements Sky {}
 
     /** {@code "kind": "gradient"}: by the sine of the altitude, horizon at 0, zenith at 1, ground at −1. */
-    record Gradient(Vec3 zenith, Vec3 horizon, Vec3 ground) implements Sky {}
+    record Gradient(
+            @Written(required = true, min = 0, max = 1e9) Vec3 zenith,
+            @Written(required = true, min = 0, max = 1e9) Vec3 horizon,
+            @Written(absent = "[0, 0, 0]", min = 0, max = 1e9) Vec3 ground)
+            implements Sky {}
 
     /**
      * {@code "kind": "skybox"}.
      *
      * @param files asset ids: six in the order +x, −x, +y, −y, +z, −z for {@link SkyboxLayout#FACES}, one for CROSS
      */
-    record Skybox(SkyboxLayout layout, List<String> files) implements Sky {}
+    record Skybox(
+            @Written(absent = "\"faces\"") SkyboxLayout layout,
+            @Written(required = true, text = TextFormat.Rule.ASSET, most = 6) List<String> files)
+            implements Sky {}
 
     /** {@code "kind": "atmosphere"}: computed scattering. */
     record Atmosphere() implements Sky {}

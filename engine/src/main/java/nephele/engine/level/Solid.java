@@ -16,17 +16,22 @@ public sealed interface Solid {
 
     /** {@code "kind": "box"}, axis-aligned; {@code faces} by name: +x −x +y −y +z −z (written {@code "+y"}). */
     record Box(
-            String id,
-            String material,
-            boolean portalable,
-            TextureMapping textureMapping,
-            Vec3 centre,
-            Vec3 size,
-            Map<BoxFace, Face> faces)
+            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(text = TextFormat.Rule.ID) String material,
+            @Written boolean portalable,
+            @Written(absent = "\"world\"") TextureMapping textureMapping,
+            @Written(required = true) Vec3 centre,
+            @Written(required = true, min = 1e-4) Vec3 size,
+            @Written Map<BoxFace, Face> faces)
             implements Solid {}
 
     /** {@code "kind": "planes"}: what lies behind all planes, normal · p ≤ distanceMetres. Bounded and not empty. */
-    record Planes(String id, String material, boolean portalable, TextureMapping textureMapping, List<PlaneFace> planes)
+    record Planes(
+            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(text = TextFormat.Rule.ID) String material,
+            @Written boolean portalable,
+            @Written(absent = "\"world\"") TextureMapping textureMapping,
+            @Written(required = true, most = 64) List<PlaneFace> planes)
             implements Solid {}
 
     /**
@@ -35,14 +40,14 @@ public sealed interface Solid {
      * @param rising the horizontal side on which the wedge has its full height; it falls to zero at the opposite side
      */
     record Wedge(
-            String id,
-            String material,
-            boolean portalable,
-            TextureMapping textureMapping,
-            Vec3 centre,
-            Vec3 size,
-            BoxFace rising,
-            Map<String, Face> faces)
+            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(text = TextFormat.Rule.ID) String material,
+            @Written boolean portalable,
+            @Written(absent = "\"world\"") TextureMapping textureMapping,
+            @Written(required = true) Vec3 centre,
+            @Written(required = true, min = 1e-4) Vec3 size,
+            @Written(required = true) BoxFace rising,
+            @Written Map<String, Face> faces)
             implements Solid {}
 
     /**
@@ -51,19 +56,23 @@ public sealed interface Solid {
      * @param centre of the whole prism
      */
     record Prism(
-            String id,
-            String material,
-            boolean portalable,
-            TextureMapping textureMapping,
-            Vec3 centre,
-            double radiusMetres,
-            double heightMetres,
-            int sides)
+            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(text = TextFormat.Rule.ID) String material,
+            @Written boolean portalable,
+            @Written(absent = "\"world\"") TextureMapping textureMapping,
+            @Written(required = true) Vec3 centre,
+            @Written(required = true, min = 1e-4) double radiusMetres,
+            @Written(required = true, min = 1e-4) double heightMetres,
+            @Written(absent = "16", min = 3, max = 62) int sides)
             implements Solid {}
 
     /** What a face says otherwise than its solid; {@code null} members inherit. */
-    record Face(String material, Boolean portalable) {}
+    record Face(@Written(text = TextFormat.Rule.ID) String material, @Written Boolean portalable) {}
 
     /** One bounding plane; {@code null} members inherit from the solid. */
-    record PlaneFace(Vec3 normal, double distanceMetres, String material, Boolean portalable) {}
+    record PlaneFace(
+            @Written(required = true) Vec3 normal,
+            @Written(required = true) double distanceMetres,
+            @Written(text = TextFormat.Rule.ID) String material,
+            @Written Boolean portalable) {}
 }

@@ -8,4 +8,7 @@ import nephele.engine.math.Vec3;
  * @param directionTowardsSun any length but zero
  * @param irradiance linear RGB on a plane perpendicular to the beam; a Lambert surface sends albedo / π × irradiance × cos
  */
-public record Sun(Vec3 directionTowardsSun, Vec3 irradiance, boolean castsShadow) {}
+public record Sun(
+        @Written(required = true) Vec3 directionTowardsSun,
+        @Written(required = true, min = 0, max = 1e9) Vec3 irradiance,
+        @Written(absent = "true") boolean castsShadow) {}

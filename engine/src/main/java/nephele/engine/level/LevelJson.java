@@ -1,0 +1,109 @@
+package nephele.engine.level;
+
+import java.util.List;
+
+/** Level files of version 1: bytes to records and back. */
+public final class LevelJson {
+    private static final String FORMAT = "nephele-level";
+    private static final int VERSION = 1;
+    private static final RecordFormat LEVEL = FormatBuilder.record(Level.class);
+
+    private LevelJson() {}
+
+    /**
+     * Reads strictly: unknown or duplicate keys, wrong types and numbers out of range are errors. What needs more than
+     * one value to be judged is left to {@link LevelRules}.
+     *
+     * @param file how messages call it
+     * @throws LevelFormatException with all that is wrong
+     */
+    public static Level read(String file, byte[] utf8) throws LevelFormatException {
+        Problems problems = new Problems();
+        JsonValue root = JsonTree.read(utf8, problems);
+        Level level = null;
+        if (root instanceof JsonValue.Members members) {
+            if (isThisVersion(members, problems)) {
+                requireNoEntities(members, problems);
+                level = (Level) LEVEL.read(members, problems);
+            }
+        } else if (root != null) {
+            ValueFormat.mismatch("an object, a level", root, problems);
+        }
+        problems.throwIfAny(file);
+        return level;
+    }
+
+    /** Canonical text: fixed key order, defaults left out, numbers as {@link NumberText} has them. */
+    public static String write(Level level) {
+        var members = new JsonValue.Members()
+                .with("format", new JsonValue.Text(FORMAT))
+                .with("version", new JsonValue.Number(VERSION));
+        LEVEL.writeMembers(level, members);
+        return JsonText.of(members);
+    }
+
+    /** JSON Schema of what {@link #read} accepts, as far as a schema can say it. */
+    public static String schema() {
+        SchemaDefinitions definitions = new SchemaDefinitions();
+        JsonValue.Members level = LEVEL.schemaWith(List.of(), definitions);
+        var properties = new JsonValue.Members()
+                .with("format", new JsonValue.Members().with("const", new JsonValue.Text(FORMAT)))
+                .with("version", new JsonValue.Members().with("const", new JsonValue.Number(VERSION)));
+        JsonValue.Members own = (JsonValue.Members) level.ask("properties");
+        for (int i = 0; i < own.size(); i++) {
+            properties.with(own.name(i), own.value(i));
+        }
+        properties.with(
+                "entities",
+                new JsonValue.Members()
+                        .with("type", new JsonValue.Text("array"))
+                        .with("maxItems", new JsonValue.Number(0)));
+        return JsonText.of(new JsonValue.Members()
+                .with("$schema", new JsonValue.Text("https://json-schema.org/draft/2020-12/schema"))
+                .with("title", new JsonValue.Text("Nephele level, version " + VERSION))
+                .with("type", new JsonValue.Text("object"))
+                .with("properties", properties)
+                .with("required", SchemaDefinitions.texts(List.of("format", "version")))
+                .with("unevaluatedProperties", JsonValue.Literal.FALSE)
+                .with("$defs", definitions.toJson()));
+    }
+
+    private static boolean isThisVersion(JsonValue.Members members, Problems problems) {
+        int before = problems.count();
+        JsonValue format = members.ask("format");
+        if (!(format instanceof JsonValue.Text text) || !text.value().equals(FORMAT)) {
+            report("format", "a level file says \"format\": \"" + FORMAT + "\"", problems);
+        }
+        JsonValue version = members.ask("version");
+        if (!(version instanceof JsonValue.Number number) || number.value() != Math.rint(number.value())) {
+            report("version", "a level file says \"version\": " + VERSION, problems);
+        } else if (number.value() != VERSION) {
+            String which = number.value() > VERSION ? "newer than this program reads" : "not one that ever existed";
+            report(
+                    "version",
+                    "version " + NumberText.of(number.value()) + " is " + which + " (" + VERSION + ")",
+                    problems);
+        }
+        return problems.count() == before;
+    }
+
+    private static void requireNoEntities(JsonValue.Members members, Problems problems) {
+        JsonValue entities = members.ask("entities");
+        if (entities == null) {
+            return;
+        }
+        int mark = problems.enter("entities");
+        if (!(entities instanceof JsonValue.Array array)) {
+            ValueFormat.mismatch("an array", entities, problems);
+        } else if (!array.values().isEmpty()) {
+            problems.error("this version knows no entities: leave the array empty");
+        }
+        problems.leave(mark);
+    }
+
+    private static void report(String key, String message, Problems problems) {
+        int mark = problems.enter(key);
+        problems.error(message);
+        problems.leave(mark);
+    }
+}
