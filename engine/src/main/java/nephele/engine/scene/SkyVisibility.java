@@ -1,0 +1,41 @@
+package nephele.engine.scene;
+
+import java.util.List;
+import java.util.function.DoubleConsumer;
+import nephele.engine.level.Brush;
+import nephele.engine.scene.light.LightMapLayout;
+import nephele.engine.scene.light.SkyVisibilityBake;
+
+/**
+ * How much of the sky each place on the static faces sees: the cosine-weighted fraction of the hemisphere over the face
+ * that meets no solid. 1 on an open plane, ½ at the foot of an endless wall, 0 in a closed room.
+ *
+ * @param texels row by row from the lowest, 0–65535 for 0–1
+ */
+public record SkyVisibility(LightMapLayout layout, short[] texels) {
+
+    /** @param progress receives the done fraction, 0–1, from any thread */
+    public static SkyVisibility bake(List<Brush> brushes, DoubleConsumer progress) {
+        LightMapLayout layout = LightMapLayout.of(brushes);
+        return new SkyVisibility(layout, SkyVisibilityBake.texels(layout, brushes, progress));
+    }
+
+    /** As the shader sees it: bilinear between the four nearest texels. */
+    public double at(double u, double v) {
+        double x = Math.min(Math.max(u * layout.width() - 0.5, 0), layout.width() - 1);
+        double y = Math.min(Math.max(v * layout.height() - 0.5, 0), layout.height() - 1);
+        int x0 = Math.min((int) x, Math.max(layout.width() - 2, 0));
+        int y0 = Math.min((int) y, Math.max(layout.height() - 2, 0));
+        double fx = x - x0;
+        double fy = y - y0;
+        double low = texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx;
+        double high = texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx;
+        return low * (1 - fy) + high * fy;
+    }
+
+    private double texel(int x, int y) {
+        int row = Math.min(y, layout.height() - 1);
+        int column = Math.min(x, layout.width() - 1);
+        return (texels[row * layout.width() + column] & 0xffff) / 65535.0;
+    }
+}

@@ -1,0 +1,49 @@
+package nephele.engine.scene.light;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Vec3;
+
+/**
+ * A convex part of a face, over which the sky visibility is continuous: no other solid stands on it.
+ *
+ * @param isCovered lies under another solid, where nobody sees it; it is still drawn, so that no crack opens
+ * @param corners counter-clockwise from outside, with every neighbouring fragment's corner on this one's edges; when
+ *     there are such, the centroid follows as the last entry
+ * @param triangles indices into {@code corners}
+ */
+public record FaceFragment(boolean isCovered, List<Vec3> corners, int[] triangles) {
+    static FaceFragment of(boolean isCovered, List<Vec3> outline, List<Vec3> outlineWithNeighbours) {
+        if (outline.size() == outlineWithNeighbours.size()) {
+            return new FaceFragment(isCovered, List.copyOf(outline), fan(outline.size()));
+        }
+        List<Vec3> corners = new ArrayList<>(outlineWithNeighbours);
+        corners.add(FacePolygon.centroid(outline));
+        return new FaceFragment(isCovered, List.copyOf(corners), wheel(outlineWithNeighbours.size()));
+    }
+
+    /** The corners without the centroid. */
+    public List<Vec3> outline() {
+        return triangles.length == 3 * (corners.size() - 1) ? corners.subList(0, corners.size() - 1) : corners;
+    }
+
+    private static int[] fan(int corners) {
+        int[] triangles = new int[3 * (corners - 2)];
+        for (int i = 0; i < corners - 2; i++) {
+            triangles[3 * i + 1] = i + 1;
+            triangles[3 * i + 2] = i + 2;
+        }
+        return triangles;
+    }
+
+    /** Around a hub: a fan would skip the corners that lie on an edge of its first one. */
+    private static int[] wheel(int rim) {
+        int[] triangles = new int[3 * rim];
+        for (int i = 0; i < rim; i++) {
+            triangles[3 * i] = rim;
+            triangles[3 * i + 1] = i;
+            triangles[3 * i + 2] = (i + 1) % rim;
+        }
+        return triangles;
+    }
+}

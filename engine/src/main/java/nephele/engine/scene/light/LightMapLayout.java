@@ -1,0 +1,132 @@
+package nephele.engine.scene.light;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+
+/**
+ * Where each face fragment of a level lies in one light map. Depends on the solids alone, so a baked map fits every run.
+ *
+ * @param fragments by brush, by face of its shape
+ * @param chartOf same order as the flattened fragments: index into {@code charts}, −1 for a covered fragment
+ * @param columnOf left texel of each chart in the map, {@code rowOf} its lowest
+ */
+public record LightMapLayout(
+        List<List<List<FaceFragment>>> fragments,
+        List<LightMapChart> charts,
+        List<List<int[]>> chartOf,
+        int[] columnOf,
+        int[] rowOf,
+        int[] brushOf,
+        int width,
+        int height,
+        double texelMetres) {
+    /** A texel's side where the level is small enough. */
+    public static final double TEXEL_METRES = 0.25;
+
+    /** 16 bits each: half a mebibyte; beyond it texels grow. */
+    static final int MAX_TEXELS = 1 << 18;
+
+    static final int MAX_SIDE = 1024;
+
+    public static LightMapLayout of(List<Brush> brushes) {
+        List<List<List<FaceFragment>>> fragments = FaceFragments.of(brushes);
+        for (double texel = TEXEL_METRES; ; texel *= 1.25) {
+            LightMapLayout layout = tryAt(brushes, fragments, texel);
+            if (layout.height <= MAX_SIDE && layout.width <= MAX_SIDE || texel > 1e6) {
+                return layout;
+            }
+        }
+    }
+
+    private static LightMapLayout tryAt(
+            List<Brush> brushes, List<List<List<FaceFragment>>> fragments, double texelMetres) {
+        List<LightMapChart> charts = new ArrayList<>();
+        List<Integer> brushOf = new ArrayList<>();
+        List<List<int[]>> chartOf = new ArrayList<>();
+        for (int b = 0; b < brushes.size(); b++) {
+            List<int[]> ofBrush = new ArrayList<>();
+            for (int f = 0; f < fragments.get(b).size(); f++) {
+                Plane plane = brushes.get(b).shape().faces().get(f).plane();
+                List<FaceFragment> parts = fragments.get(b).get(f);
+                int[] ofFace = new int[parts.size()];
+                for (int i = 0; i < ofFace.length; i++) {
+                    ofFace[i] = parts.get(i).isCovered() ? -1 : charts.size();
+                    if (!parts.get(i).isCovered()) {
+                        charts.add(LightMapChart.over(parts.get(i).outline(), plane, texelMetres));
+                        brushOf.add(b);
+                    }
+                }
+                ofBrush.add(ofFace);
+            }
+            chartOf.add(ofBrush);
+        }
+        int[] brush = brushOf.stream().mapToInt(Integer::intValue).toArray();
+        return packed(fragments, charts, chartOf, brush, texelMetres);
+    }
+
+    /** Shelves: charts by falling height, side by side until a row is full. */
+    private static LightMapLayout packed(
+            List<List<List<FaceFragment>>> fragments,
+            List<LightMapChart> charts,
+            List<List<int[]>> chartOf,
+            int[] brushOf,
+            double texelMetres) {
+        long area = 1;
+        int widest = 2;
+        for (LightMapChart chart : charts) {
+            area += (long) chart.columns() * chart.rows();
+            widest = Math.max(widest, chart.columns());
+        }
+        int width = Math.max(widest + 1, 16);
+        while (width < MAX_SIDE && (long) width * width < area) {
+            width += 16;
+        }
+        int[] column = new int[charts.size()];
+        int[] row = new int[charts.size()];
+        int height = shelve(charts, column, row, width);
+        if (area > MAX_TEXELS) {
+            height = Integer.MAX_VALUE;
+        }
+        return new LightMapLayout(fragments, charts, chartOf, column, row, brushOf, width, height, texelMetres);
+    }
+
+    /** The texel at (0, 0) stays free: covered fragments point at it. */
+    private static int shelve(List<LightMapChart> charts, int[] column, int[] row, int width) {
+        List<Integer> byHeight = new ArrayList<>();
+        for (int i = 0; i < charts.size(); i++) {
+            byHeight.add(i);
+        }
+        byHeight.sort(Comparator.comparingInt(i -> -charts.get(i).rows()));
+        int x = 1;
+        int y = 0;
+        int shelf = 1;
+        for (int i : byHeight) {
+            LightMapChart chart = charts.get(i);
+            if (x + chart.columns() > width) {
+                y += shelf;
+                x = 0;
+                shelf = 0;
+            }
+            column[i] = x;
+            row[i] = y;
+            x += chart.columns();
+            shelf = Math.max(shelf, chart.rows());
+        }
+        return y + shelf;
+    }
+
+    /** Texture coordinate of a point of a fragment, 0–1 over the map; (0, 0) under another solid. */
+    public double u(int brush, int face, int fragment, Vec3 p) {
+        int chart = chartOf.get(brush).get(face)[fragment];
+        return chart < 0 ? 0 : (columnOf[chart] + 0.5 + charts.get(chart).columnOf(p)) / width;
+    }
+
+    public double v(int brush, int face, int fragment, Vec3 p) {
+        int chart = chartOf.get(brush).get(face)[fragment];
+        return chart < 0 ? 0 : (rowOf[chart] + 0.5 + charts.get(chart).rowOf(p)) / height;
+    }
+}

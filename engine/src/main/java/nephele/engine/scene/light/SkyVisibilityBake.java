@@ -1,0 +1,94 @@
+package nephele.engine.scene.light;
+
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.DoubleConsumer;
+import java.util.stream.IntStream;
+import nephele.engine.level.Brush;
+import org.joml.Vector3d;
+
+/** Casts the rays of the sky visibility. The result does not depend on the number of threads. */
+public final class SkyVisibilityBake {
+    /** Rays of a texel; the spiral's error is below 0.005 where the visible sky has one straight border. */
+    static final int RAYS = 512;
+
+    /** Rays start this far above their face: under the thickness of anything, over the rounding of the cut. */
+    private static final double LIFT_METRES = 1e-3;
+
+    private final LightMapLayout layout;
+    private final OcclusionTree solids;
+    private final double[] spiral = spiral();
+
+    private SkyVisibilityBake(LightMapLayout layout, List<Brush> brushes) {
+        this.layout = layout;
+        this.solids = new OcclusionTree(brushes);
+    }
+
+    public static short[] texels(LightMapLayout layout, List<Brush> brushes, DoubleConsumer progress) {
+        SkyVisibilityBake bake = new SkyVisibilityBake(layout, brushes);
+        short[] texels = new short[layout.width() * layout.height()];
+        AtomicInteger done = new AtomicInteger();
+        int charts = layout.charts().size();
+        IntStream.range(0, charts).parallel().forEach(chart -> {
+            bake.chart(chart, texels);
+            progress.accept((double) done.incrementAndGet() / charts);
+        });
+        return texels;
+    }
+
+    private void chart(int index, short[] texels) {
+        LightMapChart chart = layout.charts().get(index);
+        double[] visible = new double[chart.columns() * chart.rows()];
+        for (int row = 0; row < chart.rows(); row++) {
+            for (int column = 0; column < chart.columns(); column++) {
+                Vector3d p = chart.clampedIntoOutline(chart.pointAt(column, row), chart.insetMetres());
+                visible[row * chart.columns() + column] = visibility(chart, p, layout.brushOf()[index]);
+            }
+        }
+        Dilation.fill(visible, chart.columns());
+        for (int row = 0; row < chart.rows(); row++) {
+            for (int column = 0; column < chart.columns(); column++) {
+                int at = (layout.rowOf()[index] + row) * layout.width() + layout.columnOf()[index] + column;
+                texels[at] = (short) Math.round(visible[row * chart.columns() + column] * 65535);
+            }
+        }
+    }
+
+    /** NaN inside a solid. */
+    private double visibility(LightMapChart chart, Vector3d p, int brush) {
+        p.fma(LIFT_METRES, chart.normal());
+        double[] origin = {p.x, p.y, p.z};
+        if (solids.isInside(origin, brush)) {
+            return Double.NaN;
+        }
+        double[] direction = new double[3];
+        Vector3d s = chart.across();
+        Vector3d t = chart.up();
+        Vector3d n = chart.normal();
+        int free = 0;
+        for (int i = 0; i < spiral.length; i += 3) {
+            direction[0] = spiral[i] * s.x + spiral[i + 1] * t.x + spiral[i + 2] * n.x;
+            direction[1] = spiral[i] * s.y + spiral[i + 1] * t.y + spiral[i + 2] * n.y;
+            direction[2] = spiral[i] * s.z + spiral[i + 1] * t.z + spiral[i + 2] * n.z;
+            free += solids.isOccluded(origin, direction, brush) ? 0 : 1;
+        }
+        return (double) free / RAYS;
+    }
+
+    /**
+     * Directions of equal cosine weight: a sunflower spiral on the unit disc (Vogel 1979), lifted to the hemisphere
+     * (Malley's method). Every texel uses the same ones, so neighbours differ smoothly and not by noise.
+     */
+    private static double[] spiral() {
+        double goldenAngle = Math.PI * (3 - Math.sqrt(5));
+        double[] directions = new double[3 * RAYS];
+        for (int i = 0; i < RAYS; i++) {
+            double r2 = (i + 0.5) / RAYS;
+            double angle = i * goldenAngle + 0.5;
+            directions[3 * i] = Math.sqrt(r2) * StrictMath.cos(angle);
+            directions[3 * i + 1] = Math.sqrt(r2) * StrictMath.sin(angle);
+            directions[3 * i + 2] = Math.sqrt(1 - r2);
+        }
+        return directions;
+    }
+}

@@ -1,0 +1,155 @@
+package nephele.engine.scene;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Solid;
+import nephele.engine.level.TextureMapping;
+import nephele.engine.math.Vec3;
+import nephele.engine.scene.light.FaceFragment;
+import nephele.engine.scene.light.LightMapLayout;
+import org.junit.jupiter.api.Test;
+
+/** Analytic values of the cosine-weighted visible part of the sky; the bake's rays are allowed 0.01. */
+class SkyVisibilityTest {
+    private static final double TOLERANCE = 0.01;
+    private static final int TOP = 2;
+
+    @Test
+    void openPlaneSeesTheWholeSky() {
+        List<Brush> ground = List.of(box(0, -0.5, 0, 10, 1, 10));
+        for (double x = -5; x <= 5; x += 0.5) {
+            assertEquals(1, seen(ground, 0, TOP, new Vec3(x, 0, 0.3 * x)), 1e-4, "open plane at x = " + x);
+        }
+    }
+
+    @Test
+    void footOfALongHighWallSeesHalfOfTheSky() {
+        List<Brush> scene = List.of(box(0, -0.5, 0, 8, 1, 8), box(-2, 500, 0, 1, 1000, 2000));
+        assertEquals(0.5, seen(scene, 0, TOP, new Vec3(-1.5, 0, 0)), TOLERANCE, "at the foot of the wall");
+    }
+
+    /** A wall of height h at distance d hides (1 − d/√(d² + h²)) / 2: the cosine of its upper edge's altitude. */
+    @Test
+    void longWallHidesAsMuchAsItsFormFactor() {
+        double h = 3;
+        List<Brush> scene = List.of(box(0, -0.5, 0, 24, 1, 8), box(-10, h / 2, 0, 1, h, 4000));
+        for (double d : new double[] {0.5, 1, 2, 4, 8}) {
+            double expected = 1 - (1 - d / Math.sqrt(d * d + h * h)) / 2;
+            assertEquals(expected, seen(scene, 0, TOP, new Vec3(-9.5 + d, 0, 0)), TOLERANCE, d + " m from the wall");
+        }
+    }
+
+    @Test
+    void nothingIsSeenInAClosedRoom() {
+        List<Brush> room = room();
+        SkyVisibility baked = SkyVisibility.bake(room, done -> {});
+        double brightest = 0;
+        for (double x = -2.5; x <= 2.5; x += 0.05) {
+            for (double z = -2.5; z <= 2.5; z += 0.05) {
+                brightest = Math.max(brightest, seen(baked, 0, TOP, new Vec3(x, 0, z)));
+            }
+        }
+        assertEquals(0, brightest, "the floor of a closed room, up to its very walls");
+        assertTrue(seen(baked, 0, TOP, new Vec3(4, 0, 0)) > 0.4, "the same floor face outside the walls");
+    }
+
+    /** Under a disc-like roof of half width a at height h: what is left is the sky between roof and horizon. */
+    @Test
+    void roofWithoutWallsLeavesTheRim() {
+        double a = 2;
+        double h = 2;
+        List<Brush> scene = List.of(box(0, -0.5, 0, 8, 1, 8), box(0, h + 0.1, 0, 2 * a, 0.2, 2 * a));
+        // Form factor of the quarter rectangle a × a seen from a point under its corner (Howell, configuration B-3).
+        double x = a / h;
+        double quarter = 2 * x / Math.sqrt(1 + x * x) * Math.atan(x / Math.sqrt(1 + x * x)) / (2 * Math.PI);
+        // The roof's own thickness hides a little more than its lower face alone.
+        double y = a / (h + 0.2);
+        double upper = 2 * y / Math.sqrt(1 + y * y) * Math.atan(y / Math.sqrt(1 + y * y)) / (2 * Math.PI);
+        double middle = seen(scene, 0, TOP, new Vec3(0, 0, 0));
+        assertTrue(upper < quarter);
+        assertEquals(1 - 4 * quarter, middle, TOLERANCE, "under the middle of the roof");
+    }
+
+    @Test
+    void resultDoesNotDependOnThreadsOrRuns() {
+        List<Brush> room = room();
+        short[] once = SkyVisibility.bake(room, done -> {}).texels();
+        short[] again = SkyVisibility.bake(room, done -> {}).texels();
+        assertArrayEquals(once, again);
+    }
+
+    @Test
+    void fragmentsCoverTheirFaceExactly() {
+        List<Brush> room = room();
+        LightMapLayout layout = LightMapLayout.of(room);
+        double area = 0;
+        double covered = 0;
+        for (FaceFragment fragment : layout.fragments().get(0).get(TOP)) {
+            double a = area(fragment);
+            area += a;
+            covered += fragment.isCovered() ? a : 0;
+        }
+        assertEquals(100, area, 1e-6, "area of the floor's fragments");
+        assertEquals(6 * 6 - 5 * 5, covered, 1e-3, "area under the walls");
+    }
+
+    private static double area(FaceFragment f) {
+        double area = 0;
+        for (int i = 0; i < f.triangles().length; i += 3) {
+            var a = f.corners().get(f.triangles()[i]).toVector();
+            var b = f.corners().get(f.triangles()[i + 1]).toVector().sub(a);
+            var c = f.corners().get(f.triangles()[i + 2]).toVector().sub(a);
+            area += b.cross(c).y / 2;
+        }
+        return area;
+    }
+
+    private static double seen(List<Brush> scene, int brush, int face, Vec3 p) {
+        return seen(SkyVisibility.bake(scene, done -> {}), brush, face, p);
+    }
+
+    private static double seen(SkyVisibility baked, int brush, int face, Vec3 p) {
+        LightMapLayout layout = baked.layout();
+        List<FaceFragment> parts = layout.fragments().get(brush).get(face);
+        for (int i = 0; i < parts.size(); i++) {
+            if (!parts.get(i).isCovered() && contains(parts.get(i), p)) {
+                return baked.at(layout.u(brush, face, i, p), layout.v(brush, face, i, p));
+            }
+        }
+        return 0;
+    }
+
+    private static boolean contains(FaceFragment part, Vec3 p) {
+        List<Vec3> outline = part.outline();
+        for (int i = 0; i < outline.size(); i++) {
+            Vec3 a = outline.get(i);
+            Vec3 b = outline.get((i + 1) % outline.size());
+            if ((b.z() - a.z()) * (p.x() - a.x()) - (b.x() - a.x()) * (p.z() - a.z()) < -1e-9) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** A floor of 10 × 10 m, walls 0.5 m thick around 5 × 5 m on it, and a roof. */
+    private static List<Brush> room() {
+        return new ArrayList<>(List.of(
+                box(0, -0.5, 0, 10, 1, 10),
+                box(-2.75, 1.5, 0, 0.5, 3, 6),
+                box(2.75, 1.5, 0, 0.5, 3, 6),
+                box(0, 1.5, -2.75, 5, 3, 0.5),
+                box(0, 1.5, 2.75, 5, 3, 0.5),
+                box(0, 3.25, 0, 6, 0.5, 6)));
+    }
+
+    private static Brush box(double x, double y, double z, double width, double height, double depth) {
+        return Brush.of(new Solid.Box(
+                "box", null, false, TextureMapping.WORLD, new Vec3(x, y, z), new Vec3(width, height, depth), Map.of()));
+    }
+}
