@@ -1,0 +1,146 @@
+package nephele.engine.math;
+
+import java.util.Arrays;
+import org.joml.Matrix4dc;
+
+/**
+ * The half spaces that a view can see, relative to its eye. Conservative: a box that clipping would leave a part of is
+ * never outside, also after the graphics hardware has rounded to float.
+ */
+public final class Frustum {
+    /** The answer of {@link #classify} for a box that is outside. */
+    static final int OUTSIDE = -1;
+
+    /** Float transforms round at 2⁻²⁴; four times that share of the magnitudes involved decides for "inside". */
+    private static final double RELATIVE_SLACK = 0x1p-22;
+
+    /** A normal this short, relative to the matrix, is an infinite far plane that rounding has touched. */
+    private static final double NULL_NORMAL = 1e-12;
+
+    private static final int STRIDE = 5;
+
+    /** a, b, c, d and absolute slack of each half space a·x + b·y + c·z + d ≥ 0, x relative to the eye. */
+    private final double[] planes;
+
+    private final int count;
+    private final double eyeX;
+    private final double eyeY;
+    private final double eyeZ;
+
+    private Frustum(double[] planes, int count, double eyeX, double eyeY, double eyeZ) {
+        this.planes = planes;
+        this.count = count;
+        this.eyeX = eyeX;
+        this.eyeY = eyeY;
+        this.eyeZ = eyeZ;
+    }
+
+    /**
+     * The planes of Gribb and Hartmann 2001, section 2, kept at the matrix' own scale. A far plane at infinity has no
+     * normal and bounds nothing.
+     *
+     * @param clipFromRelative projection · rotation, for positions relative to {@code eye}
+     */
+    public static Frustum of(Matrix4dc clipFromRelative, Vec3 eye) {
+        Matrix4dc m = clipFromRelative;
+        double[] planes = new double[6 * STRIDE];
+        int count = 0;
+        for (int row = 0; row < 3; row++) {
+            for (int sign = 1; sign >= -1; sign -= 2) {
+                double a = m.getRowColumn(3, 0) + sign * m.getRowColumn(row, 0);
+                double b = m.getRowColumn(3, 1) + sign * m.getRowColumn(row, 1);
+                double c = m.getRowColumn(3, 2) + sign * m.getRowColumn(row, 2);
+                double scale = Math.abs(m.getRowColumn(3, 0)) + Math.abs(m.getRowColumn(3, 1));
+                scale += Math.abs(m.getRowColumn(3, 2)) + Math.abs(m.getRowColumn(3, 3));
+                if (Math.abs(a) + Math.abs(b) + Math.abs(c) <= NULL_NORMAL * scale) {
+                    continue;
+                }
+                double d = m.getRowColumn(3, 3) + sign * m.getRowColumn(row, 3);
+                put(planes, count++, a, b, c, d, eye);
+            }
+        }
+        return new Frustum(planes, count, eye.x(), eye.y(), eye.z());
+    }
+
+    /** Also cuts away what lies behind {@code plane}, given in the world. */
+    public Frustum inFrontOf(Plane plane) {
+        double[] more = Arrays.copyOf(planes, (count + 1) * STRIDE);
+        double distance = plane.signedDistance(eyeX, eyeY, eyeZ);
+        put(more, count, plane.nx(), plane.ny(), plane.nz(), distance, new Vec3(eyeX, eyeY, eyeZ));
+        return new Frustum(more, count + 1, eyeX, eyeY, eyeZ);
+    }
+
+    private static void put(double[] planes, int index, double a, double b, double c, double d, Vec3 eye) {
+        int at = index * STRIDE;
+        planes[at] = a;
+        planes[at + 1] = b;
+        planes[at + 2] = c;
+        planes[at + 3] = d;
+        double farthest = Math.max(Math.abs(eye.x()), Math.max(Math.abs(eye.y()), Math.abs(eye.z())));
+        // Boxes and planes are rounded where the eye is before they become relative to it.
+        double rounding = 0x1p-50 * farthest * (Math.abs(a) + Math.abs(b) + Math.abs(c));
+        planes[at + 4] = Math.abs(d) * RELATIVE_SLACK + rounding;
+    }
+
+    /** False only when no part of the box can be visible; an empty box never is, one with an infinite side always. */
+    public boolean maySee(Aabb box) {
+        if (box.isEmpty()) {
+            return false;
+        }
+        double[] bounds = {box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()};
+        return SpatialIndex.isUnbounded(bounds, 0) || classify(bounds, 0, allPlanes()) != OUTSIDE;
+    }
+
+    double eyeX() {
+        return eyeX;
+    }
+
+    double eyeY() {
+        return eyeY;
+    }
+
+    double eyeZ() {
+        return eyeZ;
+    }
+
+    /** One bit for each plane. */
+    int allPlanes() {
+        return (1 << count) - 1;
+    }
+
+    /**
+     * @param bounds minima and maxima from {@code at} on
+     * @param mask the planes that a box around this one cuts
+     * @return the planes this box cuts, 0 when it is inside all of them, or {@link #OUTSIDE}
+     */
+    int classify(double[] bounds, int at, int mask) {
+        double minX = bounds[at] - eyeX;
+        double minY = bounds[at + 1] - eyeY;
+        double minZ = bounds[at + 2] - eyeZ;
+        double maxX = bounds[at + 3] - eyeX;
+        double maxY = bounds[at + 4] - eyeY;
+        double maxZ = bounds[at + 5] - eyeZ;
+        int cut = 0;
+        for (int plane = 0; plane < count; plane++) {
+            if ((mask & (1 << plane)) == 0) {
+                continue;
+            }
+            int p = plane * STRIDE;
+            double a = planes[p];
+            double b = planes[p + 1];
+            double c = planes[p + 2];
+            double highX = a * (a >= 0 ? maxX : minX);
+            double highY = b * (b >= 0 ? maxY : minY);
+            double highZ = c * (c >= 0 ? maxZ : minZ);
+            double slack = (Math.abs(highX) + Math.abs(highY) + Math.abs(highZ)) * RELATIVE_SLACK + planes[p + 4];
+            if (highX + highY + highZ + planes[p + 3] < -slack) {
+                return OUTSIDE;
+            }
+            double low = a * (a >= 0 ? minX : maxX) + b * (b >= 0 ? minY : maxY) + c * (c >= 0 ? minZ : maxZ);
+            if (!(low + planes[p + 3] >= 0)) {
+                cut |= 1 << plane;
+            }
+        }
+        return cut;
+    }
+}

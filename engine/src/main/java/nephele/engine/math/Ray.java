@@ -1,0 +1,112 @@
+package nephele.engine.math;
+
+/**
+ * A half line from an origin. The direction need not be of unit length; a ray whose direction is zero or not finite hits
+ * nothing.
+ */
+public final class Ray {
+    /** Bound of the rounding in one slab distance, twice γ₃ (Ize 2013, "Robust BVH Ray Traversal", section 3). */
+    private static final double SLAB_GROWTH = 1 + 6 * 0x1p-53;
+
+    private final double originX;
+    private final double originY;
+    private final double originZ;
+    private final double directionX;
+    private final double directionY;
+    private final double directionZ;
+    private final double inverseX;
+    private final double inverseY;
+    private final double inverseZ;
+    private final boolean castable;
+
+    public Ray(
+            double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
+        this.originX = originX;
+        this.originY = originY;
+        this.originZ = originZ;
+        this.directionX = directionX;
+        this.directionY = directionY;
+        this.directionZ = directionZ;
+        inverseX = 1 / directionX;
+        inverseY = 1 / directionY;
+        inverseZ = 1 / directionZ;
+        double largest = Math.max(Math.abs(directionX), Math.max(Math.abs(directionY), Math.abs(directionZ)));
+        castable = largest > 0 && largest <= Double.MAX_VALUE && Double.isFinite(originX + originY + originZ);
+    }
+
+    public static Ray of(Vec3 origin, Vec3 direction) {
+        return new Ray(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+    }
+
+    public double originX() {
+        return originX;
+    }
+
+    public double originY() {
+        return originY;
+    }
+
+    public double originZ() {
+        return originZ;
+    }
+
+    public double directionX() {
+        return directionX;
+    }
+
+    public double directionY() {
+        return directionY;
+    }
+
+    public double directionZ() {
+        return directionZ;
+    }
+
+    /** Whether the ray has a place and a direction. */
+    public boolean isCastable() {
+        return castable;
+    }
+
+    public Vec3 at(double distance) {
+        return new Vec3(
+                originX + distance * directionX, originY + distance * directionY, originZ + distance * directionZ);
+    }
+
+    /** {@link #boxEntry(double[], int, double)} of a box that lies in no array. */
+    public double boxEntry(Aabb box, double limit) {
+        double[] bounds = {box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()};
+        return boxEntry(bounds, 0, limit);
+    }
+
+    /**
+     * Slab test that never misses a box which exact arithmetic hits. A direction component of ±0 or so small that its
+     * inverse overflows gives 0 · ∞ = NaN on a face of the box, and every comparison below lets NaN pass.
+     *
+     * @param bounds minima and maxima from {@code at} on
+     * @return ray parameter at which the ray enters, 0 from inside, infinity for a miss
+     */
+    double boxEntry(double[] bounds, int at, double limit) {
+        if (!castable) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double enter = 0;
+        // Finite, so that a slab which is never reached (+∞) lies behind it.
+        double leave = Math.min(limit, Double.MAX_VALUE);
+        boolean forwardX = inverseX > 0;
+        boolean forwardY = inverseY > 0;
+        boolean forwardZ = inverseZ > 0;
+        double nearX = (bounds[forwardX ? at : at + 3] - originX) * inverseX;
+        double nearY = (bounds[forwardY ? at + 1 : at + 4] - originY) * inverseY;
+        double nearZ = (bounds[forwardZ ? at + 2 : at + 5] - originZ) * inverseZ;
+        double farX = (bounds[forwardX ? at + 3 : at] - originX) * inverseX * SLAB_GROWTH;
+        double farY = (bounds[forwardY ? at + 4 : at + 1] - originY) * inverseY * SLAB_GROWTH;
+        double farZ = (bounds[forwardZ ? at + 5 : at + 2] - originZ) * inverseZ * SLAB_GROWTH;
+        enter = nearX > enter ? nearX : enter;
+        enter = nearY > enter ? nearY : enter;
+        enter = nearZ > enter ? nearZ : enter;
+        leave = farX < leave ? farX : leave;
+        leave = farY < leave ? farY : leave;
+        leave = farZ < leave ? farZ : leave;
+        return enter <= leave ? enter : Double.POSITIVE_INFINITY;
+    }
+}

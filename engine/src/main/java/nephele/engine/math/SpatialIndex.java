@@ -1,0 +1,277 @@
+package nephele.engine.math;
+
+import java.util.List;
+
+/**
+ * One bounding volume hierarchy for culling, collision and rays. Building sorts the items into <em>slots</em> so that
+ * every subtree is one run of slots: who lays out vertices by slot can draw a subtree at once. Queries allocate nothing
+ * and may run in several threads; empty boxes are never reported, boxes with an infinite side are tested one by one.
+ */
+public final class SpatialIndex {
+    private static final int DEFAULT_LEAF_ITEMS = 4;
+
+    private final SpatialTree tree;
+
+    private SpatialIndex(SpatialTree tree) {
+        this.tree = tree;
+    }
+
+    public static SpatialIndex of(List<Aabb> boxes) {
+        return of(boxes, DEFAULT_LEAF_ITEMS);
+    }
+
+    /** @param leafItems at most this many items are told apart by testing each, never by the tree */
+    public static SpatialIndex of(List<Aabb> boxes, int leafItems) {
+        return new SpatialIndex(new SpatialTreeBuilder(boxes, leafItems).build());
+    }
+
+    /** Items given, empty ones too. */
+    public int size() {
+        return tree.itemAtSlot().length;
+    }
+
+    /** The item, as numbered by the list given, that was sorted into {@code slot}. */
+    public int itemAt(int slot) {
+        return tree.itemAtSlot()[slot];
+    }
+
+    /** Around all items that are not empty. */
+    public Aabb bounds() {
+        Aabb all = Aabb.EMPTY;
+        for (int slot = 0; slot < tree.emptyFrom(); slot++) {
+            all = all.union(box(tree.slotBounds(), slot));
+        }
+        return all;
+    }
+
+    private static Aabb box(double[] bounds, int index) {
+        int at = 6 * index;
+        return new Aabb(bounds[at], bounds[at + 1], bounds[at + 2], bounds[at + 3], bounds[at + 4], bounds[at + 5]);
+    }
+
+    /**
+     * Reports runs of slots that cover everything the frustum may see, nearer subtrees first. A subtree inside all
+     * planes is one run, and nothing below it is tested.
+     */
+    public void cull(Frustum frustum, RangeVisitor visible) {
+        if (tree.unbounded() > 0) {
+            visible.range(0, tree.unbounded());
+        }
+        if (tree.nodes() > 0) {
+            cull(0, frustum.allPlanes(), frustum, visible);
+        }
+    }
+
+    private void cull(int node, int mask, Frustum frustum, RangeVisitor visible) {
+        int cut = frustum.classify(tree.nodeBounds(), 6 * node, mask);
+        if (cut == Frustum.OUTSIDE) {
+            return;
+        }
+        int right = tree.right()[node];
+        if (cut == 0) {
+            visible.range(tree.first()[node], tree.end()[node]);
+        } else if (right < 0) {
+            cullLeaf(node, cut, frustum, visible);
+        } else if (rightIsNearer(node, right, frustum)) {
+            cull(right, cut, frustum, visible);
+            cull(node + 1, cut, frustum, visible);
+        } else {
+            cull(node + 1, cut, frustum, visible);
+            cull(right, cut, frustum, visible);
+        }
+    }
+
+    private void cullLeaf(int node, int mask, Frustum frustum, RangeVisitor visible) {
+        int end = tree.end()[node];
+        int runStart = tree.first()[node];
+        for (int slot = runStart; slot < end; slot++) {
+            if (frustum.classify(tree.slotBounds(), 6 * slot, mask) == Frustum.OUTSIDE) {
+                if (slot > runStart) {
+                    visible.range(runStart, slot);
+                }
+                runStart = slot + 1;
+            }
+        }
+        if (end > runStart) {
+            visible.range(runStart, end);
+        }
+    }
+
+    private boolean rightIsNearer(int node, int right, Frustum frustum) {
+        return squareDistance(right, frustum) < squareDistance(node + 1, frustum);
+    }
+
+    private double squareDistance(int node, Frustum frustum) {
+        double[] b = tree.nodeBounds();
+        int at = 6 * node;
+        double x = b[at] / 2 + b[at + 3] / 2 - frustum.eyeX();
+        double y = b[at + 1] / 2 + b[at + 4] / 2 - frustum.eyeY();
+        double z = b[at + 2] / 2 + b[at + 5] / 2 - frustum.eyeZ();
+        return x * x + y * y + z * z;
+    }
+
+    /** Every item whose box overlaps or touches {@code box}, in the order of the tree. */
+    public void overlapping(Aabb box, ItemVisitor found) {
+        if (box.isEmpty()) {
+            return;
+        }
+        overlapping(box, 0, tree.unbounded(), found);
+        if (tree.nodes() > 0) {
+            overlapping(0, box, found);
+        }
+    }
+
+    private void overlapping(int node, Aabb box, ItemVisitor found) {
+        if (!overlaps(tree.nodeBounds(), 6 * node, box)) {
+            return;
+        }
+        int right = tree.right()[node];
+        if (right < 0) {
+            overlapping(box, tree.first()[node], tree.end()[node], found);
+        } else {
+            overlapping(node + 1, box, found);
+            overlapping(right, box, found);
+        }
+    }
+
+    private void overlapping(Aabb box, int firstSlot, int endSlot, ItemVisitor found) {
+        for (int slot = firstSlot; slot < endSlot; slot++) {
+            if (overlaps(tree.slotBounds(), 6 * slot, box)) {
+                found.item(tree.itemAtSlot()[slot]);
+            }
+        }
+    }
+
+    private static boolean overlaps(double[] bounds, int at, Aabb box) {
+        return bounds[at] <= box.maxX()
+                && box.minX() <= bounds[at + 3]
+                && bounds[at + 1] <= box.maxY()
+                && box.minY() <= bounds[at + 4]
+                && bounds[at + 2] <= box.maxZ()
+                && box.minZ() <= bounds[at + 5];
+    }
+
+    /**
+     * The nearest hit by the caller's own test, the lowest item among equally near ones.
+     *
+     * @param limit greatest ray parameter that counts
+     * @return whether there is one; then {@code hit} holds it
+     */
+    public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
+        hit.reset(limit);
+        nearest(ray, 0, tree.unbounded(), test, hit);
+        if (tree.nodes() > 0 && ray.boxEntry(tree.nodeBounds(), 0, limit) <= limit) {
+            nearest(ray, 0, test, hit);
+        }
+        return hit.item() >= 0;
+    }
+
+    private void nearest(Ray ray, int node, ItemRayTest test, RayHit hit) {
+        int right = tree.right()[node];
+        if (right < 0) {
+            nearest(ray, tree.first()[node], tree.end()[node], test, hit);
+            return;
+        }
+        double leftEntry = ray.boxEntry(tree.nodeBounds(), 6 * (node + 1), hit.distance());
+        double rightEntry = ray.boxEntry(tree.nodeBounds(), 6 * right, hit.distance());
+        boolean rightFirst = rightEntry < leftEntry;
+        double nearEntry = rightFirst ? rightEntry : leftEntry;
+        double farEntry = rightFirst ? leftEntry : rightEntry;
+        if (isFiniteAndWithin(nearEntry, hit)) {
+            nearest(ray, rightFirst ? right : node + 1, test, hit);
+        }
+        if (isFiniteAndWithin(farEntry, hit)) {
+            nearest(ray, rightFirst ? node + 1 : right, test, hit);
+        }
+    }
+
+    private static boolean isFiniteAndWithin(double entry, RayHit hit) {
+        return entry < Double.POSITIVE_INFINITY && entry <= hit.distance();
+    }
+
+    private void nearest(Ray ray, int firstSlot, int endSlot, ItemRayTest test, RayHit hit) {
+        for (int slot = firstSlot; slot < endSlot; slot++) {
+            if (isFiniteAndWithin(ray.boxEntry(tree.slotBounds(), 6 * slot, hit.distance()), hit)) {
+                int item = tree.itemAtSlot()[slot];
+                double distance = test.hit(ray, item, hit.distance());
+                if (distance < Double.POSITIVE_INFINITY) {
+                    hit.offer(item, distance);
+                }
+            }
+        }
+    }
+
+    /** Whether the caller's test hits anything up to {@code limit}. */
+    public boolean anyHit(Ray ray, double limit, ItemRayTest test) {
+        return anyHit(ray, 0, tree.unbounded(), limit, test) || tree.nodes() > 0 && anyHit(ray, 0, limit, test);
+    }
+
+    private boolean anyHit(Ray ray, int node, double limit, ItemRayTest test) {
+        if (ray.boxEntry(tree.nodeBounds(), 6 * node, limit) == Double.POSITIVE_INFINITY) {
+            return false;
+        }
+        int right = tree.right()[node];
+        if (right < 0) {
+            return anyHit(ray, tree.first()[node], tree.end()[node], limit, test);
+        }
+        return anyHit(ray, node + 1, limit, test) || anyHit(ray, right, limit, test);
+    }
+
+    private boolean anyHit(Ray ray, int firstSlot, int endSlot, double limit, ItemRayTest test) {
+        for (int slot = firstSlot; slot < endSlot; slot++) {
+            if (ray.boxEntry(tree.slotBounds(), 6 * slot, limit) < Double.POSITIVE_INFINITY) {
+                double distance = test.hit(ray, tree.itemAtSlot()[slot], limit);
+                if (distance <= limit && distance < Double.POSITIVE_INFINITY) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Every item whose box {@code box} may touch on its way along {@code motion}, in the order of the tree. */
+    public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
+        Aabb whole = box.union(new Aabb(
+                box.minX() + motion.x(),
+                box.minY() + motion.y(),
+                box.minZ() + motion.z(),
+                box.maxX() + motion.x(),
+                box.maxY() + motion.y(),
+                box.maxZ() + motion.z()));
+        Sweep sweep = new Sweep(box, motion, whole);
+        swept(sweep, 0, tree.unbounded(), found);
+        if (tree.nodes() > 0 && !box.isEmpty()) {
+            swept(sweep, 0, found);
+        }
+    }
+
+    private void swept(Sweep sweep, int node, ItemVisitor found) {
+        if (!sweep.touches(tree.nodeBounds(), 6 * node)) {
+            return;
+        }
+        int right = tree.right()[node];
+        if (right < 0) {
+            swept(sweep, tree.first()[node], tree.end()[node], found);
+        } else {
+            swept(sweep, node + 1, found);
+            swept(sweep, right, found);
+        }
+    }
+
+    private void swept(Sweep sweep, int firstSlot, int endSlot, ItemVisitor found) {
+        for (int slot = firstSlot; slot < endSlot; slot++) {
+            if (sweep.touches(tree.slotBounds(), 6 * slot)) {
+                found.item(tree.itemAtSlot()[slot]);
+            }
+        }
+    }
+
+    static boolean isUnbounded(double[] bounds, int at) {
+        for (int i = at; i < at + 6; i++) {
+            if (Double.isInfinite(bounds[i])) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

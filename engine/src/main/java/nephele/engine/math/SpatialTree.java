@@ -1,0 +1,25 @@
+package nephele.engine.math;
+
+/**
+ * What a {@link SpatialIndex} walks: nodes in depth-first order, so that a left child follows its parent. Bounds are six
+ * numbers each, minima first. Slots: first the unbounded items, then those of the tree, from {@code emptyFrom} on the
+ * empty ones.
+ *
+ * @param first first slot of each node
+ * @param end one past the last slot of each node
+ * @param right the right child of each node, −1 for a leaf
+ */
+record SpatialTree(
+        double[] nodeBounds,
+        int[] first,
+        int[] end,
+        int[] right,
+        double[] slotBounds,
+        int[] itemAtSlot,
+        int unbounded,
+        int emptyFrom) {
+
+    int nodes() {
+        return first.length;
+    }
+}
