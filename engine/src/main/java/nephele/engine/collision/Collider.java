@@ -1,0 +1,130 @@
+package nephele.engine.collision;
+
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+
+/**
+ * A solid convex obstacle, stored relative to its own centre: a level a thousand kilometres out keeps the precision of
+ * one at the origin.
+ */
+public final class Collider {
+    private final ConvexPolyhedron shape;
+    private final String solidId;
+    private final Vec3 centre;
+    private final double[] vertices;
+    private final double[] planes;
+    private final double[] edges;
+
+    public Collider(String solidId, ConvexPolyhedron shape) {
+        this.solidId = solidId;
+        this.shape = shape;
+        centre = shape.bounds().centre();
+        vertices = relativeVertices(shape.vertices(), centre);
+        planes = relativePlanes(shape.faces(), centre);
+        edges = edgeDirections(shape.faces());
+    }
+
+    private static double[] relativeVertices(List<Vec3> points, Vec3 centre) {
+        double[] relative = new double[3 * points.size()];
+        for (int i = 0; i < points.size(); i++) {
+            relative[3 * i] = points.get(i).x() - centre.x();
+            relative[3 * i + 1] = points.get(i).y() - centre.y();
+            relative[3 * i + 2] = points.get(i).z() - centre.z();
+        }
+        return relative;
+    }
+
+    /** The plane's distance is taken at a corner of the face, where it is exact although the plane's own is large. */
+    private static double[] relativePlanes(List<ConvexPolyhedron.Face> faces, Vec3 centre) {
+        double[] relative = new double[4 * faces.size()];
+        for (int i = 0; i < faces.size(); i++) {
+            Plane plane = faces.get(i).plane();
+            Vec3 corner = faces.get(i).polygon().get(0);
+            relative[4 * i] = plane.nx();
+            relative[4 * i + 1] = plane.ny();
+            relative[4 * i + 2] = plane.nz();
+            relative[4 * i + 3] = plane.nx() * (corner.x() - centre.x())
+                    + plane.ny() * (corner.y() - centre.y())
+                    + plane.nz() * (corner.z() - centre.z());
+        }
+        return relative;
+    }
+
+    /** Each edge once or twice (as two faces see it), as an unnormalised direction. */
+    private static double[] edgeDirections(List<ConvexPolyhedron.Face> faces) {
+        double[] directions =
+                new double[3 * faces.stream().mapToInt(f -> f.polygon().size()).sum()];
+        int at = 0;
+        for (ConvexPolyhedron.Face face : faces) {
+            for (int i = 0; i < face.polygon().size(); i++) {
+                Vec3 a = face.polygon().get(i);
+                Vec3 b = face.polygon().get((i + 1) % face.polygon().size());
+                directions[at++] = b.x() - a.x();
+                directions[at++] = b.y() - a.y();
+                directions[at++] = b.z() - a.z();
+            }
+        }
+        return directions;
+    }
+
+    public String solidId() {
+        return solidId;
+    }
+
+    public ConvexPolyhedron shape() {
+        return shape;
+    }
+
+    public Aabb bounds() {
+        return shape.bounds();
+    }
+
+    /** What {@link #vertex}, {@link #plane} and every local offset are relative to. */
+    public Vec3 centre() {
+        return centre;
+    }
+
+    int faces() {
+        return planes.length / 4;
+    }
+
+    /** Components 0–2 are the outward unit normal of a face, 3 is its distance from the centre. */
+    double plane(int face, int component) {
+        return planes[4 * face + component];
+    }
+
+    int edges() {
+        return edges.length / 3;
+    }
+
+    double edge(int edge, int axis) {
+        return edges[3 * edge + axis];
+    }
+
+    double vertex(int vertex, int axis) {
+        return vertices[3 * vertex + axis];
+    }
+
+    /** The vertex that lies farthest along a direction. */
+    int farthest(double x, double y, double z) {
+        int best = 0;
+        double bestDot = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < vertices.length; i += 3) {
+            double dot = vertices[i] * x + vertices[i + 1] * y + vertices[i + 2] * z;
+            if (dot > bestDot) {
+                bestDot = dot;
+                best = i / 3;
+            }
+        }
+        return best;
+    }
+
+    /** The signed distance of a point, relative to the centre, from the plane of a face. */
+    double inFrontOf(int face, double x, double y, double z) {
+        int i = 4 * face;
+        return planes[i] * x + planes[i + 1] * y + planes[i + 2] * z - planes[i + 3];
+    }
+}

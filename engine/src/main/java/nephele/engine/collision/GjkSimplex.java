@@ -1,0 +1,212 @@
+package nephele.engine.collision;
+
+/**
+ * One to four points of a Minkowski difference, and the point of their hull that is nearest to the origin. Voronoi
+ * regions after Ericson, Real-Time Collision Detection (2005), sections 5.1.2, 5.1.5 and 9.5.
+ */
+final class GjkSimplex {
+    private final double[] p = new double[12];
+    private final int[] corePoint = new int[4];
+    private final int[] vertex = new int[4];
+    private int size;
+
+    private final int[] keep = new int[3];
+    private final double[] weight = new double[3];
+    private int kept;
+    private double bestX;
+    private double bestY;
+    private double bestZ;
+    private double bestSquare;
+
+    void clear() {
+        size = 0;
+    }
+
+    void add(double x, double y, double z, int fromCore, int fromVertex) {
+        p[3 * size] = x;
+        p[3 * size + 1] = y;
+        p[3 * size + 2] = z;
+        corePoint[size] = fromCore;
+        vertex[size] = fromVertex;
+        size++;
+    }
+
+    boolean holds(int fromCore, int fromVertex) {
+        for (int i = 0; i < size; i++) {
+            if (corePoint[i] == fromCore && vertex[i] == fromVertex) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    double x() {
+        return bestX;
+    }
+
+    double y() {
+        return bestY;
+    }
+
+    double z() {
+        return bestZ;
+    }
+
+    /** The square of the distance from the origin. */
+    double square() {
+        return bestSquare;
+    }
+
+    /** The nearest point as seen on the collider: one coordinate, relative to the collider's centre. */
+    double onCollider(Collider collider, int axis) {
+        double sum = 0;
+        for (int i = 0; i < size; i++) {
+            sum += weight[i] * collider.vertex(vertex[i], axis);
+        }
+        return sum;
+    }
+
+    /** Finds the nearest point and drops the points that it does not need; true when the origin is inside. */
+    boolean reduce() {
+        bestSquare = Double.POSITIVE_INFINITY;
+        switch (size) {
+            case 1 -> corner(0);
+            case 2 -> edge(0, 1);
+            case 3 -> triangle(0, 1, 2);
+            default -> {
+                if (tetrahedronHoldsOrigin()) {
+                    return true;
+                }
+            }
+        }
+        dropUnused();
+        return false;
+    }
+
+    private void dropUnused() {
+        for (int i = 0; i < kept; i++) {
+            int from = keep[i];
+            // keep[] ascends, so nothing still needed is overwritten.
+            p[3 * i] = p[3 * from];
+            p[3 * i + 1] = p[3 * from + 1];
+            p[3 * i + 2] = p[3 * from + 2];
+            corePoint[i] = corePoint[from];
+            vertex[i] = vertex[from];
+        }
+        size = kept;
+    }
+
+    private boolean tetrahedronHoldsOrigin() {
+        boolean outside = face(0, 1, 2, 3);
+        outside |= face(0, 1, 3, 2);
+        outside |= face(0, 2, 3, 1);
+        outside |= face(1, 2, 3, 0);
+        return !outside;
+    }
+
+    /** Takes part in the search when the origin is not strictly on the side of {@code opposite}, or that side is flat. */
+    private boolean face(int a, int b, int c, int opposite) {
+        double abX = p[3 * b] - p[3 * a];
+        double abY = p[3 * b + 1] - p[3 * a + 1];
+        double abZ = p[3 * b + 2] - p[3 * a + 2];
+        double acX = p[3 * c] - p[3 * a];
+        double acY = p[3 * c + 1] - p[3 * a + 1];
+        double acZ = p[3 * c + 2] - p[3 * a + 2];
+        double nX = abY * acZ - abZ * acY;
+        double nY = abZ * acX - abX * acZ;
+        double nZ = abX * acY - abY * acX;
+        double adX = p[3 * opposite] - p[3 * a];
+        double adY = p[3 * opposite + 1] - p[3 * a + 1];
+        double adZ = p[3 * opposite + 2] - p[3 * a + 2];
+        double opposing = adX * nX + adY * nY + adZ * nZ;
+        double origin = -(p[3 * a] * nX + p[3 * a + 1] * nY + p[3 * a + 2] * nZ);
+        double flat = 1e-13 * Math.sqrt((nX * nX + nY * nY + nZ * nZ) * (adX * adX + adY * adY + adZ * adZ));
+        if (Math.abs(opposing) > flat && origin * opposing > 0) {
+            return false;
+        }
+        triangle(a, b, c);
+        return true;
+    }
+
+    private void corner(int a) {
+        if (offer(p[3 * a], p[3 * a + 1], p[3 * a + 2])) {
+            kept = 1;
+            keep[0] = a;
+            weight[0] = 1;
+        }
+    }
+
+    private void edge(int a, int b) {
+        double dX = p[3 * b] - p[3 * a];
+        double dY = p[3 * b + 1] - p[3 * a + 1];
+        double dZ = p[3 * b + 2] - p[3 * a + 2];
+        double t = -(p[3 * a] * dX + p[3 * a + 1] * dY + p[3 * a + 2] * dZ) / (dX * dX + dY * dY + dZ * dZ);
+        // Written so that a zero-length edge (t is NaN) ends at its first corner.
+        if (!(t > 0)) {
+            corner(a);
+        } else if (t >= 1) {
+            corner(b);
+        } else if (offer(p[3 * a] + t * dX, p[3 * a + 1] + t * dY, p[3 * a + 2] + t * dZ)) {
+            kept = 2;
+            keep[0] = a;
+            keep[1] = b;
+            weight[0] = 1 - t;
+            weight[1] = t;
+        }
+    }
+
+    private void triangle(int a, int b, int c) {
+        double abX = p[3 * b] - p[3 * a];
+        double abY = p[3 * b + 1] - p[3 * a + 1];
+        double abZ = p[3 * b + 2] - p[3 * a + 2];
+        double acX = p[3 * c] - p[3 * a];
+        double acY = p[3 * c + 1] - p[3 * a + 1];
+        double acZ = p[3 * c + 2] - p[3 * a + 2];
+        double d1 = -dot(abX, abY, abZ, a);
+        double d2 = -dot(acX, acY, acZ, a);
+        double d3 = -dot(abX, abY, abZ, b);
+        double d4 = -dot(acX, acY, acZ, b);
+        double d5 = -dot(abX, abY, abZ, c);
+        double d6 = -dot(acX, acY, acZ, c);
+        double areaA = d3 * d6 - d5 * d4;
+        double areaB = d5 * d2 - d1 * d6;
+        double areaC = d1 * d4 - d3 * d2;
+        double sum = areaA + areaB + areaC;
+        if (!(areaA > 0 && areaB > 0 && areaC > 0 && sum > 0)) {
+            edge(a, b);
+            edge(a, c);
+            edge(b, c);
+            return;
+        }
+        double nX = abY * acZ - abZ * acY;
+        double nY = abZ * acX - abX * acZ;
+        double nZ = abX * acY - abY * acX;
+        // Projected on the plane: the weighted sum of far corners would cancel.
+        double scale = dot(nX, nY, nZ, a) / (nX * nX + nY * nY + nZ * nZ);
+        if (offer(nX * scale, nY * scale, nZ * scale)) {
+            kept = 3;
+            keep[0] = a;
+            keep[1] = b;
+            keep[2] = c;
+            weight[0] = areaA / sum;
+            weight[1] = areaB / sum;
+            weight[2] = areaC / sum;
+        }
+    }
+
+    private double dot(double x, double y, double z, int i) {
+        return x * p[3 * i] + y * p[3 * i + 1] + z * p[3 * i + 2];
+    }
+
+    private boolean offer(double x, double y, double z) {
+        double square = x * x + y * y + z * z;
+        if (!(square < bestSquare)) {
+            return false;
+        }
+        bestSquare = square;
+        bestX = x;
+        bestY = y;
+        bestZ = z;
+        return true;
+    }
+}

@@ -1,0 +1,122 @@
+package nephele.engine.collision;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * Finds a short way out for a shape that starts inside solids: by the nearest surfaces first, and when these push it to
+ * and fro, by each face of each solid that it is in. Reused for every query.
+ */
+public final class Recovery {
+    private static final int MAX_PUSHES = 12;
+
+    private final CollisionWorld world;
+    private final Separation separation = new Separation();
+    private final Region region = new Region();
+    private final IndexList near = new IndexList();
+    private final IndexList overlapped = new IndexList();
+    private final Vector3d place = new Vector3d();
+    private final Vector3d push = new Vector3d();
+    private final Vector3d still = new Vector3d();
+
+    public Recovery(CollisionWorld world) {
+        this.world = world;
+    }
+
+    /** True when the shape reaches into no solid; touching is free. */
+    public boolean isFree(RoundedHull shape, Vector3dc at) {
+        return deepest(shape, at) >= 0;
+    }
+
+    /**
+     * The displacement to a free place, {@link Sweep#SKIN_METRES} off what was overlapped.
+     *
+     * @param out receives it; zero when the shape is free already
+     * @return false when no free place was found: {@code out} is then the best push
+     */
+    public boolean find(RoundedHull shape, Vector3dc at, Vector3d out) {
+        out.zero();
+        if (isFree(shape, at)) {
+            return true;
+        }
+        listOverlapped(shape, at);
+        place.set(at);
+        boolean found = relax(shape, place);
+        place.sub(at, out);
+        double shortest = found ? out.length() : Double.POSITIVE_INFINITY;
+        if (shortest <= shape.radiusMetres()) {
+            return true;
+        }
+        for (int i = 0; i < overlapped.size(); i++) {
+            Collider solid = world.collider(overlapped.get(i));
+            for (int face = 0; face < solid.faces(); face++) {
+                leaveBy(solid, face, shape, at);
+                if (relax(shape, place) && place.distance(at) < shortest) {
+                    shortest = place.distance(at);
+                    place.sub(at, out);
+                    found = true;
+                }
+            }
+        }
+        return found;
+    }
+
+    private void listOverlapped(RoundedHull shape, Vector3dc at) {
+        lookAround(shape, at);
+        overlapped.clear();
+        for (int i = 0; i < near.size(); i++) {
+            separation.measure(shape, at.x(), at.y(), at.z(), world.collider(near.get(i)));
+            if (separation.metres() < 0) {
+                overlapped.add(near.get(i));
+            }
+        }
+    }
+
+    /** Sets {@code place} to where the shape stands just in front of a face. */
+    private void leaveBy(Collider solid, int face, RoundedHull shape, Vector3dc at) {
+        double nX = solid.plane(face, 0);
+        double nY = solid.plane(face, 1);
+        double nZ = solid.plane(face, 2);
+        int hindmost = shape.least(nX, nY, nZ);
+        double front = solid.inFrontOf(
+                face,
+                at.x() - solid.centre().x() + shape.core(hindmost, 0),
+                at.y() - solid.centre().y() + shape.core(hindmost, 1),
+                at.z() - solid.centre().z() + shape.core(hindmost, 2));
+        double way = shape.radiusMetres() + Sweep.SKIN_METRES - front;
+        place.set(at).add(nX * way, nY * way, nZ * way);
+    }
+
+    /** Pushes out of the deepest overlap again and again; true when that ends in a free place. */
+    private boolean relax(RoundedHull shape, Vector3d from) {
+        for (int i = 0; i < MAX_PUSHES; i++) {
+            double depth = deepest(shape, from);
+            if (depth >= 0) {
+                return true;
+            }
+            from.add(push);
+        }
+        return deepest(shape, from) >= 0;
+    }
+
+    /** The least separation from any solid, not positive; {@code push} leads out of the solid that has it. */
+    private double deepest(RoundedHull shape, Vector3dc at) {
+        lookAround(shape, at);
+        double least = 0;
+        for (int i = 0; i < near.size(); i++) {
+            separation.measure(shape, at.x(), at.y(), at.z(), world.collider(near.get(i)));
+            if (separation.metres() < least) {
+                least = separation.metres();
+                double way = Sweep.SKIN_METRES - least;
+                push.set(separation.normalX(), separation.normalY(), separation.normalZ())
+                        .mul(way);
+            }
+        }
+        return least;
+    }
+
+    private void lookAround(RoundedHull shape, Vector3dc at) {
+        region.sweep(shape, at, still, Sweep.SKIN_METRES);
+        world.inside(region, near);
+    }
+}

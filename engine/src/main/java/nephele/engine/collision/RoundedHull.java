@@ -1,0 +1,82 @@
+package nephele.engine.collision;
+
+import nephele.engine.math.Vec3;
+
+/**
+ * A moving shape: the convex hull of a few core points, inflated by a radius. A sphere has one core point, a capsule
+ * two, a box eight and no radius. Core points are relative to the shape's own origin.
+ */
+public final class RoundedHull {
+    private final double[] core;
+    private final double radiusMetres;
+
+    private RoundedHull(double[] core, double radiusMetres) {
+        this.core = core;
+        this.radiusMetres = radiusMetres;
+    }
+
+    public static RoundedHull sphere(double radiusMetres) {
+        return new RoundedHull(new double[3], radiusMetres);
+    }
+
+    /** A capsule of any orientation: its axis runs from −{@code halfAxis} to +{@code halfAxis}. */
+    public static RoundedHull capsule(Vec3 halfAxis, double radiusMetres) {
+        double[] ends = {-halfAxis.x(), -halfAxis.y(), -halfAxis.z(), halfAxis.x(), halfAxis.y(), halfAxis.z()};
+        return new RoundedHull(ends, radiusMetres);
+    }
+
+    /** An upright capsule by its whole height, caps included; the origin is its centre. */
+    public static RoundedHull uprightCapsule(double radiusMetres, double heightMetres) {
+        return capsule(new Vec3(0, heightMetres / 2 - radiusMetres, 0), radiusMetres);
+    }
+
+    /** A box of any orientation by its half edges, which need not be axis-aligned. */
+    public static RoundedHull box(Vec3 halfX, Vec3 halfY, Vec3 halfZ) {
+        double[] corners = new double[24];
+        for (int i = 0; i < 8; i++) {
+            int sx = (i & 1) == 0 ? -1 : 1;
+            int sy = (i & 2) == 0 ? -1 : 1;
+            int sz = (i & 4) == 0 ? -1 : 1;
+            corners[3 * i] = sx * halfX.x() + sy * halfY.x() + sz * halfZ.x();
+            corners[3 * i + 1] = sx * halfX.y() + sy * halfY.y() + sz * halfZ.y();
+            corners[3 * i + 2] = sx * halfX.z() + sy * halfY.z() + sz * halfZ.z();
+        }
+        return new RoundedHull(corners, 0);
+    }
+
+    public double radiusMetres() {
+        return radiusMetres;
+    }
+
+    public int corePoints() {
+        return core.length / 3;
+    }
+
+    /** Component {@code axis} (0, 1, 2) of a core point. */
+    public double core(int point, int axis) {
+        return core[3 * point + axis];
+    }
+
+    /** The greatest coordinate along an axis (0, 1, 2), radius included. */
+    public double reach(int axis) {
+        double greatest = Double.NEGATIVE_INFINITY;
+        for (int i = axis; i < core.length; i += 3) {
+            greatest = Math.max(greatest, core[i]);
+        }
+        return greatest + radiusMetres;
+    }
+
+    /** The core point that lies least far along a direction. */
+    int least(double x, double y, double z) {
+        int best = 0;
+        double bestDot = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < core.length; i += 3) {
+            double dot = core[i] * x + core[i + 1] * y + core[i + 2] * z;
+            if (dot < bestDot) {
+                bestDot = dot;
+                best = i / 3;
+            }
+        }
+        return best;
+    }
+}

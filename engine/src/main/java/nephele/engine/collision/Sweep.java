@@ -1,0 +1,123 @@
+package nephele.engine.collision;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * Moves a shape along a straight line until it is {@link #SKIN_METRES} from the first solid. Reused for every query;
+ * the accessors speak of the last one.
+ *
+ * <p>The distance to a convex solid is a convex function of the way travelled, and Gjk gives a tangent below it. So
+ * Newton's method from the near side never passes the first root: no speed tunnels through any thickness (conservative
+ * advancement, Mirtich 1996; van den Bergen 2004).
+ */
+public final class Sweep {
+    /** The shape rests this far from what it touches. */
+    public static final double SKIN_METRES = 1e-3;
+
+    private static final double TOUCH_METRES = 1e-8;
+    private static final int MAX_STEPS = 64;
+    /** Approaching by less than this per metre travelled is sliding: what rounding makes of a tangent. */
+    private static final double SLIDING = 1e-9;
+
+    private static final double SAME_POINT_METRES = 1e-6;
+
+    private final CollisionWorld world;
+    private final Separation separation = new Separation();
+    private final Region region = new Region();
+    private final IndexList near = new IndexList();
+    private final Vector3d normal = new Vector3d();
+    private final Vector3d point = new Vector3d();
+    private final Vector3d upmostNormal = new Vector3d();
+    private double fraction;
+    private int collider;
+
+    public Sweep(CollisionWorld world) {
+        this.world = world;
+    }
+
+    /** How much of the displacement is free, 0 to 1. */
+    public double fraction() {
+        return fraction;
+    }
+
+    /** Of the surface that was hit, towards the shape; unit length. */
+    public Vector3dc normal() {
+        return normal;
+    }
+
+    /** Where the solid was hit. */
+    public Vector3dc point() {
+        return point;
+    }
+
+    /** Index of the solid that was hit in the world, −1 for none. */
+    public int collider() {
+        return collider;
+    }
+
+    /** Outward normal of the face that looks most upwards among those that meet the point: the tread at a stair's edge. */
+    public Vector3dc upmostNormal() {
+        return upmostNormal;
+    }
+
+    /** True when something stands in the way. Solids that the shape leaves or slides along do not. */
+    public boolean cast(RoundedHull shape, Vector3dc from, Vector3dc displacement) {
+        fraction = 1;
+        collider = -1;
+        double length = displacement.length();
+        if (!(length > 0)) {
+            return false;
+        }
+        region.sweep(shape, from, displacement, 2 * SKIN_METRES);
+        world.inside(region, near);
+        for (int i = 0; i < near.size(); i++) {
+            castAgainst(near.get(i), shape, from, displacement, length);
+        }
+        return collider >= 0;
+    }
+
+    private void castAgainst(int index, RoundedHull shape, Vector3dc from, Vector3dc way, double length) {
+        double t = 0;
+        for (int i = 0; i < MAX_STEPS; i++) {
+            separation.measure(
+                    shape,
+                    from.x() + t * way.x(),
+                    from.y() + t * way.y(),
+                    from.z() + t * way.z(),
+                    world.collider(index));
+            double approach =
+                    -(separation.normalX() * way.x() + separation.normalY() * way.y() + separation.normalZ() * way.z());
+            double gap = separation.metres() - SKIN_METRES;
+            if (approach <= (gap <= TOUCH_METRES ? SLIDING * length : 0)) {
+                return;
+            }
+            if (gap <= TOUCH_METRES || i == MAX_STEPS - 1) {
+                keep(index, t);
+                return;
+            }
+            t += gap / approach;
+            if (!(t < fraction)) {
+                return;
+            }
+        }
+    }
+
+    private void keep(int index, double t) {
+        // At the start several may be touched: the lowest index is kept, the others are found by the next slide.
+        if (collider >= 0 && t >= fraction) {
+            return;
+        }
+        fraction = t;
+        collider = index;
+        normal.set(separation.normalX(), separation.normalY(), separation.normalZ());
+        point.set(separation.onCollider(0), separation.onCollider(1), separation.onCollider(2));
+        int face = separation.upmostFace(SAME_POINT_METRES);
+        Collider solid = world.collider(index);
+        if (face >= 0) {
+            upmostNormal.set(solid.plane(face, 0), solid.plane(face, 1), solid.plane(face, 2));
+        } else {
+            upmostNormal.set(normal);
+        }
+    }
+}

@@ -1,0 +1,182 @@
+package nephele.engine.sim;
+
+import static nephele.engine.sim.PlayerBody.STEEPEST_GROUND_UP;
+import static nephele.engine.sim.PlayerBody.STEP_HEIGHT;
+
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.Sweep;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** Walking on ground: along slopes, up and down steps, past walls, without leaving the ground in between. */
+final class GroundWalk {
+    /** A contact whose normal is flatter than this is a wall, even where the wall's upper edge borders on ground. */
+    private static final double LEAST_EDGE_UP = 0.02;
+
+    private static final double TOUCHING_METRES = 2 * Sweep.SKIN_METRES;
+
+    private final Mover mover;
+    private final ContactPlanes walls = new ContactPlanes();
+    private final Vector3d ground = new Vector3d();
+    private final Vector3d start = new Vector3d();
+    private final Vector3d startGround = new Vector3d();
+    private final Vector3d stepped = new Vector3d();
+    private final Vector3d budget = new Vector3d();
+    private final Vector3d way = new Vector3d();
+    private final Vector3d up = new Vector3d();
+    private final Vector3d wall = new Vector3d();
+
+    GroundWalk(Mover mover) {
+        this.mover = mover;
+    }
+
+    /** Horizontal normals of the walls that stopped the last walk. */
+    ContactPlanes walls() {
+        return walls;
+    }
+
+    /** What the player stands on after the last walk or landing. */
+    Vector3dc ground() {
+        return ground;
+    }
+
+    /**
+     * Walks {@code horizontal} metres from {@code place} on ground with the given normal.
+     *
+     * @return whether there is still ground below; when not, {@code place} is where the ground ended
+     */
+    boolean walk(RoundedHull shape, Vector3d place, Vector3dc horizontal, Vector3dc onGround) {
+        start.set(place);
+        startGround.set(onGround);
+        ground.set(onGround);
+        boolean blocked = walkLevel(shape, place, horizontal);
+        if (blocked && stepUp(shape, place, horizontal)) {
+            return true;
+        }
+        return standDown(shape, place, STEP_HEIGHT);
+    }
+
+    /** After a fall: whether the player touches ground that is not too steep. An edge counts by the way it is touched. */
+    boolean land(RoundedHull shape, Vector3d place) {
+        return mover.lower(shape, place, TOUCHING_METRES) && isLanding();
+    }
+
+    private boolean isLanding() {
+        if (mover.lastSweep().normal().y() < STEEPEST_GROUND_UP) {
+            return false;
+        }
+        takeGround();
+        return true;
+    }
+
+    private boolean standDown(RoundedHull shape, Vector3d place, double metres) {
+        double before = place.y;
+        if (mover.lower(shape, place, metres) && isSupport()) {
+            takeGround();
+            return true;
+        }
+        place.y = before;
+        return false;
+    }
+
+    private boolean isSupport() {
+        Sweep hit = mover.lastSweep();
+        return hit.normal().y() >= STEEPEST_GROUND_UP
+                || (hit.normal().y() >= LEAST_EDGE_UP && hit.upmostNormal().y() >= STEEPEST_GROUND_UP);
+    }
+
+    /** A step's edge carries as its tread does; a ridge between two steep slopes as it is touched. */
+    private void takeGround() {
+        Sweep hit = mover.lastSweep();
+        ground.set(hit.upmostNormal().y() >= hit.normal().y() ? hit.upmostNormal() : hit.normal());
+    }
+
+    /** Slides along the ground plane and along walls; true when a wall was met. */
+    private boolean walkLevel(RoundedHull shape, Vector3d place, Vector3dc horizontal) {
+        walls.clear();
+        budget.set(horizontal);
+        for (int i = 0; i < Mover.MAX_SLIDES && budget.lengthSquared() > 0; i++) {
+            alongGround(budget, way);
+            if (!mover.advanceUntilHit(shape, place, way)) {
+                break;
+            }
+            Sweep hit = mover.lastSweep();
+            budget.mul(1 - hit.fraction());
+            if (hit.normal().y() >= STEEPEST_GROUND_UP) {
+                ground.set(hit.normal());
+            } else {
+                addWall(hit.normal());
+                walls.clip(budget);
+            }
+        }
+        return walls.size() > 0;
+    }
+
+    /** Steep slopes and slanted ceilings stop like upright walls; a flat ceiling over a rising floor, too. */
+    private void addWall(Vector3dc normal) {
+        wall.set(normal.x(), 0, normal.z());
+        if (wall.lengthSquared() < 1e-6) {
+            wall.set(-budget.x, 0, -budget.z);
+        }
+        walls.add(wall.normalize());
+    }
+
+    /** The horizontal way bent up or down along the ground; its length stays. */
+    private void alongGround(Vector3dc horizontal, Vector3d bent) {
+        double rise = -(ground.x * horizontal.x() + ground.z * horizontal.z()) / ground.y;
+        double square = horizontal.lengthSquared();
+        double scale = Math.sqrt(square / (square + rise * rise));
+        bent.set(horizontal.x() * scale, rise * scale, horizontal.z() * scale);
+    }
+
+    /** Up, along, down from where the walk began; kept when it leads farther along and onto ground within a step. */
+    private boolean stepUp(RoundedHull shape, Vector3d place, Vector3dc horizontal) {
+        double levelProgress = progress(place, horizontal);
+        stepped.set(start);
+        double highest = supportHeight(shape) + STEP_HEIGHT;
+        up.set(0, highest - footHeight(shape), 0);
+        mover.advanceUntilHit(shape, stepped, up);
+        double lifted = stepped.y - start.y;
+        mover.slide(shape, stepped, horizontal);
+        boolean farther = progress(stepped, horizontal) > levelProgress + 1e-9;
+        if (!farther
+                || !standDown(shape, stepped, lifted + TOUCHING_METRES)
+                || mover.lastSweep().point().y() > highest + 1e-6) {
+            ground.set(startGround);
+            return false;
+        }
+        place.set(stepped);
+        keepWallsOf(mover.planes());
+        return true;
+    }
+
+    private double footHeight(RoundedHull shape) {
+        return start.y - (shape.reach(1) + Sweep.SKIN_METRES);
+    }
+
+    /** What carries the walker at the start; above its foot when that is an edge which it rolls over. */
+    private double supportHeight(RoundedHull shape) {
+        if (mover.lower(shape, stepped, TOUCHING_METRES) && isSupport()) {
+            double height = mover.lastSweep().point().y();
+            stepped.set(start);
+            return Math.max(footHeight(shape), height);
+        }
+        return footHeight(shape);
+    }
+
+    private void keepWallsOf(ContactPlanes met) {
+        walls.clear();
+        for (int i = 0; i < met.size(); i++) {
+            if (met.normal(i).y() < STEEPEST_GROUND_UP) {
+                wall.set(met.normal(i).x(), 0, met.normal(i).z());
+                if (wall.lengthSquared() > 1e-6) {
+                    walls.add(wall.normalize());
+                }
+            }
+        }
+    }
+
+    private double progress(Vector3dc to, Vector3dc along) {
+        return (to.x() - start.x) * along.x() + (to.z() - start.z) * along.z();
+    }
+}

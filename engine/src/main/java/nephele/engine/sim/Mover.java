@@ -1,0 +1,74 @@
+package nephele.engine.sim;
+
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.Sweep;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** Sweeps and slides: how the player's capsule gets along the solids around it. The working set of one simulation. */
+final class Mover {
+    static final int MAX_SLIDES = 5;
+    /** Closer than this counts as there: a player at rest keeps the very bits of its place. */
+    private static final double AT_REST_METRES = 1e-7;
+
+    private final Sweep sweep;
+    private final ContactPlanes planes = new ContactPlanes();
+    private final Vector3d rest = new Vector3d();
+    private final Vector3d down = new Vector3d();
+
+    Mover(CollisionWorld world) {
+        sweep = new Sweep(world);
+    }
+
+    Sweep lastSweep() {
+        return sweep;
+    }
+
+    /** The surfaces met by the last {@link #slide}. */
+    ContactPlanes planes() {
+        return planes;
+    }
+
+    /** Moves {@code place} along {@code way}, around whatever is met; at most {@link #MAX_SLIDES} surfaces. */
+    void slide(RoundedHull shape, Vector3d place, Vector3dc way) {
+        planes.clear();
+        rest.set(way);
+        for (int i = 0; i < MAX_SLIDES && rest.lengthSquared() > 0; i++) {
+            boolean hit = sweep.cast(shape, place, rest);
+            advance(place, rest, sweep.fraction());
+            if (!hit) {
+                return;
+            }
+            rest.mul(1 - sweep.fraction());
+            planes.add(sweep.normal());
+            planes.clip(rest);
+        }
+    }
+
+    /** Moves straight until something is met; true when it was. */
+    boolean advanceUntilHit(RoundedHull shape, Vector3d place, Vector3dc way) {
+        boolean hit = sweep.cast(shape, place, way);
+        if (!hit || sweep.fraction() * way.length() > AT_REST_METRES) {
+            advance(place, way, sweep.fraction());
+        }
+        return hit;
+    }
+
+    /** Lowers {@code place} onto what lies at most {@code metres} below; stays where it is when nothing does. */
+    boolean lower(RoundedHull shape, Vector3d place, double metres) {
+        down.set(0, -metres, 0);
+        if (!sweep.cast(shape, place, down)) {
+            return false;
+        }
+        double way = metres * sweep.fraction();
+        if (way > AT_REST_METRES) {
+            place.y -= way;
+        }
+        return true;
+    }
+
+    private static void advance(Vector3d place, Vector3dc way, double fraction) {
+        place.add(way.x() * fraction, way.y() * fraction, way.z() * fraction);
+    }
+}

@@ -1,0 +1,72 @@
+package nephele.engine.sim;
+
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.level.Level;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Vec3;
+
+/**
+ * The rules: a state and an input give the next state, and nothing else matters. Allocates little more than the state.
+ * Not for two threads at once: the working set is reused.
+ */
+public final class Simulation {
+    /** A player this far below everything solid begins again. */
+    private static final double FALL_METRES = 50;
+
+    private static final PlayerStart ORIGIN = new PlayerStart(Vec3.ZERO, 0, 0);
+
+    private final SimSettings settings;
+    private final PlayerState start;
+    private final PlayerStep playerStep;
+    private final double lowest;
+    private final FaultLog faults;
+
+    public Simulation(Level level, SimSettings settings) {
+        this(CollisionWorld.of(level), level.player(), settings, FaultLog.SILENT);
+    }
+
+    /** @param start where the player begins, {@code null}: at the origin */
+    public Simulation(CollisionWorld world, PlayerStart start, SimSettings settings, FaultLog faults) {
+        this.settings = settings;
+        this.faults = faults;
+        this.start = startOf(start == null ? ORIGIN : start);
+        playerStep = new PlayerStep(world, 1.0 / settings.ticksPerSecond());
+        lowest = world.size() == 0 ? Double.NEGATIVE_INFINITY : world.extent().minY() - FALL_METRES;
+    }
+
+    private static PlayerState startOf(PlayerStart start) {
+        return PlayerState.standing(start.feet(), Heading.ofDegrees(start.yawDegrees(), start.pitchDegrees()));
+    }
+
+    public SimSettings settings() {
+        return settings;
+    }
+
+    /** The state at tick 0. */
+    public SimState start() {
+        return new SimState(0, 1, 0, start);
+    }
+
+    /** The state at tick 0 with the player elsewhere. */
+    public SimState startFrom(PlayerStart elsewhere) {
+        return new SimState(0, 1, 0, startOf(elsewhere));
+    }
+
+    /** The state one tick later. A tick that would give numbers that are not finite leaves the player standing still. */
+    public SimState step(SimState before, PlayerInput input) {
+        PlayerState after = before.player().isFinite() ? playerStep.step(before.player(), input) : null;
+        if (after == null || !after.isFinite()) {
+            faults.fault(before.tick(), "the player's state is not finite: " + before.player());
+            return new SimState(before.tick() + 1, before.random(), before.faults() + 1, stopped(before.player()));
+        }
+        if (after.feet().y() < lowest) {
+            after = start;
+        }
+        return new SimState(before.tick() + 1, before.random(), before.faults(), after);
+    }
+
+    private PlayerState stopped(PlayerState broken) {
+        PlayerState still = broken.withVelocity(Vec3.ZERO);
+        return still.isFinite() ? still : start;
+    }
+}

@@ -1,0 +1,105 @@
+package nephele.engine.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import nephele.engine.collision.Collider;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.level.BoxFace;
+import nephele.engine.level.Brush;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.level.Solid;
+import nephele.engine.math.Vec3;
+
+/** A small place to walk in, built by the test, and the player in it. Floors have their top at y = 0 unless said. */
+final class Course {
+    private final List<Collider> colliders = new ArrayList<>();
+    private PlayerStart start = new PlayerStart(Vec3.ZERO, 0, 0);
+    private SimSettings settings = SimSettings.DEFAULT;
+    private Simulation simulation;
+    private SimState state;
+
+    static Course onFloor() {
+        return new Course().box(-50, -1, -50, 50, 0, 50);
+    }
+
+    Course solid(Solid solid) {
+        colliders.add(new Collider(solid.id(), Brush.of(solid).shape()));
+        return this;
+    }
+
+    /** By its lower and upper corner. */
+    Course box(double x0, double y0, double z0, double x1, double y1, double z1) {
+        Vec3 centre = new Vec3((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2);
+        return solid(new Solid.Box(
+                "box" + colliders.size(), null, false, null, centre, new Vec3(x1 - x0, y1 - y0, z1 - z0), Map.of()));
+    }
+
+    /** A slope that rises towards −z, the direction of yaw 0, from z = {@code z1} at y = 0 to z = {@code z0}. */
+    Course slope(double z0, double z1, double degrees) {
+        double height = (z1 - z0) * StrictMath.tan(Math.toRadians(degrees));
+        Vec3 centre = new Vec3(0, height / 2, (z0 + z1) / 2);
+        return solid(new Solid.Wedge(
+                "slope" + colliders.size(),
+                null,
+                false,
+                null,
+                centre,
+                new Vec3(8, height, z1 - z0),
+                BoxFace.MINUS_Z,
+                Map.of()));
+    }
+
+    Course startAt(double x, double y, double z) {
+        start = new PlayerStart(new Vec3(x, y, z), 0, 0);
+        return this;
+    }
+
+    Course ticksPerSecond(int rate) {
+        settings = settings.withTicksPerSecond(rate);
+        return this;
+    }
+
+    CollisionWorld world() {
+        return new CollisionWorld(colliders);
+    }
+
+    Simulation simulation() {
+        if (simulation == null) {
+            simulation = new Simulation(world(), start, settings, FaultLog.SILENT);
+            state = simulation.start();
+        }
+        return simulation;
+    }
+
+    SimState state() {
+        simulation();
+        return state;
+    }
+
+    Course set(SimState replaced) {
+        simulation();
+        state = replaced;
+        return this;
+    }
+
+    Vec3 feet() {
+        return state().player().feet();
+    }
+
+    Course hold(PlayerInput input, double seconds) {
+        return hold(input, seconds, ignored -> {});
+    }
+
+    /** Holds the input and looks at the state after every tick. */
+    Course hold(PlayerInput input, double seconds, Consumer<PlayerState> look) {
+        simulation();
+        long ticks = Math.round(seconds * settings.ticksPerSecond());
+        for (long i = 0; i < ticks; i++) {
+            state = simulation.step(state, input);
+            look.accept(state.player());
+        }
+        return this;
+    }
+}
