@@ -13,8 +13,14 @@ public final class ArtFiles {
     /** @param arguments the checkout's root, default the working directory */
     public static void main(String[] arguments) throws IOException {
         Path root = Path.of(arguments.length > 0 ? arguments[0] : "");
+        Path assets = root.resolve("assets");
         for (Map.Entry<String, BufferedImage> picture : benchPictures().entrySet()) {
-            PictureFile.write(root.resolve("assets").resolve(picture.getKey()), picture.getValue());
+            PictureFile.write(assets.resolve(picture.getKey()), picture.getValue());
+        }
+        for (TextureRecipe recipe : Textures.ALL) {
+            Surface surface = recipe.paint();
+            PictureFile.write(assets.resolve(recipe.colourFile()), surface.colourPicture());
+            PictureFile.write(assets.resolve(recipe.normalFile()), surface.normalPicture());
         }
     }
 
