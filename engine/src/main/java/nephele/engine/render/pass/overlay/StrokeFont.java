@@ -12,7 +12,7 @@ final class StrokeFont {
     static final double PEN_HUNDREDTHS = 8.5;
 
     static final double SPACING_HUNDREDTHS = 19.5;
-    static final double SPACE_WIDTH_HUNDREDTHS = 10;
+    static final double SPACE_EM = 0.29;
     static final double CAPITAL_HEIGHT_HUNDREDTHS = 70;
     private static final double MARK_LIFT_OVER_CAPITALS = 20;
 

@@ -1,0 +1,67 @@
+package nephele.app.play;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.app.levels.LevelFile;
+
+/**
+ * One page of the menu as a value: entries, and the one that is selected. Keys move the selection around the ends, the
+ * mouse picks an entry by its row.
+ */
+record Menu(String title, List<Entry> entries, int selected) {
+    /** A line of the menu and what choosing it means. */
+    record Entry(String label, Choice choice) {}
+
+    /** What a player can choose. */
+    sealed interface Choice {
+        record Continue() implements Choice {}
+
+        record Restart() implements Choice {}
+
+        record SelectLevel() implements Choice {}
+
+        record Start(LevelFile level) implements Choice {}
+
+        record Back() implements Choice {}
+
+        record Quit() implements Choice {}
+    }
+
+    Menu {
+        entries = List.copyOf(entries);
+        if (entries.isEmpty() || selected < 0 || selected >= entries.size()) {
+            throw new IllegalArgumentException("entry " + selected + " of " + entries.size() + " is selected");
+        }
+    }
+
+    static Menu pause() {
+        return new Menu(
+                "Nephele",
+                List.of(
+                        new Entry("Continue", new Choice.Continue()),
+                        new Entry("Restart", new Choice.Restart()),
+                        new Entry("Choose a level", new Choice.SelectLevel()),
+                        new Entry("Quit", new Choice.Quit())),
+                0);
+    }
+
+    static Menu levels(List<LevelFile> levels) {
+        var entries = new ArrayList<Entry>();
+        levels.forEach(level -> entries.add(new Entry(level.title(), new Choice.Start(level))));
+        entries.add(new Entry("Back", new Choice.Back()));
+        return new Menu("Choose a level", entries, 0);
+    }
+
+    Menu moved(int steps) {
+        return new Menu(title, entries, Math.floorMod(selected + steps, entries.size()));
+    }
+
+    /** The menu with that row selected; rows outside change nothing. */
+    Menu pointedAt(int row) {
+        return row >= 0 && row < entries.size() ? new Menu(title, entries, row) : this;
+    }
+
+    Choice chosen() {
+        return entries.get(selected).choice();
+    }
+}

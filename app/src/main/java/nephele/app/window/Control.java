@@ -1,0 +1,46 @@
+package nephele.app.window;
+
+import static org.lwjgl.glfw.GLFW.*;
+
+import java.util.List;
+
+/** Everything a key does, in the order of the help page. */
+public enum Control {
+    FORWARD("W  ↑", "walk forward", GLFW_KEY_W, GLFW_KEY_UP),
+    BACK("S  ↓", "walk back", GLFW_KEY_S, GLFW_KEY_DOWN),
+    LEFT("A  ←", "walk left", GLFW_KEY_A, GLFW_KEY_LEFT),
+    RIGHT("D  →", "walk right", GLFW_KEY_D, GLFW_KEY_RIGHT),
+    RUN("Shift", "run", GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+    JUMP("Space", "jump", GLFW_KEY_SPACE),
+    CROUCH("Ctrl  C", "crouch", GLFW_KEY_LEFT_CONTROL, GLFW_KEY_C),
+    RESTART("R", "start the level again", GLFW_KEY_R),
+    MENU("Esc", "menu", GLFW_KEY_ESCAPE),
+    CONFIRM("Enter", "choose in the menu", GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER),
+    HELP("F1", "this page", GLFW_KEY_F1),
+    FIGURES("F3", "figures: time per pass, draws, memory", GLFW_KEY_F3),
+    FULL_SCREEN("F11", "full screen", GLFW_KEY_F11),
+    SCREENSHOT("F12", "screenshot (with Shift: without overlay)", GLFW_KEY_F12);
+
+    private final String keys;
+    private final String meaning;
+    private final List<Integer> codes;
+
+    Control(String keys, String meaning, Integer... codes) {
+        this.keys = keys;
+        this.meaning = meaning;
+        this.codes = List.of(codes);
+    }
+
+    public String keys() {
+        return keys;
+    }
+
+    public String meaning() {
+        return meaning;
+    }
+
+    /** GLFW key codes. */
+    List<Integer> codes() {
+        return codes;
+    }
+}

@@ -1,0 +1,168 @@
+package nephele.app.window;
+
+import static org.lwjgl.glfw.GLFW.*;
+import static org.lwjgl.system.MemoryUtil.NULL;
+
+import java.util.Locale;
+import nephele.app.terminal.CommandFailure;
+import org.lwjgl.glfw.Callbacks;
+import org.lwjgl.glfw.GLFWVidMode;
+
+/**
+ * One window with an OpenGL 4.1 core context, current on the thread that opened it. Sizes are pixels of the picture,
+ * which on a fine screen are more than the window's units.
+ */
+public final class GameWindow implements AutoCloseable {
+    private final long handle;
+    private final WindowEvents events;
+    private final Input input;
+    private boolean fullScreen;
+    private final int[] restoredBounds = new int[4];
+
+    private GameWindow(long handle, Input input) {
+        this.handle = handle;
+        this.input = input;
+        events = new WindowEvents(handle, input);
+    }
+
+    /** What is asked of a new window. */
+    public record Request(String title, int width, int height) {}
+
+    /** Opens the window; a failure says what the system said (exit code 3). */
+    public static GameWindow open(Request request, Input input) {
+        var complaints = new Complaints();
+        glfwSetErrorCallback(complaints);
+        boolean linuxWithX =
+                System.getProperty("os.name").toLowerCase(Locale.ROOT).contains("linux")
+                        && System.getenv("DISPLAY") != null;
+        if (linuxWithX) {
+            glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+        }
+        if (!glfwInit()) {
+            throw unavailable("no display can be opened", complaints);
+        }
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+        glfwWindowHint(GLFW_DEPTH_BITS, 24);
+        long handle = glfwCreateWindow(request.width, request.height, request.title, NULL, NULL);
+        if (handle == NULL) {
+            glfwTerminate();
+            throw unavailable("no window with OpenGL 4.1 core can be opened", complaints);
+        }
+        glfwMakeContextCurrent(handle);
+        glfwSwapInterval(1);
+        return new GameWindow(handle, input);
+    }
+
+    private static CommandFailure unavailable(String what, Complaints complaints) {
+        return CommandFailure.environment(what + ": " + complaints.text()
+                + "\nNephele needs a graphics driver with OpenGL 4.1 (on Debian or Ubuntu: apt-get install libgl1"
+                + " libgl1-mesa-dri)."
+                + "\nWithout a display, unset DISPLAY: `nephele play` then draws offscreen.");
+    }
+
+    /** Takes what happened since the last call. */
+    public void poll() {
+        glfwPollEvents();
+    }
+
+    /** Waits for something to happen, at most this long: for a window that can't be seen. */
+    public void waitForEvents(double seconds) {
+        glfwWaitEventsTimeout(seconds);
+    }
+
+    /** Shows what was drawn. */
+    public void show() {
+        glfwSwapBuffers(handle);
+    }
+
+    public boolean closeRequested() {
+        return glfwWindowShouldClose(handle);
+    }
+
+    public boolean hasFocus() {
+        return events.hasFocus();
+    }
+
+    public int width() {
+        return events.width();
+    }
+
+    public int height() {
+        return events.height();
+    }
+
+    /** False while minimised or without area: nothing can be drawn then. */
+    public boolean isDrawable() {
+        return !events.isMinimised() && width() > 0 && height() > 0;
+    }
+
+    /** Pixels per point: 2 on a fine screen. */
+    public double scale() {
+        return events.scale();
+    }
+
+    /** Hides the pointer and gives the mouse to the game, or gives it back. */
+    public void captureMouse(boolean captured) {
+        int mode = captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL;
+        if (glfwGetInputMode(handle, GLFW_CURSOR) != mode) {
+            glfwSetInputMode(handle, GLFW_CURSOR, mode);
+            if (glfwRawMouseMotionSupported()) {
+                glfwSetInputMode(handle, GLFW_RAW_MOUSE_MOTION, captured ? GLFW_TRUE : GLFW_FALSE);
+            }
+            events.lookWithMouse(captured);
+            input.forget();
+        }
+    }
+
+    public boolean isFullScreen() {
+        return fullScreen;
+    }
+
+    public void toggleFullScreen() {
+        long monitor = glfwGetPrimaryMonitor();
+        GLFWVidMode mode = monitor == NULL ? null : glfwGetVideoMode(monitor);
+        if (mode == null) {
+            return;
+        }
+        if (fullScreen) {
+            glfwSetWindowMonitor(
+                    handle, NULL, restoredBounds[0], restoredBounds[1], restoredBounds[2], restoredBounds[3], 0);
+        } else {
+            rememberBounds();
+            glfwSetWindowMonitor(handle, monitor, 0, 0, mode.width(), mode.height(), mode.refreshRate());
+        }
+        fullScreen = !fullScreen;
+        input.forget();
+    }
+
+    private void rememberBounds() {
+        int[] a = new int[1];
+        int[] b = new int[1];
+        glfwGetWindowPos(handle, a, b);
+        restoredBounds[0] = a[0];
+        restoredBounds[1] = b[0];
+        glfwGetWindowSize(handle, a, b);
+        restoredBounds[2] = a[0];
+        restoredBounds[3] = b[0];
+    }
+
+    /** GLFW's handle, for tests that resize, minimise or focus the window. */
+    long handle() {
+        return handle;
+    }
+
+    @Override
+    public void close() {
+        Callbacks.glfwFreeCallbacks(handle);
+        glfwDestroyWindow(handle);
+        glfwTerminate();
+        var complaints = glfwSetErrorCallback(null);
+        if (complaints != null) {
+            complaints.free();
+        }
+    }
+}

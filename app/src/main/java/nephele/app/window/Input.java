@@ -1,0 +1,124 @@
+package nephele.app.window;
+
+import java.util.ArrayDeque;
+import java.util.EnumSet;
+
+/**
+ * What keyboard and mouse have said since they were asked last. Knows no window: the window tells it, tests too.
+ * Motion is in mouse counts, positions in pixels of the picture.
+ */
+public final class Input {
+    private static final int MOST_WAITING = 64;
+
+    private final EnumSet<Control> held = EnumSet.noneOf(Control.class);
+    private final ArrayDeque<Control> pressed = new ArrayDeque<>();
+    private double countsRight;
+    private double countsDown;
+    private double lastX = Double.NaN;
+    private double lastY = Double.NaN;
+    private double pointerX;
+    private double pointerY;
+    private boolean pointerMoved;
+    private boolean clicked;
+
+    void key(int code, boolean down) {
+        for (var control : Control.values()) {
+            if (control.codes().contains(code)) {
+                key(control, down);
+            }
+        }
+    }
+
+    /** A key went down or up; repeats of a held key are not told. */
+    public void key(Control control, boolean down) {
+        if (!down) {
+            held.remove(control);
+            return;
+        }
+        held.add(control);
+        if (pressed.size() < MOST_WAITING) {
+            pressed.add(control);
+        }
+    }
+
+    /**
+     * The captured mouse is at (x, y) of an endless plane. The first position after a start, a capture or a regained
+     * focus only says where it is: taking it as a motion would make the view jump.
+     */
+    public void look(double x, double y) {
+        if (!Double.isNaN(lastX)) {
+            countsRight += x - lastX;
+            countsDown += y - lastY;
+        }
+        lastX = x;
+        lastY = y;
+    }
+
+    /** The free pointer is over this pixel. */
+    public void point(double x, double y) {
+        pointerX = x;
+        pointerY = y;
+        pointerMoved = true;
+    }
+
+    public void click() {
+        clicked = true;
+    }
+
+    /** Forgets every held key, motion and click: the focus went away, or the menu opened. */
+    public void forget() {
+        held.clear();
+        pressed.clear();
+        countsRight = 0;
+        countsDown = 0;
+        lastX = Double.NaN;
+        lastY = Double.NaN;
+        clicked = false;
+        pointerMoved = false;
+    }
+
+    public boolean holds(Control control) {
+        return held.contains(control);
+    }
+
+    /** The next key that went down, or null. */
+    public Control nextPressed() {
+        return pressed.poll();
+    }
+
+    /** Motion since the last call, in counts to the right. */
+    public double takeCountsRight() {
+        double taken = countsRight;
+        countsRight = 0;
+        return taken;
+    }
+
+    /** Motion since the last call, in counts downwards. */
+    public double takeCountsDown() {
+        double taken = countsDown;
+        countsDown = 0;
+        return taken;
+    }
+
+    /** True once after the free pointer moved. */
+    public boolean takePointerMoved() {
+        boolean taken = pointerMoved;
+        pointerMoved = false;
+        return taken;
+    }
+
+    /** True once after a click. */
+    public boolean takeClick() {
+        boolean taken = clicked;
+        clicked = false;
+        return taken;
+    }
+
+    public double pointerX() {
+        return pointerX;
+    }
+
+    public double pointerY() {
+        return pointerY;
+    }
+}

@@ -1,0 +1,91 @@
+package nephele.app.window;
+
+import static org.lwjgl.glfw.GLFW.*;
+
+/** Listens to one window: its state for the window, its keys and mouse for the input. */
+final class WindowEvents {
+    private final long handle;
+    private final Input input;
+    private int width;
+    private int height;
+    private boolean minimised;
+    private boolean focus;
+    private double scale = 1;
+    private boolean looking;
+
+    WindowEvents(long handle, Input input) {
+        this.handle = handle;
+        this.input = input;
+        readInitialState();
+        glfwSetFramebufferSizeCallback(handle, (window, newWidth, newHeight) -> {
+            width = newWidth;
+            height = newHeight;
+        });
+        glfwSetWindowIconifyCallback(handle, (window, now) -> minimised = now);
+        glfwSetWindowContentScaleCallback(handle, (window, x, y) -> scale = x);
+        glfwSetWindowFocusCallback(handle, (window, now) -> {
+            focus = now;
+            input.forget();
+        });
+        glfwSetKeyCallback(handle, (window, key, scanCode, action, modifiers) -> {
+            if (action != GLFW_REPEAT) {
+                input.key(key, action == GLFW_PRESS);
+            }
+        });
+        glfwSetCursorPosCallback(handle, (window, x, y) -> moved(x, y));
+        glfwSetMouseButtonCallback(handle, (window, button, action, modifiers) -> {
+            if (action == GLFW_PRESS && button == GLFW_MOUSE_BUTTON_LEFT) {
+                input.click();
+            }
+        });
+    }
+
+    private void readInitialState() {
+        int[] a = new int[1];
+        int[] b = new int[1];
+        glfwGetFramebufferSize(handle, a, b);
+        width = a[0];
+        height = b[0];
+        float[] x = new float[1];
+        float[] y = new float[1];
+        glfwGetWindowContentScale(handle, x, y);
+        scale = x[0];
+        focus = glfwGetWindowAttrib(handle, GLFW_FOCUSED) == GLFW_TRUE;
+    }
+
+    /** GLFW gives window units; the picture's pixels can be finer. */
+    private void moved(double x, double y) {
+        if (looking) {
+            input.look(x, y);
+            return;
+        }
+        int[] windowWidth = new int[1];
+        int[] windowHeight = new int[1];
+        glfwGetWindowSize(handle, windowWidth, windowHeight);
+        input.point(x * width / Math.max(1, windowWidth[0]), y * height / Math.max(1, windowHeight[0]));
+    }
+
+    void lookWithMouse(boolean nowLooking) {
+        looking = nowLooking;
+    }
+
+    int width() {
+        return width;
+    }
+
+    int height() {
+        return height;
+    }
+
+    boolean isMinimised() {
+        return minimised;
+    }
+
+    boolean hasFocus() {
+        return focus;
+    }
+
+    double scale() {
+        return scale > 0 ? scale : 1;
+    }
+}

@@ -1,0 +1,113 @@
+package nephele.engine.render.pass.overlay;
+
+import java.util.Arrays;
+
+/**
+ * What lies over the picture, as quads. Lengths are points from the upper left corner; a point is one pixel at scale 1
+ * and two at scale 2. Fill it only when the content changes: the pass uploads it only then.
+ */
+public final class OverlayCanvas {
+    /** x, y in pixels, u, v in atlas texels, red, green, blue, alpha. */
+    static final int FLOATS_PER_VERTEX = 8;
+
+    static final int VERTICES_PER_QUAD = 4;
+
+    private final Lettering lettering;
+    private float[] vertices = new float[64 * VERTICES_PER_QUAD * FLOATS_PER_VERTEX];
+    private int length;
+    private double scale = 1;
+    private long version;
+
+    public OverlayCanvas(Lettering lettering) {
+        this.lettering = lettering;
+    }
+
+    /** Empties the canvas. */
+    public void begin(double pixelsPerPoint) {
+        length = 0;
+        scale = pixelsPerPoint;
+        version++;
+    }
+
+    public boolean isEmpty() {
+        return length == 0;
+    }
+
+    /** A filled rectangle. */
+    public void rectangle(double x, double y, double width, double height, Colour colour) {
+        double solid = FontAtlas.SOLID_TEXELS / 2.0;
+        corner(x * scale, y * scale, solid, solid, colour);
+        corner((x + width) * scale, y * scale, solid, solid, colour);
+        corner((x + width) * scale, (y + height) * scale, solid, solid, colour);
+        corner(x * scale, (y + height) * scale, solid, solid, colour);
+    }
+
+    /**
+     * One line of text; its baseline is rounded to a whole pixel, which keeps it crisp.
+     *
+     * @param em size of the letters in points; capitals are 0.7 em high
+     * @return where the next letter would begin
+     */
+    public double text(double x, double baseline, double em, Colour colour, String line) {
+        double texelPixels = em * scale / FontAtlas.TEXELS_PER_EM;
+        double pen = x * scale;
+        double baselinePixels = Math.rint(baseline * scale);
+        for (int i = 0; i < line.length(); i += Character.charCount(line.codePointAt(i))) {
+            int codePoint = line.codePointAt(i);
+            if (codePoint != ' ') {
+                letter(lettering.cell(codePoint), new double[] {pen, baselinePixels, texelPixels}, colour);
+            }
+            pen += lettering.advanceEm(codePoint) * em * scale;
+        }
+        return pen / scale;
+    }
+
+    /** How wide a line of text is in points. */
+    public double width(double em, String line) {
+        return line.codePoints().mapToDouble(lettering::advanceEm).sum() * em;
+    }
+
+    float[] vertices() {
+        return vertices;
+    }
+
+    int length() {
+        return length;
+    }
+
+    int quads() {
+        return length / (FLOATS_PER_VERTEX * VERTICES_PER_QUAD);
+    }
+
+    /** Rises with every {@link #begin}. */
+    long version() {
+        return version;
+    }
+
+    private void letter(FontAtlas.Cell cell, double[] penBaselineTexel, Colour colour) {
+        double texel = penBaselineTexel[2];
+        double left = penBaselineTexel[0] - FontAtlas.originTexels() * texel;
+        double bottom = penBaselineTexel[1] + FontAtlas.baselineTexels() * texel;
+        double right = left + cell.width() * texel;
+        double top = bottom - cell.height() * texel;
+        corner(left, top, cell.x(), cell.y() + cell.height(), colour);
+        corner(right, top, cell.x() + cell.width(), cell.y() + cell.height(), colour);
+        corner(right, bottom, cell.x() + cell.width(), cell.y(), colour);
+        corner(left, bottom, cell.x(), cell.y(), colour);
+    }
+
+    private void corner(double x, double y, double u, double v, Colour colour) {
+        if (length == vertices.length) {
+            vertices = Arrays.copyOf(vertices, 2 * length);
+        }
+        vertices[length] = (float) x;
+        vertices[length + 1] = (float) y;
+        vertices[length + 2] = (float) u;
+        vertices[length + 3] = (float) v;
+        vertices[length + 4] = colour.red();
+        vertices[length + 5] = colour.green();
+        vertices[length + 6] = colour.blue();
+        vertices[length + 7] = colour.alpha();
+        length += FLOATS_PER_VERTEX;
+    }
+}
