@@ -20,13 +20,16 @@ public final class LevelJson {
     public static Level read(String file, byte[] utf8) throws LevelFormatException {
         Problems problems = new Problems();
         JsonValue root = JsonTree.read(utf8, problems);
+        if (root == null) {
+            throw LevelFormatException.damage(file, problems.found());
+        }
         Level level = null;
         if (root instanceof JsonValue.Members members) {
             if (isThisVersion(members, problems)) {
                 requireNoEntities(members, problems);
                 level = (Level) LEVEL.read(members, problems);
             }
-        } else if (root != null) {
+        } else {
             ValueFormat.mismatch("an object, a level", root, problems);
         }
         problems.throwIfAny(file);

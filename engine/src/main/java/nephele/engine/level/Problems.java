@@ -47,6 +47,10 @@ final class Problems {
         return count;
     }
 
+    List<Problem> found() {
+        return found;
+    }
+
     void throwIfAny(String file) {
         if (count > 0) {
             throw new LevelFormatException(file, found);
