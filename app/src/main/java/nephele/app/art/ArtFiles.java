@@ -2,17 +2,24 @@ package nephele.app.art;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelJson;
 
-/** Regenerates the pictures below {@code assets/} from code: {@code gradle textures}. */
+/** Regenerates the pictures below {@code assets/} and the bench levels: {@code gradle textures}. */
 public final class ArtFiles {
     private ArtFiles() {}
 
     /** @param arguments the checkout's root, default the working directory */
     public static void main(String[] arguments) throws IOException {
         Path root = Path.of(arguments.length > 0 ? arguments[0] : "");
+        for (Map.Entry<String, Level> level : BenchLevels.all().entrySet()) {
+            Path file = root.resolve("levels/bench").resolve(level.getKey());
+            Files.writeString(file, LevelJson.write(level.getValue()));
+        }
         Path assets = root.resolve("assets");
         for (Map.Entry<String, BufferedImage> picture : benchPictures().entrySet()) {
             PictureFile.write(assets.resolve(picture.getKey()), picture.getValue());
