@@ -1,0 +1,26 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+/** Three vertices without buffers that cover the viewport; the vertex shader makes them from {@code gl_VertexID}. */
+public final class FullScreenTriangle implements AutoCloseable {
+    private final GlContext gl;
+    private final GlHandle vertexArray;
+
+    public FullScreenTriangle(GlContext gl, String name) {
+        this.gl = gl;
+        vertexArray = new GlHandle(
+                gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
+    }
+
+    public void draw() {
+        gl.state().vertexArray(vertexArray.id());
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        gl.state().drawn(1, 1);
+    }
+
+    @Override
+    public void close() {
+        vertexArray.close();
+    }
+}

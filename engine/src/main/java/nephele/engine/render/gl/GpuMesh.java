@@ -1,0 +1,55 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+import java.nio.ByteBuffer;
+import java.nio.IntBuffer;
+
+/** Vertices and 32-bit triangle indices on the GPU. */
+public final class GpuMesh implements AutoCloseable {
+    private final GlContext gl;
+    private final GlHandle vertexArray;
+    private final GlHandle vertices;
+    private final GlHandle indices;
+
+    /**
+     * @param vertexBytes direct, laid out as {@code format} says
+     * @param triangles direct
+     */
+    public GpuMesh(GlContext gl, String name, VertexFormat format, ByteBuffer vertexBytes, IntBuffer triangles) {
+        this.gl = gl;
+        vertexArray = new GlHandle(
+                gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
+        vertices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
+        indices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
+        gl.state().vertexArray(vertexArray.id());
+        glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
+        glBufferData(GL_ARRAY_BUFFER, vertexBytes, GL_STATIC_DRAW);
+        format.describe();
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, triangles, GL_STATIC_DRAW);
+    }
+
+    /** Draws {@code count} indices from the {@code first}. */
+    public void draw(int first, int count) {
+        gl.state().vertexArray(vertexArray.id());
+        glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, 4L * first);
+        gl.state().drawn(1, count / 3);
+    }
+
+    /** Draws every range with one call. */
+    public void draw(IndexRanges ranges) {
+        if (ranges.size() > 0) {
+            gl.state().vertexArray(vertexArray.id());
+            ranges.multiDraw();
+            gl.state().drawn(1, ranges.indexCount() / 3);
+        }
+    }
+
+    @Override
+    public void close() {
+        vertexArray.close();
+        vertices.close();
+        indices.close();
+    }
+}

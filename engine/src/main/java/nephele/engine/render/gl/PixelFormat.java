@@ -1,0 +1,30 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+/** How a texel is stored, and how its pixels are handed over. */
+public enum PixelFormat {
+    /** Colour in sRGB, decoded to linear when sampled; alpha linear. */
+    SRGB8_ALPHA8(GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE),
+    RGBA8(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE),
+    R8(GL_R8, GL_RED, GL_UNSIGNED_BYTE),
+    R16(GL_R16, GL_RED, GL_UNSIGNED_SHORT),
+    RGBA16F(GL_RGBA16F, GL_RGBA, GL_FLOAT),
+    RGBA32F(GL_RGBA32F, GL_RGBA, GL_FLOAT),
+    DEPTH24(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT),
+    DEPTH32F(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
+
+    final int internal;
+    final int pixels;
+    final int type;
+
+    PixelFormat(int internal, int pixels, int type) {
+        this.internal = internal;
+        this.pixels = pixels;
+        this.type = type;
+    }
+
+    boolean isDepth() {
+        return pixels == GL_DEPTH_COMPONENT;
+    }
+}

@@ -1,0 +1,142 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import org.lwjgl.BufferUtils;
+
+/** Where a pass draws: an offscreen picture with its own textures, one layer of a depth array, or the window. */
+public final class RenderTarget implements AutoCloseable {
+    private final GlContext gl;
+    private final GlHandle framebuffer;
+    private final GlHandle depth;
+    private final Texture colour;
+    private final int width;
+    private final int height;
+
+    private RenderTarget(GlContext gl, GlHandle framebuffer, GlHandle depth, Texture colour, int width, int height) {
+        this.gl = gl;
+        this.framebuffer = framebuffer;
+        this.depth = depth;
+        this.colour = colour;
+        this.width = width;
+        this.height = height;
+    }
+
+    /** Colour texture of the given format and a 24-bit depth buffer. */
+    public static RenderTarget picture(GlContext gl, String name, PixelFormat format, int width, int height) {
+        Texture colour = new Texture(
+                gl, name, Texture.Shape.FLAT, format, Texture.Extent.flat(width, height), Sampling.NEAREST_CLAMP);
+        GlHandle depth = new GlHandle(
+                gl, GlKind.RENDERBUFFER, name, glGenRenderbuffers(), id -> glDeleteRenderbuffers(id));
+        glBindRenderbuffer(GL_RENDERBUFFER, depth.id());
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+        GlHandle framebuffer = newFramebuffer(gl, name);
+        gl.state().framebuffer(framebuffer.id(), width, height);
+        glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.id(), 0);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+        requireComplete(name);
+        return new RenderTarget(gl, framebuffer, depth, colour, width, height);
+    }
+
+    /** Depth only, into one layer of a depth array that stays the caller's. */
+    public static RenderTarget depthLayer(GlContext gl, String name, Texture depthArray, int layer) {
+        GlHandle framebuffer = newFramebuffer(gl, name);
+        Texture.Extent extent = depthArray.extent();
+        gl.state().framebuffer(framebuffer.id(), extent.width(), extent.height());
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depthArray.id(), 0, layer);
+        glDrawBuffer(GL_NONE);
+        glReadBuffer(GL_NONE);
+        requireComplete(name);
+        return new RenderTarget(gl, framebuffer, null, null, extent.width(), extent.height());
+    }
+
+    /** The window's own framebuffer, 8 bits a channel with depth. */
+    public static RenderTarget window(GlContext gl, int width, int height) {
+        return new RenderTarget(gl, null, null, null, width, height);
+    }
+
+    private static GlHandle newFramebuffer(GlContext gl, String name) {
+        return new GlHandle(gl, GlKind.FRAMEBUFFER, name, glGenFramebuffers(), id -> glDeleteFramebuffers(id));
+    }
+
+    private static void requireComplete(String name) {
+        int status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+        if (status != GL_FRAMEBUFFER_COMPLETE) {
+            throw new GlException(name + ": framebuffer incomplete, 0x" + Integer.toHexString(status));
+        }
+    }
+
+    public int width() {
+        return width;
+    }
+
+    public int height() {
+        return height;
+    }
+
+    /** What was drawn, for a later pass to sample; {@code null} for the window and for depth layers. */
+    public Texture colour() {
+        return colour;
+    }
+
+    /** All drawing goes here from now on. */
+    public void bind() {
+        gl.state().framebuffer(framebuffer == null ? 0 : framebuffer.id(), width, height);
+    }
+
+    /** Binds, sets every colour to the given one and every depth to the farthest. */
+    public void clear(float red, float green, float blue) {
+        bind();
+        gl.state().allowDepthClear();
+        glClearColor(red, green, blue, 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
+
+    /** Binds and sets every depth to the farthest. */
+    public void clearDepth() {
+        bind();
+        gl.state().allowDepthClear();
+        glClear(GL_DEPTH_BUFFER_BIT);
+    }
+
+    /** RGBA bytes, the bottom row first. */
+    public ByteBuffer readBytes() {
+        ByteBuffer bytes = BufferUtils.createByteBuffer(4 * width * height);
+        bind();
+        glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+        return bytes;
+    }
+
+    /** Linear RGB floats, the bottom row first. */
+    public float[] readFloats() {
+        float[] rgb = new float[3 * width * height];
+        bind();
+        glReadPixels(0, 0, width, height, GL_RGB, GL_FLOAT, rgb);
+        return rgb;
+    }
+
+    /** Window depth 0–1, the bottom row first. */
+    public float[] readDepth() {
+        FloatBuffer depths = BufferUtils.createFloatBuffer(width * height);
+        bind();
+        glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
+        float[] copy = new float[depths.capacity()];
+        depths.get(copy);
+        return copy;
+    }
+
+    @Override
+    public void close() {
+        if (framebuffer != null) {
+            framebuffer.close();
+        }
+        if (depth != null) {
+            depth.close();
+        }
+        if (colour != null) {
+            colour.close();
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+/** How a texture is read between and beyond its texels. */
+public enum Sampling {
+    /** Trilinear, anisotropic where present, repeating. */
+    MIPMAPPED_REPEAT(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT),
+    LINEAR_CLAMP(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE),
+    NEAREST_CLAMP(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE),
+    /** Compares with a reference depth and filters the four answers: {@code sampler2DArrayShadow}. */
+    SHADOW_COMPARE(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
+
+    final int minify;
+    final int magnify;
+    final int wrap;
+
+    Sampling(int minify, int magnify, int wrap) {
+        this.minify = minify;
+        this.magnify = magnify;
+        this.wrap = wrap;
+    }
+
+    boolean isMipmapped() {
+        return this == MIPMAPPED_REPEAT;
+    }
+
+    void apply(int target) {
+        glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
+        glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
+        glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
+        glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
+        glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+        if (this == SHADOW_COMPARE) {
+            glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+            glTexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+        }
+    }
+}

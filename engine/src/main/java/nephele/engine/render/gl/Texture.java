@@ -1,0 +1,140 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+import java.nio.ByteBuffer;
+
+/** A texture of one size and format: flat, an array of layers, or a cube of six faces. */
+public final class Texture implements AutoCloseable {
+    private static final int TEXTURE_MAX_ANISOTROPY = 0x84FE;
+
+    /** How its images are addressed. */
+    public enum Shape {
+        FLAT(GL_TEXTURE_2D),
+        ARRAY(GL_TEXTURE_2D_ARRAY),
+        CUBE(GL_TEXTURE_CUBE_MAP);
+
+        private final int target;
+
+        Shape(int target) {
+            this.target = target;
+        }
+    }
+
+    /** Texels of one layer. */
+    public record Extent(int width, int height, int layers) {
+        public static Extent flat(int width, int height) {
+            return new Extent(width, height, 1);
+        }
+    }
+
+    private final GlContext gl;
+    private final GlHandle handle;
+    private final Shape shape;
+    private final PixelFormat format;
+    private final Extent extent;
+    private final Sampling sampling;
+
+    /** Allocates without content. */
+    public Texture(GlContext gl, String name, Shape shape, PixelFormat format, Extent extent, Sampling sampling) {
+        requireFits(gl.limits(), name, extent);
+        this.gl = gl;
+        this.shape = shape;
+        this.format = format;
+        this.extent = extent;
+        this.sampling = sampling;
+        handle = new GlHandle(gl, GlKind.TEXTURE, name, glGenTextures(), id -> glDeleteTextures(id));
+        bind(0);
+        sampling.apply(shape.target);
+        if (!sampling.isMipmapped()) {
+            glTexParameteri(shape.target, GL_TEXTURE_MAX_LEVEL, 0);
+        }
+        allocate();
+    }
+
+    private static void requireFits(GpuLimits limits, String name, Extent extent) {
+        int largest = Math.max(extent.width, extent.height);
+        if (largest > limits.maxTextureSize() || extent.layers > limits.maxArrayLayers()) {
+            throw new GlUnavailableException(name + " requires a texture of " + extent.width + "x" + extent.height + "x"
+                    + extent.layers + "; this machine allows " + limits.maxTextureSize() + " and "
+                    + limits.maxArrayLayers() + " layers");
+        }
+    }
+
+    private void allocate() {
+        ByteBuffer none = null;
+        switch (shape) {
+            case FLAT -> glTexImage2D(
+                    GL_TEXTURE_2D, 0, format.internal, extent.width, extent.height, 0, format.pixels, format.type, none);
+            case ARRAY -> glTexImage3D(
+                    GL_TEXTURE_2D_ARRAY,
+                    0,
+                    format.internal,
+                    extent.width,
+                    extent.height,
+                    extent.layers,
+                    0,
+                    format.pixels,
+                    format.type,
+                    none);
+            case CUBE -> {
+                for (int face = 0; face < 6; face++) {
+                    int target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face;
+                    glTexImage2D(
+                            target, 0, format.internal, extent.width, extent.height, 0, format.pixels, format.type, none);
+                }
+            }
+        }
+    }
+
+    /** Replaces one layer or cube face; rows as stored, the first at t = 0. {@code texels} is direct. */
+    public void upload(int layer, ByteBuffer texels) {
+        bind(0);
+        if (shape == Shape.ARRAY) {
+            glTexSubImage3D(
+                    shape.target, 0, 0, 0, layer, extent.width, extent.height, 1, format.pixels, format.type, texels);
+        } else {
+            int target = shape == Shape.CUBE ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + layer : shape.target;
+            glTexSubImage2D(target, 0, 0, 0, extent.width, extent.height, format.pixels, format.type, texels);
+        }
+    }
+
+    /** After the last upload: makes the smaller levels. */
+    public void finishMipmaps(float anisotropy) {
+        bind(0);
+        glGenerateMipmap(shape.target);
+        if (gl.limits().maxAnisotropy() > 1) {
+            float level = Math.min(anisotropy, gl.limits().maxAnisotropy());
+            glTexParameterf(shape.target, TEXTURE_MAX_ANISOTROPY, Math.max(1, level));
+        }
+    }
+
+    public void bind(int unit) {
+        gl.state().texture(unit, shape.target, handle.id());
+    }
+
+    public Extent extent() {
+        return extent;
+    }
+
+    public PixelFormat format() {
+        return format;
+    }
+
+    public Sampling sampling() {
+        return sampling;
+    }
+
+    Shape shape() {
+        return shape;
+    }
+
+    int id() {
+        return handle.id();
+    }
+
+    @Override
+    public void close() {
+        handle.close();
+    }
+}

@@ -1,0 +1,34 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+/** A uniform block's storage, std140: the caller lays out floats in multiples of four. */
+public final class UniformBuffer implements AutoCloseable {
+    private final GlHandle handle;
+    private final int floats;
+
+    public UniformBuffer(GlContext gl, String name, int floats) {
+        this.floats = floats;
+        handle = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
+        glBindBuffer(GL_UNIFORM_BUFFER, handle.id());
+        glBufferData(GL_UNIFORM_BUFFER, 4L * floats, GL_DYNAMIC_DRAW);
+    }
+
+    /** Replaces the whole content. */
+    public void upload(float[] values) {
+        if (values.length != floats) {
+            throw new GlException(handle.name() + " holds " + floats + " floats, not " + values.length);
+        }
+        glBindBuffer(GL_UNIFORM_BUFFER, handle.id());
+        glBufferSubData(GL_UNIFORM_BUFFER, 0, values);
+    }
+
+    public void bind(int bindingPoint) {
+        glBindBufferBase(GL_UNIFORM_BUFFER, bindingPoint, handle.id());
+    }
+
+    @Override
+    public void close() {
+        handle.close();
+    }
+}
