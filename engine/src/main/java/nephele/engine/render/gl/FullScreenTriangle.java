@@ -9,8 +9,7 @@ public final class FullScreenTriangle implements AutoCloseable {
 
     public FullScreenTriangle(GlContext gl, String name) {
         this.gl = gl;
-        vertexArray = new GlHandle(
-                gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
+        vertexArray = new GlHandle(gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
     }
 
     public void draw() {

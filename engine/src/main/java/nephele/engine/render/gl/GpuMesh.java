@@ -18,8 +18,7 @@ public final class GpuMesh implements AutoCloseable {
      */
     public GpuMesh(GlContext gl, String name, VertexFormat format, ByteBuffer vertexBytes, IntBuffer triangles) {
         this.gl = gl;
-        vertexArray = new GlHandle(
-                gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
+        vertexArray = new GlHandle(gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
         vertices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
         indices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
         gl.state().vertexArray(vertexArray.id());

@@ -39,8 +39,7 @@ public final class IndexRanges implements AutoCloseable {
 
     void multiDraw() {
         long countAddress = MemoryUtil.memAddress(counts, 0);
-        nglMultiDrawElements(
-                GL_TRIANGLES, countAddress, GL_UNSIGNED_INT, MemoryUtil.memAddress(offsets, 0), size);
+        nglMultiDrawElements(GL_TRIANGLES, countAddress, GL_UNSIGNED_INT, MemoryUtil.memAddress(offsets, 0), size);
     }
 
     @Override

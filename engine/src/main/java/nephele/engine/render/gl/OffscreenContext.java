@@ -45,8 +45,7 @@ record OffscreenContext(long display, long context) {
         // LWJGL's own wrapper refuses the default display, whose handle is 0.
         long display = JNI.callPPP(PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, 0L, getPlatformDisplay);
         IntBuffer version = stack.mallocInt(2);
-        if (display == EGL_NO_DISPLAY
-                || !eglInitialize(display, version.slice(0, 1), version.slice(1, 1))) {
+        if (display == EGL_NO_DISPLAY || !eglInitialize(display, version.slice(0, 1), version.slice(1, 1))) {
             throw new GlUnavailableException(
                     "Offscreen rendering requires EGL's surfaceless platform; it is not there." + REMEDY);
         }

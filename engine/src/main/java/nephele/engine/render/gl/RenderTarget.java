@@ -28,8 +28,8 @@ public final class RenderTarget implements AutoCloseable {
     public static RenderTarget picture(GlContext gl, String name, PixelFormat format, int width, int height) {
         Texture colour = new Texture(
                 gl, name, Texture.Shape.FLAT, format, Texture.Extent.flat(width, height), Sampling.NEAREST_CLAMP);
-        GlHandle depth = new GlHandle(
-                gl, GlKind.RENDERBUFFER, name, glGenRenderbuffers(), id -> glDeleteRenderbuffers(id));
+        GlHandle depth =
+                new GlHandle(gl, GlKind.RENDERBUFFER, name, glGenRenderbuffers(), id -> glDeleteRenderbuffers(id));
         glBindRenderbuffer(GL_RENDERBUFFER, depth.id());
         glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
         GlHandle framebuffer = newFramebuffer(gl, name);

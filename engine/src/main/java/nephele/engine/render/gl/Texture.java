@@ -64,24 +64,42 @@ public final class Texture implements AutoCloseable {
     private void allocate() {
         ByteBuffer none = null;
         switch (shape) {
-            case FLAT -> glTexImage2D(
-                    GL_TEXTURE_2D, 0, format.internal, extent.width, extent.height, 0, format.pixels, format.type, none);
-            case ARRAY -> glTexImage3D(
-                    GL_TEXTURE_2D_ARRAY,
-                    0,
-                    format.internal,
-                    extent.width,
-                    extent.height,
-                    extent.layers,
-                    0,
-                    format.pixels,
-                    format.type,
-                    none);
+            case FLAT ->
+                glTexImage2D(
+                        GL_TEXTURE_2D,
+                        0,
+                        format.internal,
+                        extent.width,
+                        extent.height,
+                        0,
+                        format.pixels,
+                        format.type,
+                        none);
+            case ARRAY ->
+                glTexImage3D(
+                        GL_TEXTURE_2D_ARRAY,
+                        0,
+                        format.internal,
+                        extent.width,
+                        extent.height,
+                        extent.layers,
+                        0,
+                        format.pixels,
+                        format.type,
+                        none);
             case CUBE -> {
                 for (int face = 0; face < 6; face++) {
                     int target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face;
                     glTexImage2D(
-                            target, 0, format.internal, extent.width, extent.height, 0, format.pixels, format.type, none);
+                            target,
+                            0,
+                            format.internal,
+                            extent.width,
+                            extent.height,
+                            0,
+                            format.pixels,
+                            format.type,
+                            none);
                 }
             }
         }

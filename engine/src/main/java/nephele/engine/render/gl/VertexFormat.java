@@ -11,8 +11,8 @@ public record VertexFormat(List<Attribute> attributes) {
         FLOAT2(2, GL_FLOAT, 8),
         FLOAT3(3, GL_FLOAT, 12),
         FLOAT4(4, GL_FLOAT, 16),
-        /** Four signed 16-bit numbers read as −1…1. */
-        SNORM16X4(4, GL_SHORT, 8),
+        /** Four signed 16-bit integers read as floats of that value: before 4.2, normalised ones have no zero. */
+        INT16X4(4, GL_SHORT, 8),
         /** Four bytes read as 0…1. */
         UNORM8X4(4, GL_UNSIGNED_BYTE, 4),
         /** Two unsigned 16-bit integers, read as integers. */
@@ -51,7 +51,7 @@ public record VertexFormat(List<Attribute> attributes) {
             if (a == Attribute.UINT16X2) {
                 glVertexAttribIPointer(i, a.components, a.type, stride, offset);
             } else {
-                glVertexAttribPointer(i, a.components, a.type, a.type != GL_FLOAT, stride, offset);
+                glVertexAttribPointer(i, a.components, a.type, a.type == GL_UNSIGNED_BYTE, stride, offset);
             }
             offset += a.bytes();
         }

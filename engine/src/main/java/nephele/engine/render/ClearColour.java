@@ -1,0 +1,30 @@
+package nephele.engine.render;
+
+import nephele.engine.level.Environment;
+import nephele.engine.level.Sky;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Development;
+import nephele.engine.render.frame.Output;
+
+/** What lies behind everything, computed once on the CPU: a constant sky requires no pass. */
+record ClearColour(float red, float green, float blue) {
+    static ClearColour of(Environment environment, Output output) {
+        Vec3 radiance = environment.sky() instanceof Sky.Constant constant ? constant.radiance() : Vec3.ZERO;
+        return new ClearColour(
+                value(radiance.x(), environment, output),
+                value(radiance.y(), environment, output),
+                value(radiance.z(), environment, output));
+    }
+
+    private static float value(double radiance, Environment environment, Output output) {
+        return switch (output) {
+            case PLAIN, HDR -> (float) radiance;
+            case DIRECT -> (float) Development.develop(radiance, exposure(environment), environment.toneCurve());
+        };
+    }
+
+    /** Factor on radiance. */
+    static double exposure(Environment environment) {
+        return Math.pow(2, environment.exposureStops());
+    }
+}

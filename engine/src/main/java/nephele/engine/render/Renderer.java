@@ -1,0 +1,137 @@
+package nephele.engine.render;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Level;
+import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.View;
+import nephele.engine.scene.VisibleSet;
+
+/** One level on the GPU, with the passes that it requires and nothing else. */
+public final class Renderer implements AutoCloseable {
+    private final GlContext gl;
+    private final RenderSettings settings;
+    private final Scene scene;
+    private final SharedResources shared;
+    private final List<Pass> passes = new ArrayList<>();
+    private final ClearColour clearColour;
+    private final VisibleSet visible;
+    private RenderTarget linear;
+
+    private Renderer(GlContext gl, Scene scene, RenderSettings settings) {
+        this.gl = gl;
+        this.scene = scene;
+        this.settings = settings;
+        this.shared = new SharedResources(gl, scene);
+        this.clearColour = ClearColour.of(scene.level().environment(), settings.output());
+        this.visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
+    }
+
+    /**
+     * Builds what the level requires.
+     *
+     * @throws nephele.engine.asset.AssetException naming a picture that cannot be used
+     */
+    public static Renderer load(GlContext gl, Level level, AssetSource assets, RenderSettings settings) {
+        Scene scene = Scene.of(level, assets);
+        Renderer renderer = new Renderer(gl, scene, settings);
+        try {
+            renderer.buildPasses();
+            return renderer;
+        } catch (RuntimeException e) {
+            renderer.close();
+            throw e;
+        }
+    }
+
+    private void buildPasses() {
+        LoadContext context = new LoadContext(gl, scene, settings.output(), settings.quality(), shared);
+        for (Required required :
+                FramePlan.forLevel(scene.level(), settings.output()).required()) {
+            Pass pass = required.build().apply(gl);
+            passes.add(pass);
+            pass.load(context);
+        }
+    }
+
+    public Scene scene() {
+        return scene;
+    }
+
+    /** Draws one view over the whole of {@code picture}. */
+    public void draw(View view, RenderTarget picture) {
+        gl.state().resetCounts();
+        RenderTarget surface = settings.output() == Output.HDR ? linear(picture) : picture;
+        surface.clear(clearColour.red(), clearColour.green(), clearColour.blue());
+        if (passes.isEmpty()) {
+            return;
+        }
+        if (visible != null) {
+            see(view);
+        }
+        shared.frameUniforms().upload(view, ClearColour.exposure(scene.level().environment()));
+        FrameContext frame = new FrameContext(view, surface, picture, visible);
+        for (int i = 0; i < passes.size(); i++) {
+            passes.get(i).draw(frame);
+        }
+    }
+
+    private void see(View view) {
+        if (settings.culling() == Culling.ON) {
+            visible.find(view);
+        } else {
+            visible.takeAll();
+        }
+    }
+
+    private RenderTarget linear(RenderTarget picture) {
+        if (linear == null || linear.width() != picture.width() || linear.height() != picture.height()) {
+            closeLinear();
+            linear = RenderTarget.picture(gl, "linear picture", PixelFormat.RGBA16F, picture.width(), picture.height());
+        }
+        return linear;
+    }
+
+    /** Linear radiance before exposure of the last frame, RGB, the bottom row first; only for output HDR. */
+    public float[] readRadiance() {
+        if (linear == null) {
+            throw new IllegalStateException("radiance can be read after a frame with output HDR");
+        }
+        return linear.readFloats();
+    }
+
+    /** Draw calls of the last frame. */
+    public long draws() {
+        return gl.state().draws();
+    }
+
+    /** Triangles submitted in the last frame. */
+    public long triangles() {
+        return gl.state().triangles();
+    }
+
+    private void closeLinear() {
+        if (linear != null) {
+            linear.close();
+            linear = null;
+        }
+    }
+
+    @Override
+    public void close() {
+        passes.forEach(Pass::close);
+        shared.close();
+        closeLinear();
+    }
+}

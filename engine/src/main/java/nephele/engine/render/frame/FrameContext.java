@@ -1,0 +1,14 @@
+package nephele.engine.render.frame;
+
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.View;
+import nephele.engine.scene.VisibleSet;
+
+/**
+ * What a pass draws one view with.
+ *
+ * @param surface what surfaces draw into, see {@link Target#SURFACE}; the same object as {@code picture} unless the
+ *     output is HDR
+ * @param visible solids that the view may see; {@code null} in a scene without solids
+ */
+public record FrameContext(View view, RenderTarget surface, RenderTarget picture, VisibleSet visible) {}

@@ -1,0 +1,45 @@
+package nephele.engine.render.frame;
+
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.UniformBuffer;
+import nephele.engine.scene.View;
+import org.joml.Matrix4d;
+
+/** The uniform block {@code Frame} of {@code frame.glsl}: what every shader knows of the view. */
+public final class FrameUniforms implements AutoCloseable {
+    /** Binding point of the block; passes use others. */
+    public static final int BINDING = 0;
+
+    private static final int FLOATS = 16 + 4 * 4;
+
+    private final UniformBuffer buffer;
+    private final float[] values = new float[FLOATS];
+    private final Matrix4d matrix = new Matrix4d();
+
+    FrameUniforms(GlContext gl) {
+        buffer = new UniformBuffer(gl, "frame uniforms", FLOATS);
+    }
+
+    /** @param exposure factor on radiance before the tone curve */
+    public void upload(View view, double exposure) {
+        view.clipFromRelative(matrix).get(values);
+        put(16, view.right(), view.projection().tanHalfWidth());
+        put(20, view.up(), view.projection().tanHalfHeight());
+        put(24, view.back(), -1);
+        values[28] = (float) exposure;
+        buffer.upload(values);
+        buffer.bind(BINDING);
+    }
+
+    private void put(int at, Vec3 v, double factor) {
+        values[at] = (float) (v.x() * factor);
+        values[at + 1] = (float) (v.y() * factor);
+        values[at + 2] = (float) (v.z() * factor);
+    }
+
+    @Override
+    public void close() {
+        buffer.close();
+    }
+}

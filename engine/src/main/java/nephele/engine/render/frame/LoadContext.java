@@ -1,0 +1,7 @@
+package nephele.engine.render.frame;
+
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.Scene;
+
+/** What a pass is loaded with, once per level. */
+public record LoadContext(GlContext gl, Scene scene, Output output, Quality quality, SharedResources shared) {}

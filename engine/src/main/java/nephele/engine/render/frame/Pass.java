@@ -1,0 +1,20 @@
+package nephele.engine.render.frame;
+
+import java.util.Set;
+
+/** One step of a frame; owns its OpenGL objects. */
+public interface Pass extends AutoCloseable {
+    /** Targets that must have been written earlier in the frame. */
+    Set<Target> reads();
+
+    Set<Target> writes();
+
+    /** Called once, before the first draw. */
+    void load(LoadContext context);
+
+    /** Draws one view. Allocates next to nothing: the whole frame may take 2 KiB. */
+    void draw(FrameContext frame);
+
+    @Override
+    void close();
+}

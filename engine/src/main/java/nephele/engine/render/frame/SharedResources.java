@@ -1,0 +1,85 @@
+package nephele.engine.render.frame;
+
+import java.util.EnumMap;
+import java.util.Map;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.scene.Scene;
+
+/** What several passes of one level use; made when the first of them asks, closed with the level. */
+public final class SharedResources implements AutoCloseable {
+    private final GlContext gl;
+    private final Scene scene;
+    private final FrameUniforms frameUniforms;
+    private final Map<Target, Texture> textures = new EnumMap<>(Target.class);
+    private SolidMesh solids;
+    private PictureArrays colourPictures;
+    private PictureArrays normalPictures;
+
+    public SharedResources(GlContext gl, Scene scene) {
+        this.gl = gl;
+        this.scene = scene;
+        this.frameUniforms = new FrameUniforms(gl);
+    }
+
+    /** The block of {@code frame.glsl}, bound at {@link FrameUniforms#BINDING}. */
+    public FrameUniforms frameUniforms() {
+        return frameUniforms;
+    }
+
+    /** The static geometry on the GPU. */
+    public SolidMesh solids() {
+        if (solids == null) {
+            solids = new SolidMesh(gl, scene.solids());
+        }
+        return solids;
+    }
+
+    /** Base colours: decoded from sRGB when sampled, except for output PLAIN. */
+    public PictureArrays colourPictures(LoadContext context) {
+        if (colourPictures == null) {
+            PixelFormat format = context.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
+            int anisotropy = context.quality().anisotropy();
+            colourPictures = new PictureArrays(gl, scene.materials().colourArrays(), format, anisotropy);
+        }
+        return colourPictures;
+    }
+
+    /** Normal maps, alpha multiplying roughness. */
+    public PictureArrays normalPictures(LoadContext context) {
+        if (normalPictures == null) {
+            int anisotropy = context.quality().anisotropy();
+            normalPictures = new PictureArrays(gl, scene.materials().normalArrays(), PixelFormat.RGBA8, anisotropy);
+        }
+        return normalPictures;
+    }
+
+    /** Makes a target's texture known to the passes after this one; it stays the publisher's. */
+    public void publish(Target target, Texture texture) {
+        textures.put(target, texture);
+    }
+
+    /** What an earlier pass has published. */
+    public Texture texture(Target target) {
+        Texture texture = textures.get(target);
+        if (texture == null) {
+            throw new IllegalStateException(target + " is read, but no pass has published it");
+        }
+        return texture;
+    }
+
+    @Override
+    public void close() {
+        frameUniforms.close();
+        if (solids != null) {
+            solids.close();
+        }
+        if (colourPictures != null) {
+            colourPictures.close();
+        }
+        if (normalPictures != null) {
+            normalPictures.close();
+        }
+    }
+}

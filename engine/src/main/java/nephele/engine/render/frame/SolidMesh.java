@@ -1,0 +1,61 @@
+package nephele.engine.render.frame;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GpuMesh;
+import nephele.engine.render.gl.IndexRanges;
+import nephele.engine.render.gl.VertexFormat;
+import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.scene.SolidBatch;
+import nephele.engine.scene.SolidGeometry;
+import nephele.engine.scene.VisibleSet;
+
+/** {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates. */
+public final class SolidMesh implements AutoCloseable {
+    private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
+
+    private final SolidGeometry geometry;
+    private final GpuMesh mesh;
+    private final List<IndexRanges> ranges = new ArrayList<>();
+
+    SolidMesh(GlContext gl, SolidGeometry geometry) {
+        this.geometry = geometry;
+        mesh = new GpuMesh(gl, "solids", FORMAT, geometry.vertices(), geometry.indices());
+        int mostRanges = geometry.slotCount();
+        geometry.batches().forEach(batch -> ranges.add(new IndexRanges(mostRanges)));
+    }
+
+    public List<SolidBatch> batches() {
+        return geometry.batches();
+    }
+
+    /** Draws what {@code visible} holds of one batch, with the program and uniforms that are set. */
+    public void draw(int batch, VisibleSet visible) {
+        IndexRanges batchRanges = ranges.get(batch);
+        batchRanges.set(visible.firsts(batch), visible.lengths(batch), visible.size(batch));
+        mesh.draw(batchRanges);
+    }
+
+    /**
+     * Writes the eye's position in a batch's cell as two floats a component whose sum is exact to 1e-12 of the cell:
+     * high x, y, z, low x, y, z.
+     */
+    public static void eyeInCell(Vec3 eye, Vec3 cellOrigin, float[] highAndLow) {
+        split(eye.x() - cellOrigin.x(), highAndLow, 0);
+        split(eye.y() - cellOrigin.y(), highAndLow, 1);
+        split(eye.z() - cellOrigin.z(), highAndLow, 2);
+    }
+
+    private static void split(double x, float[] highAndLow, int axis) {
+        highAndLow[axis] = (float) x;
+        highAndLow[axis + 3] = (float) (x - highAndLow[axis]);
+    }
+
+    @Override
+    public void close() {
+        mesh.close();
+        ranges.forEach(IndexRanges::close);
+    }
+}

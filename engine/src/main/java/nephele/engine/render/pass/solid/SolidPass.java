@@ -1,0 +1,99 @@
+package nephele.engine.render.pass.solid;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.PictureArrays;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SolidMesh;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.scene.SolidBatch;
+
+/** The solids: one multi-draw for each batch. */
+public final class SolidPass implements Pass {
+    public static final RenderFeature FEATURE = new RenderFeature("solid", SolidPass::requiredBy);
+
+    private final GlContext gl;
+    private final Map<SolidVariant, GlProgram<SolidUniforms>> programs = new HashMap<>();
+    private final List<GlProgram<SolidUniforms>> programOfBatch = new ArrayList<>();
+    private final float[] eye = new float[6];
+    private MaterialBlocks materials;
+    private SolidMesh mesh;
+    private PictureArrays colours;
+
+    private SolidPass(GlContext gl) {
+        this.gl = gl;
+    }
+
+    private static List<Required> requiredBy(Level level) {
+        return level.solids().isEmpty() ? List.of() : List.of(new Required("solids: surfaces to see", SolidPass::new));
+    }
+
+    @Override
+    public Set<Target> reads() {
+        return Set.of();
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.SURFACE);
+    }
+
+    @Override
+    public void load(LoadContext context) {
+        mesh = context.shared().solids();
+        colours = context.shared().colourPictures(context);
+        materials = new MaterialBlocks(gl, context.scene().materials());
+        for (SolidBatch batch : mesh.batches()) {
+            SolidVariant variant = SolidVariant.of(batch.kind(), context.scene().level());
+            programOfBatch.add(programs.computeIfAbsent(
+                    variant, wanted -> wanted.program(context, materials.materialsPerBlock())));
+        }
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        frame.surface().bind();
+        gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.BACK);
+        for (int i = 0; i < programOfBatch.size(); i++) {
+            if (frame.visible().size(i) > 0) {
+                drawBatch(frame, i);
+            }
+        }
+    }
+
+    private void drawBatch(FrameContext frame, int index) {
+        SolidBatch batch = mesh.batches().get(index);
+        GlProgram<SolidUniforms> program = programOfBatch.get(index);
+        program.use();
+        Vec3 cell = batch.cellOrigin();
+        SolidMesh.eyeInCell(frame.view().eye(), cell, eye);
+        program.uniforms().eye(eye);
+        materials.bind(batch.kind().materialBlock());
+        if (batch.kind().isTextured()) {
+            colours.get(batch.kind().colourArray()).bind(SolidVariant.COLOUR_UNIT);
+        }
+        mesh.draw(index, frame.visible());
+    }
+
+    @Override
+    public void close() {
+        programs.values().forEach(GlProgram::close);
+        if (materials != null) {
+            materials.close();
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** Develops the linear picture of output HDR into the final 8-bit one. */
+package nephele.engine.render.pass.tonemap;

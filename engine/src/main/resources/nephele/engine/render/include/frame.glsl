@@ -1,0 +1,9 @@
+// What every shader knows of the view; written by render.frame.FrameUniforms.
+// "Relative" space: world directions, origin at the eye, metres.
+layout(std140) uniform Frame {
+    mat4 clipFromRelative;
+    vec4 viewRight; // times the tangent of half the horizontal field of view
+    vec4 viewUp; // times the tangent of half the vertical field of view
+    vec4 viewForward;
+    vec4 development; // x: exposure factor
+};

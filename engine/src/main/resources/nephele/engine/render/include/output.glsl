@@ -1,0 +1,16 @@
+// How a surface shader leaves its radiance: render.frame.Output decides.
+#ifdef OUTPUT_DIRECT
+#include "develop.glsl"
+#endif
+
+layout(location = 0) out vec4 pixel;
+
+void writeRadiance(vec3 radiance) {
+#if defined(OUTPUT_PLAIN)
+    pixel = vec4(radiance, 1.0);
+#elif defined(OUTPUT_HDR)
+    pixel = vec4(clamp(radiance, 0.0, 65504.0), 1.0);
+#else
+    pixel = vec4(develop(radiance), 1.0);
+#endif
+}

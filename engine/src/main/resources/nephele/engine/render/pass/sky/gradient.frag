@@ -1,0 +1,13 @@
+#include "output.glsl"
+
+in vec3 direction;
+
+uniform vec3 zenith;
+uniform vec3 horizon;
+uniform vec3 ground;
+
+// By the sine of the altitude; the Java twin is render.pass.sky.GradientSky.
+void main() {
+    float sine = direction.y * inversesqrt(dot(direction, direction));
+    writeRadiance(mix(horizon, sine > 0.0 ? zenith : ground, abs(sine)));
+}
