@@ -4,24 +4,19 @@ import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.ItemList;
+import nephele.engine.math.SpatialIndex;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3dc;
 
 /** Everything solid that never moves. A level without solids gives an empty world. */
 public final class CollisionWorld {
     private final List<Collider> colliders;
-    private final double[] bounds;
-    private final Aabb extent;
+    private final SpatialIndex index;
 
     public CollisionWorld(List<Collider> colliders) {
         this.colliders = List.copyOf(colliders);
-        bounds = new double[6 * colliders.size()];
-        Aabb all = Aabb.EMPTY;
-        for (int i = 0; i < colliders.size(); i++) {
-            Aabb b = colliders.get(i).bounds();
-            all = all.union(b);
-            double[] six = {b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()};
-            System.arraycopy(six, 0, bounds, 6 * i, 6);
-        }
-        extent = all;
+        index = SpatialIndex.of(colliders.stream().map(Collider::bounds).toList());
     }
 
     /** @throws IllegalArgumentException when a solid encloses no volume; the level rules say so first */
@@ -42,16 +37,28 @@ public final class CollisionWorld {
 
     /** Around everything; empty for an empty world. */
     public Aabb extent() {
-        return extent;
+        return index.bounds();
     }
 
-    /** Fills {@code found} with the colliders whose bounds meet the region, in ascending order. */
-    void inside(Region region, IndexList found) {
+    SpatialIndex index() {
+        return index;
+    }
+
+    /**
+     * Fills {@code found} with the colliders that a shape may touch on its way, in ascending order.
+     *
+     * @param margin in metres around the shape
+     */
+    void near(RoundedHull shape, Vector3dc from, Vector3dc way, double margin, ItemList found) {
         found.clear();
-        for (int i = 0; i < colliders.size(); i++) {
-            if (region.meets(bounds, 6 * i)) {
-                found.add(i);
-            }
-        }
+        Aabb box = new Aabb(
+                from.x() + shape.least(0) - margin,
+                from.y() + shape.least(1) - margin,
+                from.z() + shape.least(2) - margin,
+                from.x() + shape.greatest(0) + margin,
+                from.y() + shape.greatest(1) + margin,
+                from.z() + shape.greatest(2) + margin);
+        index.swept(box, new Vec3(way.x(), way.y(), way.z()), found);
+        found.sort();
     }
 }

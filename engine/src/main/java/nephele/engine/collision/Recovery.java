@@ -1,5 +1,6 @@
 package nephele.engine.collision;
 
+import nephele.engine.math.ItemList;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -12,9 +13,8 @@ public final class Recovery {
 
     private final CollisionWorld world;
     private final Separation separation = new Separation();
-    private final Region region = new Region();
-    private final IndexList near = new IndexList();
-    private final IndexList overlapped = new IndexList();
+    private final ItemList near = new ItemList();
+    private final ItemList overlapped = new ItemList();
     private final Vector3d place = new Vector3d();
     private final Vector3d push = new Vector3d();
     private final Vector3d still = new Vector3d();
@@ -67,7 +67,7 @@ public final class Recovery {
         for (int i = 0; i < near.size(); i++) {
             separation.measure(shape, at.x(), at.y(), at.z(), world.collider(near.get(i)));
             if (separation.metres() < 0) {
-                overlapped.add(near.get(i));
+                overlapped.item(near.get(i));
             }
         }
     }
@@ -116,7 +116,6 @@ public final class Recovery {
     }
 
     private void lookAround(RoundedHull shape, Vector3dc at) {
-        region.sweep(shape, at, still, Sweep.SKIN_METRES);
-        world.inside(region, near);
+        world.near(shape, at, still, Sweep.SKIN_METRES, near);
     }
 }

@@ -9,10 +9,20 @@ import nephele.engine.math.Vec3;
 public final class RoundedHull {
     private final double[] core;
     private final double radiusMetres;
+    private final double[] least = new double[3];
+    private final double[] greatest = new double[3];
 
     private RoundedHull(double[] core, double radiusMetres) {
         this.core = core;
         this.radiusMetres = radiusMetres;
+        for (int axis = 0; axis < 3; axis++) {
+            least[axis] = Double.POSITIVE_INFINITY;
+            greatest[axis] = Double.NEGATIVE_INFINITY;
+            for (int i = axis; i < core.length; i += 3) {
+                least[axis] = Math.min(least[axis], core[i] - radiusMetres);
+                greatest[axis] = Math.max(greatest[axis], core[i] + radiusMetres);
+            }
+        }
     }
 
     public static RoundedHull sphere(double radiusMetres) {
@@ -58,12 +68,13 @@ public final class RoundedHull {
     }
 
     /** The greatest coordinate along an axis (0, 1, 2), radius included. */
-    public double reach(int axis) {
-        double greatest = Double.NEGATIVE_INFINITY;
-        for (int i = axis; i < core.length; i += 3) {
-            greatest = Math.max(greatest, core[i]);
-        }
-        return greatest + radiusMetres;
+    public double greatest(int axis) {
+        return greatest[axis];
+    }
+
+    /** The least coordinate along an axis (0, 1, 2), radius included. */
+    public double least(int axis) {
+        return least[axis];
     }
 
     /** The core point that lies least far along a direction. */

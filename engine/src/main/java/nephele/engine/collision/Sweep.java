@@ -1,5 +1,6 @@
 package nephele.engine.collision;
 
+import nephele.engine.math.ItemList;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -24,8 +25,7 @@ public final class Sweep {
 
     private final CollisionWorld world;
     private final Separation separation = new Separation();
-    private final Region region = new Region();
-    private final IndexList near = new IndexList();
+    private final ItemList near = new ItemList();
     private final Vector3d normal = new Vector3d();
     private final Vector3d point = new Vector3d();
     private final Vector3d upmostNormal = new Vector3d();
@@ -69,8 +69,7 @@ public final class Sweep {
         if (!(length > 0)) {
             return false;
         }
-        region.sweep(shape, from, displacement, 2 * SKIN_METRES);
-        world.inside(region, near);
+        world.near(shape, from, displacement, 2 * SKIN_METRES, near);
         for (int i = 0; i < near.size(); i++) {
             castAgainst(near.get(i), shape, from, displacement, length);
         }

@@ -6,6 +6,7 @@ import java.util.List;
 public final class LevelJson {
     private static final String FORMAT = "nephele-level";
     private static final int VERSION = 1;
+    private static final FileHeader HEADER = new FileHeader("level", FORMAT, VERSION);
     private static final RecordFormat LEVEL = FormatBuilder.record(Level.class);
 
     private LevelJson() {}
@@ -25,7 +26,7 @@ public final class LevelJson {
         }
         Level level = null;
         if (root instanceof JsonValue.Members members) {
-            if (isThisVersion(members, problems)) {
+            if (HEADER.isThat(members, problems)) {
                 requireNoEntities(members, problems);
                 level = (Level) LEVEL.read(members, problems);
             }
@@ -38,9 +39,7 @@ public final class LevelJson {
 
     /** Canonical text: fixed key order, defaults left out, numbers as {@link NumberText} has them. */
     public static String write(Level level) {
-        var members = new JsonValue.Members()
-                .with("format", new JsonValue.Text(FORMAT))
-                .with("version", new JsonValue.Number(VERSION));
+        JsonValue.Members members = HEADER.written();
         LEVEL.writeMembers(level, members);
         return JsonText.of(members);
     }
@@ -71,25 +70,6 @@ public final class LevelJson {
                 .with("$defs", definitions.toJson()));
     }
 
-    private static boolean isThisVersion(JsonValue.Members members, Problems problems) {
-        int before = problems.count();
-        JsonValue format = members.ask("format");
-        if (!(format instanceof JsonValue.Text text) || !text.value().equals(FORMAT)) {
-            report("format", "a level file says \"format\": \"" + FORMAT + "\"", problems);
-        }
-        JsonValue version = members.ask("version");
-        if (!(version instanceof JsonValue.Number number) || number.value() != Math.rint(number.value())) {
-            report("version", "a level file says \"version\": " + VERSION, problems);
-        } else if (number.value() != VERSION) {
-            String which = number.value() > VERSION ? "newer than this program reads" : "not one that ever existed";
-            report(
-                    "version",
-                    "version " + NumberText.of(number.value()) + " is " + which + " (" + VERSION + ")",
-                    problems);
-        }
-        return problems.count() == before;
-    }
-
     private static void requireNoEntities(JsonValue.Members members, Problems problems) {
         JsonValue entities = members.ask("entities");
         if (entities == null) {
@@ -101,12 +81,6 @@ public final class LevelJson {
         } else if (!array.values().isEmpty()) {
             problems.error("this version knows no entities: leave the array empty");
         }
-        problems.leave(mark);
-    }
-
-    private static void report(String key, String message, Problems problems) {
-        int mark = problems.enter(key);
-        problems.error(message);
         problems.leave(mark);
     }
 }

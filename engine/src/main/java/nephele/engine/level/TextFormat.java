@@ -4,8 +4,8 @@ import nephele.engine.asset.AssetId;
 
 /** Texts, by what they may consist of. */
 record TextFormat(Rule rule, String fallback) implements ValueFormat {
-    /** Kinds of text. */
-    enum Rule {
+    /** Kinds of text. Public, because annotations outside the package hold one. */
+    public enum Rule {
         /** One line for people. */
         NAME(0, 200),
         /** Several lines for people. */

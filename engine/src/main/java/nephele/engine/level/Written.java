@@ -8,7 +8,7 @@ import java.lang.annotation.Target;
 /** How a record component stands in a level file: what reading checks, writing leaves out and the schema says. */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
-@interface Written {
+public @interface Written {
     /** The value of an absent key, as JSON. Empty: what the type has (empty list, {@code null}, 0, false). */
     String absent() default "";
 

@@ -151,7 +151,7 @@ final class GroundWalk {
     }
 
     private double footHeight(RoundedHull shape) {
-        return start.y - (shape.reach(1) + Sweep.SKIN_METRES);
+        return start.y - (shape.greatest(1) + Sweep.SKIN_METRES);
     }
 
     /** What carries the walker at the start; above its foot when that is an edge which it rolls over. */

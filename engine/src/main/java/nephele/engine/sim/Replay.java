@@ -1,0 +1,102 @@
+package nephele.engine.sim;
+
+import java.util.List;
+import nephele.engine.level.LevelFormatException;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.level.RecordFile;
+import nephele.engine.level.Written;
+
+/**
+ * What was done in a level, tick by tick: with the level it repeats a game exactly.
+ *
+ * @param level the level's file name without folder, for people; the reader of a replay says which level to load
+ * @param start where it began, {@code null}: where the level starts
+ */
+public record Replay(
+        @Written(required = true) String level,
+        @Written(absent = "120", min = SimSettings.LEAST_TICKS_PER_SECOND, max = SimSettings.MOST_TICKS_PER_SECOND)
+                int ticksPerSecond,
+        @Written List<Assist> assists,
+        @Written PlayerStart start,
+        @Written(required = true, most = 400_000) List<Run> inputs) {
+    private static final RecordFile<Replay> FILE = RecordFile.of("replay", 1, Replay.class);
+
+    /** Equal inputs of successive ticks. Turns are those of each tick. */
+    public record Run(
+            @Written(required = true, min = 1) int ticks,
+            @Written(min = -100, max = 100) int forwardPercent,
+            @Written(min = -100, max = 100) int rightPercent,
+            @Written(min = -PlayerInput.MAX_TURN_MILLIDEGREES, max = PlayerInput.MAX_TURN_MILLIDEGREES)
+                    int turnLeftMillidegrees,
+            @Written(min = -PlayerInput.MAX_TURN_MILLIDEGREES, max = PlayerInput.MAX_TURN_MILLIDEGREES)
+                    int turnUpMillidegrees,
+            @Written(most = 16) List<Action> hold) {
+        static Run of(PlayerInput input, int ticks) {
+            return new Run(
+                    ticks,
+                    input.forwardPercent(),
+                    input.rightPercent(),
+                    input.turnLeftMillidegrees(),
+                    input.turnUpMillidegrees(),
+                    List.of(Action.values()).stream().filter(input::holds).toList());
+        }
+
+        public PlayerInput input() {
+            int actions = 0;
+            for (Action action : hold) {
+                actions |= action.bit();
+            }
+            return new PlayerInput(forwardPercent, rightPercent, turnLeftMillidegrees, turnUpMillidegrees, actions);
+        }
+    }
+
+    /** What a level without a replay gets: standing at its start. */
+    public static Replay standing(String level, int ticks) {
+        return new Replay(level, 120, List.of(), null, List.of(Run.of(PlayerInput.NONE, ticks)));
+    }
+
+    /**
+     * @param file how messages call it
+     * @throws LevelFormatException with all that is wrong
+     */
+    public static Replay read(String file, byte[] utf8) {
+        return FILE.read(file, utf8);
+    }
+
+    /** The file's text. */
+    public String write() {
+        return FILE.write(this);
+    }
+
+    public SimSettings settings() {
+        return new SimSettings(ticksPerSecond, assists);
+    }
+
+    public long ticks() {
+        return inputs.stream().mapToLong(Run::ticks).sum();
+    }
+
+    /** The state before the first input. */
+    public SimState startIn(Simulation simulation) {
+        return start == null ? simulation.start() : simulation.startFrom(start);
+    }
+
+    /** Plays all inputs from the start; the listener sees the state after each tick. */
+    public SimState play(Simulation simulation, TickListener listener) {
+        SimState state = startIn(simulation);
+        for (Run run : inputs) {
+            PlayerInput input = run.input();
+            for (int i = 0; i < run.ticks(); i++) {
+                state = simulation.step(state, input);
+                listener.ticked(state);
+            }
+        }
+        return state;
+    }
+
+    /** Sees every state of a replay. */
+    @FunctionalInterface
+    public interface TickListener {
+        void ticked(SimState state);
+    }
+}

@@ -1,0 +1,30 @@
+package nephele.engine.sim;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+
+/** What {@code simulate} prints: a line {@code tick hash} for every so many ticks. */
+public final class TickHashes implements Replay.TickListener {
+    private final long every;
+    private final long last;
+    private final Consumer<String> lines;
+
+    /** @param last the tick that is printed in any case */
+    public TickHashes(long every, long last, Consumer<String> lines) {
+        this.every = every;
+        this.last = last;
+        this.lines = lines;
+    }
+
+    @Override
+    public void ticked(SimState state) {
+        if (state.tick() % every == 0 || state.tick() == last) {
+            lines.accept(line(state));
+        }
+    }
+
+    /** The hash in sixteen hexadecimal digits. */
+    public static String line(SimState state) {
+        return String.format(Locale.ROOT, "%d %016x", state.tick(), state.hash());
+    }
+}
