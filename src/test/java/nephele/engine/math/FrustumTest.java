@@ -49,7 +49,7 @@ class FrustumTest {
             Aabb box = randomBox(random, eye, 30);
             boolean seen = Frustum.of(clip, eye).maySee(box);
             boolean visible = BoxClip.leavesSomething(clip, eye, box);
-            assertTrue(seen || !visible, "falsely culled " + box + " from " + eye + " with\n" + clip);
+            assertTrue(seen || !visible, () -> "falsely culled " + box + " from " + eye + " with\n" + clip);
             culled += seen ? 0 : 1;
             needlessly += seen && !visible ? 1 : 0;
         }

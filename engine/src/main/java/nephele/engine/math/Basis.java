@@ -1,0 +1,56 @@
+package nephele.engine.math;
+
+import org.joml.Matrix4d;
+
+/** A right-handed orthonormal frame of a view: it looks along −{@code back}. */
+public record Basis(Vec3 right, Vec3 up, Vec3 back) {
+    /** Looking along −z with y up. */
+    public static final Basis WORLD = new Basis(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));
+
+    /** Sine of the angle below which up and back leave the right direction to rounding. */
+    private static final double PARALLEL = 1e-6;
+
+    /**
+     * Looks from {@code eye} at {@code target}. Where up is parallel to that direction, zero or not a number, the axis
+     * farthest from the direction takes its place; where the direction is, {@code last} stays.
+     */
+    public static Basis lookAt(Vec3 eye, Vec3 target, Vec3 up, Basis last) {
+        Vec3 back = Directions.unit(eye.x() - target.x(), eye.y() - target.y(), eye.z() - target.z());
+        if (back == null) {
+            return last;
+        }
+        Vec3 unitUp = Directions.unit(up.x(), up.y(), up.z());
+        Vec3 right = unitUp == null ? null : Directions.cross(unitUp, back);
+        if (right == null || Directions.length(right) < PARALLEL) {
+            right = Directions.cross(Directions.farthestAxis(back), back);
+        }
+        right = Directions.unit(right.x(), right.y(), right.z());
+        // A short cross product is off the perpendicular by rounding; one Gram-Schmidt step mends it.
+        double along = Directions.dot(right, back);
+        right = Directions.unit(
+                right.x() - along * back.x(), right.y() - along * back.y(), right.z() - along * back.z());
+        return new Basis(right, Directions.cross(back, right), back);
+    }
+
+    /**
+     * @param yaw radians; 0 looks along −z, positive to the left
+     * @param pitch radians, positive upwards
+     */
+    public static Basis ofYawPitch(double yaw, double pitch) {
+        double sinYaw = StrictMath.sin(yaw);
+        double cosYaw = StrictMath.cos(yaw);
+        double sinPitch = StrictMath.sin(pitch);
+        double cosPitch = StrictMath.cos(pitch);
+        return new Basis(
+                new Vec3(cosYaw, 0, -sinYaw),
+                new Vec3(sinYaw * sinPitch, cosPitch, cosYaw * sinPitch),
+                new Vec3(sinYaw * cosPitch, -sinPitch, cosYaw * cosPitch));
+    }
+
+    /** The rotation from world directions to the view's. */
+    public Matrix4d viewFromRelative() {
+        return new Matrix4d(
+                right.x(), up.x(), back.x(), 0, right.y(), up.y(), back.y(), 0, right.z(), up.z(), back.z(), 0, 0, 0, 0,
+                1);
+    }
+}

@@ -1,0 +1,78 @@
+package nephele.engine.math;
+
+import org.joml.Matrix3dc;
+
+/** Surface normals under a linear map that may scale unevenly, mirror or flatten. */
+public final class Normals {
+    private Normals() {}
+
+    /** Whether the map turns counter-clockwise triangles into clockwise ones. */
+    public static boolean flipsWinding(Matrix3dc linear) {
+        return determinantSign(linear) < 0;
+    }
+
+    /** By columns scaled to unit size first: a determinant of tiny scales would vanish. */
+    private static double determinantSign(Matrix3dc m) {
+        Vec3 x = Directions.unit(m.m00(), m.m01(), m.m02());
+        Vec3 y = Directions.unit(m.m10(), m.m11(), m.m12());
+        Vec3 z = Directions.unit(m.m20(), m.m21(), m.m22());
+        return x == null || y == null || z == null ? 0 : Directions.dot(x, Directions.cross(y, z));
+    }
+
+    /**
+     * The unit normal of the image of a surface: the cofactor matrix times {@code normal}, which is inverse transpose
+     * times determinant and exists without an inverse. It keeps pointing to the side that the normal came from. Where
+     * the surface is flattened to a line or point, a direction perpendicular to what is left is taken, the nearest to
+     * where the old normal went.
+     */
+    public static Vec3 transformed(Matrix3dc linear, Vec3 normal) {
+        Vec3 x = new Vec3(linear.m00(), linear.m01(), linear.m02());
+        Vec3 y = new Vec3(linear.m10(), linear.m11(), linear.m12());
+        Vec3 z = new Vec3(linear.m20(), linear.m21(), linear.m22());
+        Vec3 unit = combined(Directions.cross(y, z), Directions.cross(z, x), Directions.cross(x, y), normal);
+        if (unit == null) {
+            return flattened(linear, normal);
+        }
+        return flipsWinding(linear) ? new Vec3(-unit.x(), -unit.y(), -unit.z()) : unit;
+    }
+
+    private static Vec3 combined(Vec3 a, Vec3 b, Vec3 c, Vec3 weight) {
+        return Directions.unit(
+                a.x() * weight.x() + b.x() * weight.y() + c.x() * weight.z(),
+                a.y() * weight.x() + b.y() * weight.y() + c.y() * weight.z(),
+                a.z() * weight.x() + b.z() * weight.y() + c.z() * weight.z());
+    }
+
+    private static Vec3 flattened(Matrix3dc linear, Vec3 normal) {
+        Vec3 old = Directions.unit(normal.x(), normal.y(), normal.z());
+        if (old == null) {
+            return new Vec3(0, 1, 0);
+        }
+        Vec3 tangent = Directions.perpendicular(old);
+        Vec3 first = image(linear, tangent);
+        Vec3 second = image(linear, Directions.cross(old, tangent));
+        Vec3 longer = Directions.length(first) >= Directions.length(second) ? first : second;
+        Vec3 line = Directions.unit(longer.x(), longer.y(), longer.z());
+        Vec3 inside = image(linear, old);
+        Vec3 side = Directions.unit(inside.x(), inside.y(), inside.z());
+        return perpendicularTo(line, side == null ? old : side);
+    }
+
+    /** The direction perpendicular to {@code line}, where there is one, that is nearest to {@code side}. */
+    private static Vec3 perpendicularTo(Vec3 line, Vec3 side) {
+        if (line == null) {
+            return side;
+        }
+        double along = Directions.dot(side, line);
+        Vec3 rest = new Vec3(side.x() - along * line.x(), side.y() - along * line.y(), side.z() - along * line.z());
+        boolean parallel = Directions.length(rest) < 1e-6;
+        return parallel ? Directions.perpendicular(line) : Directions.unit(rest.x(), rest.y(), rest.z());
+    }
+
+    private static Vec3 image(Matrix3dc m, Vec3 v) {
+        return new Vec3(
+                m.m00() * v.x() + m.m10() * v.y() + m.m20() * v.z(),
+                m.m01() * v.x() + m.m11() * v.y() + m.m21() * v.z(),
+                m.m02() * v.x() + m.m12() * v.y() + m.m22() * v.z());
+    }
+}

@@ -1,0 +1,82 @@
+package nephele.engine.math;
+
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+
+/** Rotations as unit quaternions, by {@link StrictMath} alone, so that the simulation may use them. */
+public final class Rotations {
+    /** Renormalising at least this often keeps the norm within 10⁻¹³ of 1. */
+    public static final int STEPS_BETWEEN_RENORMALISATIONS = 1000;
+
+    private static final double LERP_BELOW_RADIANS = 1e-3;
+
+    private Rotations() {}
+
+    /** The rotation by an angle around an axis of any length; none around an axis of length zero. */
+    public static Quaterniond aroundAxis(Vec3 axis, double radians) {
+        Vec3 unit = Directions.unit(axis.x(), axis.y(), axis.z());
+        if (unit == null || !Double.isFinite(radians)) {
+            return new Quaterniond();
+        }
+        double sin = StrictMath.sin(radians / 2);
+        return new Quaterniond(sin * unit.x(), sin * unit.y(), sin * unit.z(), StrictMath.cos(radians / 2));
+    }
+
+    /** Of length 1; the identity where the length is zero or not finite. */
+    public static Quaterniond renormalised(Quaterniondc q) {
+        double largest =
+                Math.max(Math.max(Math.abs(q.x()), Math.abs(q.y())), Math.max(Math.abs(q.z()), Math.abs(q.w())));
+        if (!(largest > 0 && largest <= Double.MAX_VALUE)) {
+            return new Quaterniond();
+        }
+        int exponent = Math.getExponent(largest);
+        double x = Math.scalb(q.x(), -exponent);
+        double y = Math.scalb(q.y(), -exponent);
+        double z = Math.scalb(q.z(), -exponent);
+        double w = Math.scalb(q.w(), -exponent);
+        double length = Math.sqrt(x * x + y * y + z * z + w * w);
+        return new Quaterniond(x / length, y / length, z / length, w / length);
+    }
+
+    /**
+     * Between two rotations along the shorter arc (Shoemake 1985, "Animating Rotation with Quaternion Curves", section
+     * 3.3), with the angle from atan2. The shorter arc is at most a quarter turn of quaternion space, so no pair is
+     * antipodal; a half turn goes the way of the given signs.
+     *
+     * @param share clamped to 0 … 1
+     */
+    public static Quaterniond slerp(Quaterniondc from, Quaterniondc to, double share) {
+        double t = Double.isNaN(share) ? 0 : Math.max(0, Math.min(1, share));
+        Quaterniond a = renormalised(from);
+        Quaterniond b = renormalised(to);
+        if (dot(a, b) < 0) {
+            b.set(-b.x, -b.y, -b.z, -b.w);
+        }
+        double angle = 2 * StrictMath.atan2(distance(a, b, -1), distance(a, b, 1));
+        double weightA = 1 - t;
+        double weightB = t;
+        if (angle >= LERP_BELOW_RADIANS) {
+            double sin = StrictMath.sin(angle);
+            weightA = StrictMath.sin((1 - t) * angle) / sin;
+            weightB = StrictMath.sin(t * angle) / sin;
+        }
+        return renormalised(new Quaterniond(
+                weightA * a.x + weightB * b.x,
+                weightA * a.y + weightB * b.y,
+                weightA * a.z + weightB * b.z,
+                weightA * a.w + weightB * b.w));
+    }
+
+    private static double dot(Quaterniond a, Quaterniond b) {
+        return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+    }
+
+    /** |a + sign · b| */
+    private static double distance(Quaterniond a, Quaterniond b, double sign) {
+        double x = a.x + sign * b.x;
+        double y = a.y + sign * b.y;
+        double z = a.z + sign * b.z;
+        double w = a.w + sign * b.w;
+        return Math.sqrt(x * x + y * y + z * z + w * w);
+    }
+}

@@ -1,0 +1,72 @@
+package nephele.engine.math;
+
+/**
+ * Noise from integer arithmetic alone, so that a shader with the same lines gives the same bits. Hash of Jarzyński and
+ * Olano 2020, "Hash Functions for GPU Rendering", JCGT 9(3), pcg3d; the lattice repeats after 2³² cells.
+ */
+public final class SeededNoise {
+    private final int seed;
+
+    public SeededNoise(int seed) {
+        this.seed = seed;
+    }
+
+    /** 32 random bits of a lattice cell. */
+    public int bits(int x, int y, int z) {
+        int a = (x ^ seed) * 1664525 + 1013904223;
+        int b = (y + seed * 0x9E3779B9) * 1664525 + 1013904223;
+        int c = z * 1664525 + 1013904223;
+        a += b * c;
+        b += c * a;
+        c += a * b;
+        a ^= a >>> 16;
+        b ^= b >>> 16;
+        c ^= c >>> 16;
+        a += b * c;
+        return a;
+    }
+
+    /** In [0, 1): the upper 24 bits, exact in float as well. */
+    public double unit(int x, int y, int z) {
+        return (bits(x, y, z) >>> 8) * 0x1p-24;
+    }
+
+    /** Value noise, trilinear with a smooth step, in [0, 1); 0 at what is not finite. */
+    public double at(double x, double y, double z) {
+        if (!Double.isFinite(x + y + z)) {
+            return 0;
+        }
+        int i = cell(x);
+        int j = cell(y);
+        int k = cell(z);
+        double u = smooth(fraction(x));
+        double v = smooth(fraction(y));
+        double w = smooth(fraction(z));
+        double near = mix(row(i, j, k, u), row(i, j + 1, k, u), v);
+        double far = mix(row(i, j, k + 1, u), row(i, j + 1, k + 1, u), v);
+        return mix(near, far, w);
+    }
+
+    private double row(int i, int j, int k, double u) {
+        return mix(unit(i, j, k), unit(i + 1, j, k), u);
+    }
+
+    /** The lattice cell of a coordinate, modulo 2³²: a cast from double would stop at the last int. */
+    static int cell(double coordinate) {
+        double floor = Math.floor(coordinate);
+        return Math.abs(floor) < 0x1p53 ? (int) (long) floor : 0;
+    }
+
+    /** In [0, 1), although −10⁻²⁰ − floor(−10⁻²⁰) rounds to 1. */
+    static double fraction(double coordinate) {
+        return Math.min(coordinate - Math.floor(coordinate), Math.nextDown(1.0));
+    }
+
+    private static double smooth(double t) {
+        return t * t * (3 - 2 * t);
+    }
+
+    private static double mix(double a, double b, double t) {
+        return a + (b - a) * t;
+    }
+}

@@ -1,0 +1,124 @@
+package nephele.engine.math;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.joml.Matrix4d;
+import org.joml.Vector4d;
+import org.joml.Vector4f;
+import org.junit.jupiter.api.Test;
+
+class PerspectiveTest {
+    /** C.2 row 4: no NaN for 10⁵ bit patterns. */
+    @Test
+    void everyBitPatternGivesAFiniteMatrix() {
+        var random = new SplittableRandom(4);
+        for (int i = 0; i < 100_000; i++) {
+            double a = anyDouble(random);
+            double b = anyDouble(random);
+            Perspective p = i % 2 == 0
+                    ? new Perspective(a, b, anyDouble(random), anyDouble(random))
+                    : Perspective.ofHorizontalFov(a, b, anyDouble(random), anyDouble(random));
+            assertTrue(p.clipFromView().isFinite(), p::toString);
+            double fov = Math.toDegrees(p.verticalFovRadians());
+            assertTrue(fov >= 1 - 1e-9 && fov <= 170 + 1e-9, p::toString);
+            assertTrue(p.nearMetres() >= 1e-3 && p.farMetres() >= p.nearMetres() * (1 + 1e-3), p::toString);
+            assertTrue(p.aspect() > 0 && p.aspect() <= 1000, p::toString);
+            for (double value : p.clipFromView().get(new double[16])) {
+                assertTrue(Float.isFinite((float) value), p::toString);
+            }
+        }
+    }
+
+    private static double anyDouble(SplittableRandom random) {
+        return switch (random.nextInt(5)) {
+            case 0 -> Double.longBitsToDouble(random.nextLong());
+            case 1 ->
+                new double[] {0, -0.0, Double.NaN, Double.POSITIVE_INFINITY, Double.MIN_VALUE, Math.PI}
+                        [random.nextInt(6)];
+            default -> random.nextDouble(-1, 4);
+        };
+    }
+
+    @Test
+    void nearFarAndBordersMapToTheFacesOfClipSpace() {
+        Perspective p = Perspective.ofHorizontalFov(Math.toRadians(90), 2, 0.1, 50);
+        Vector4d near = p.clipFromView().transform(new Vector4d(0.1, 0.05, -0.1, 1));
+        assertEquals(-1, near.z / near.w, 1e-12);
+        assertEquals(1, near.x / near.w, 1e-12);
+        assertEquals(1, near.y / near.w, 1e-12);
+        Vector4d far = p.clipFromView().transform(new Vector4d(0, 0, -50, 1));
+        assertEquals(1, far.z / far.w, 1e-12);
+        var infinite = new Perspective(1, 1, 0.1, Double.POSITIVE_INFINITY);
+        Vector4d horizon = infinite.clipFromView().transform(new Vector4d(0, 0, -1, 0));
+        assertEquals(1, horizon.z / horizon.w, 0);
+    }
+
+    /** C.2 row 3: surfaces two quanta apart are never confused when depth goes through float and 24 bits. */
+    @Test
+    void surfacesTwoQuantaApartKeepTheirOrderInTwentyFourBits() {
+        var random = new SplittableRandom(3);
+        for (int i = 0; i < 100_000; i++) {
+            double near = 0.05 + random.nextDouble();
+            double far = i % 3 == 0 ? Double.POSITIVE_INFINITY : near * (2 + 1e4 * random.nextDouble());
+            var p = new Perspective(1, 1, near, far);
+            double z = near * Math.pow(Math.min(far / near, 1e5), random.nextDouble());
+            double behind = z + 2 * p.depthQuantumMetres(z);
+            assertTrue(depthCode(p, z) < depthCode(p, behind) || behind > far, p + " at " + z);
+        }
+    }
+
+    private static long depthCode(Perspective p, double distance) {
+        float z = (float) p.depthScale() * (float) -distance + (float) p.depthOffset();
+        float window = 0.5f * (z / (float) distance) + 0.5f;
+        return Math.round(window * (double) ((1 << 24) - 1));
+    }
+
+    /** C.1, standard depth with near 0.1 and far 1000: measured 0.9 µm, 89 µm, 9.8 mm, 0.58 m. */
+    @Test
+    void theDepthQuantumIsThatOfTheMeasurements() {
+        var p = new Perspective(1, 1, 0.1, 1000);
+        assertEquals(9.8e-3, p.depthQuantumMetres(100), 0.3 * 9.8e-3);
+        assertEquals(0.9e-6, p.depthQuantumMetres(1), 0.4 * 0.9e-6);
+        assertEquals(100, p.depthQuantumMetres(100) / p.depthQuantumMetres(10), 1e-6);
+    }
+
+    /** C.2 row 1: at 10⁷ m the picture of a point moves by at most 0.1 px of 1080 lines. */
+    @Test
+    void tenThousandKilometresOutAPointStaysWithinATenthOfAPixel() {
+        var random = new SplittableRandom(1);
+        double worst = 0;
+        for (int i = 0; i < 20_000; i++) {
+            Vec3 eye = new Vec3(1e7 + random.nextDouble(), -1e7 * random.nextDouble(), 1e7);
+            Basis basis = Basis.ofYawPitch(random.nextDouble(-3, 3), random.nextDouble(-1.5, 1.5));
+            Matrix4d clip =
+                    new Perspective(1.2, 16 / 9.0, 0.05, 1e5).clipFromView().mul(basis.viewFromRelative());
+            // Exact: the offset from the eye is chosen in steps that a double holds at 10⁷.
+            Vec3 back = basis.back();
+            double distance = Math.rint(Math.pow(10, random.nextDouble(-0.5, 3)) * 1024) / 1024;
+            double x = step(-back.x() * distance + random.nextDouble(-0.3, 0.3) * distance);
+            double y = step(-back.y() * distance + random.nextDouble(-0.3, 0.3) * distance);
+            double z = step(-back.z() * distance + random.nextDouble(-0.3, 0.3) * distance);
+            Vec3 base = new Vec3(step(eye.x()), step(eye.y()), step(eye.z()));
+            Vector4d exact = clip.transform(new Vector4d(x, y, z, 1));
+            if (exact.w < 0.1) {
+                continue;
+            }
+            Vec3 point = new Vec3(base.x() + x, base.y() + y, base.z() + z);
+            Vector4f rounded = new org.joml.Matrix4f(clip)
+                    .transform(new Vector4f(
+                            (float) (point.x() - base.x()),
+                            (float) (point.y() - base.y()),
+                            (float) (point.z() - base.z()),
+                            1));
+            worst = Math.max(worst, 960 * Math.abs(exact.x / exact.w - rounded.x / rounded.w));
+            worst = Math.max(worst, 540 * Math.abs(exact.y / exact.w - rounded.y / rounded.w));
+        }
+        assertTrue(worst <= 0.1, worst + " px");
+    }
+
+    private static double step(double metres) {
+        return Math.rint(metres * 0x1p20) * 0x1p-20;
+    }
+}

@@ -1,0 +1,108 @@
+package nephele.engine.math;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.joml.Quaterniond;
+import org.joml.Quaternionf;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+class RotationsTest {
+    /** C.2 row 12: 10⁶ rotations by 0.05 rad, renormalised: 10⁻⁹ in double, 2·10⁻⁷ once stored as float. */
+    @Test
+    void aMillionRotationsKeepNormAndAngle() {
+        Vec3 axis = new Vec3(0.6, 0, 0.8);
+        Quaterniond step = Rotations.aroundAxis(axis, 0.05);
+        Quaterniond q = new Quaterniond();
+        int steps = 1_000_000;
+        for (int i = 1; i <= steps; i++) {
+            q.mul(step);
+            if (i % Rotations.STEPS_BETWEEN_RENORMALISATIONS == 0) {
+                q = Rotations.renormalised(q);
+            }
+        }
+        Quaterniond expected = Rotations.aroundAxis(axis, Math.IEEEremainder(0.05 * steps, 2 * Math.PI));
+        double sign = q.dot(expected) < 0 ? -1 : 1;
+        assertEquals(1, Math.sqrt(q.lengthSquared()), 1e-12);
+        assertEquals(expected.x * sign, q.x, 1e-9);
+        assertEquals(expected.z * sign, q.z, 1e-9);
+        assertEquals(expected.w * sign, q.w, 1e-9);
+        Quaternionf stored = new Quaternionf(q);
+        assertEquals(1, Math.sqrt(stored.lengthSquared()), 2e-7);
+        assertEquals(q.w, stored.w, 2e-7);
+    }
+
+    /** C.2 row 13, at a reduced count: unit to 10⁻⁶, no NaN, and between its ends. */
+    @Test
+    void slerpStaysUnitForAnyPair() {
+        var random = new SplittableRandom(13);
+        for (int i = 0; i < 100_000; i++) {
+            Quaterniond a = randomRotation(random);
+            Quaterniond b = partner(random, a, i % 6);
+            double share = i % 9 == 0 ? random.nextDouble(-5, 5) : random.nextDouble();
+            Quaterniond q = Rotations.slerp(a, b, share);
+            assertEquals(1, Math.sqrt(q.lengthSquared()), 1e-6, () -> a + " " + b);
+            double whole = angle(a, b);
+            assertEquals(Math.max(0, Math.min(1, share)) * whole, angle(a, q), 1e-6 + 1e-6 * whole, () -> a + " " + b);
+        }
+    }
+
+    private static Quaterniond randomRotation(SplittableRandom random) {
+        return Rotations.aroundAxis(BasisTest.randomDirection(random), random.nextDouble(-7, 7));
+    }
+
+    private static Quaterniond partner(SplittableRandom random, Quaterniond a, int kind) {
+        Vec3 axis = BasisTest.randomDirection(random);
+        return switch (kind) {
+            case 0 -> new Quaterniond(a);
+            case 1 -> new Quaterniond(-a.x, -a.y, -a.z, -a.w);
+            case 2 -> new Quaterniond(a).mul(Rotations.aroundAxis(axis, Math.PI));
+            case 3 -> new Quaterniond(a).mul(Rotations.aroundAxis(axis, random.nextDouble(-2e-3, 2e-3)));
+            default -> randomRotation(random);
+        };
+    }
+
+    /** Of the rotation from a to b, 0 … π. */
+    private static double angle(Quaterniond a, Quaterniond b) {
+        Quaterniond d = new Quaterniond(a).conjugate().mul(b);
+        return 2 * Math.atan2(Math.sqrt(d.x * d.x + d.y * d.y + d.z * d.z), Math.abs(d.w));
+    }
+
+    @Test
+    void hostileQuaternionsBecomeTheIdentityOrUnit() {
+        double inf = Double.POSITIVE_INFINITY;
+        assertEquals(new Quaterniond(), Rotations.renormalised(new Quaterniond(0, 0, 0, 0)));
+        assertEquals(new Quaterniond(), Rotations.renormalised(new Quaterniond(inf, 0, 0, 0)));
+        assertEquals(new Quaterniond(), Rotations.renormalised(new Quaterniond(0, Double.NaN, 0, 1)));
+        assertEquals(new Quaterniond(1, 0, 0, 0), Rotations.renormalised(new Quaterniond(1e-300, 0, 0, 0)));
+        assertEquals(new Quaterniond(0, 1, 0, 0), Rotations.renormalised(new Quaterniond(0, 1e300, 0, 0)));
+        assertEquals(new Quaterniond(), Rotations.aroundAxis(Vec3.ZERO, 1));
+    }
+
+    @Test
+    void theRotationTurnsAsTheAxisSays() {
+        Vector3d turned = Rotations.aroundAxis(new Vec3(0, 3, 0), Math.PI / 2).transform(new Vector3d(0, 0, -1));
+        assertEquals(-1, turned.x, 1e-15);
+    }
+
+    /** C.2 row 13 for directions: opposite ones have a chosen axis. */
+    @Test
+    void directionsTurnTowardsEachOther() {
+        var random = new SplittableRandom(14);
+        for (int i = 0; i < 100_000; i++) {
+            Vec3 a = unit(i % 3 == 0 ? BasisTest.axisMovedByUlps(random) : BasisTest.randomDirection(random));
+            Vec3 b = i % 4 == 0 ? new Vec3(-a.x(), -a.y(), -a.z()) : unit(BasisTest.randomDirection(random));
+            double share = random.nextDouble();
+            Vec3 turned = Directions.turned(a, b, share);
+            assertEquals(1, Directions.length(turned), 1e-9);
+            assertEquals(share * Directions.angle(a, b), Directions.angle(a, turned), 1e-6);
+            assertTrue(Directions.angle(b, Directions.turned(a, b, 1)) < 1e-8);
+        }
+    }
+
+    private static Vec3 unit(Vec3 v) {
+        return Directions.unit(v.x(), v.y(), v.z());
+    }
+}

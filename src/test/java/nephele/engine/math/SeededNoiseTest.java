@@ -1,0 +1,70 @@
+package nephele.engine.math;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** C.2 row 36, the CPU's part. */
+class SeededNoiseTest {
+    private final SeededNoise noise = new SeededNoise(42);
+
+    @Test
+    void valuesLieInTheHalfOpenUnitInterval() {
+        var random = new SplittableRandom(36);
+        for (int i = 0; i < 100_000; i++) {
+            double x = i % 4 == 0 ? Double.longBitsToDouble(random.nextLong()) : random.nextDouble(-1e10, 1e10);
+            double value = noise.at(x, random.nextDouble(-3, 3), -1e-20);
+            assertTrue(value >= 0 && value < 1, x + " gives " + value);
+        }
+    }
+
+    @Test
+    void valuesAreSpreadEvenly() {
+        int[] histogram = new int[16];
+        for (int x = -50; x < 50; x++) {
+            for (int y = -50; y < 50; y++) {
+                for (int z = -8; z < 8; z++) {
+                    histogram[(int) (16 * noise.unit(x, y, z))]++;
+                }
+            }
+        }
+        for (int count : histogram) {
+            assertEquals(10_000, count, 500);
+        }
+    }
+
+    @Test
+    void noiseIsContinuousAcrossCellsAndNotPeriodicWithinTwoToTheThirtyOne() {
+        for (int cell = -3; cell <= 3; cell++) {
+            assertEquals(noise.at(cell, 0.5, 0.5), noise.at(Math.nextDown((double) cell), 0.5, 0.5), 1e-9);
+        }
+        double atZero = noise.at(0, 0, 0);
+        assertNotEquals(atZero, noise.at(0x1p31, 0, 0));
+        assertNotEquals(atZero, noise.at(0x1p30, 0, 0));
+        assertEquals(atZero, noise.at(0x1p32, 0, 0));
+        assertEquals(SeededNoise.cell(-0x1p31), SeededNoise.cell(0x1p31));
+    }
+
+    @Test
+    void theBitsNeverChange() {
+        assertEquals(new SeededNoise(7).bits(1, 2, 3), new SeededNoise(7).bits(1, 2, 3));
+        assertNotEquals(new SeededNoise(7).bits(1, 2, 3), new SeededNoise(8).bits(1, 2, 3));
+        assertEquals(pcg3d(1, 2, 3), new SeededNoise(0).bits(1, 2, 3));
+    }
+
+    /** The published hash with unsigned arithmetic spelt out in long. */
+    private static int pcg3d(long x, long y, long z) {
+        long mask = 0xFFFFFFFFL;
+        long[] v = {x * 1664525 + 1013904223 & mask, y * 1664525 + 1013904223 & mask, z * 1664525 + 1013904223 & mask};
+        v[0] = v[0] + v[1] * v[2] & mask;
+        v[1] = v[1] + v[2] * v[0] & mask;
+        v[2] = v[2] + v[0] * v[1] & mask;
+        for (int i = 0; i < 3; i++) {
+            v[i] ^= v[i] >>> 16;
+        }
+        return (int) (v[0] + v[1] * v[2] & mask);
+    }
+}
