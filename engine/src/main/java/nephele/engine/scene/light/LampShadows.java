@@ -1,0 +1,140 @@
+package nephele.engine.scene.light;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import nephele.engine.math.Vec3;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+
+/**
+ * Which layers of the lamps' depth texture belong to whom: one for a spot, six for a point lamp or a spot wider than 80°.
+ * The side of a layer shrinks from {@value #LARGEST_SIDE} until all fit into the budget; what does not fit at
+ * {@value #SMALLEST_SIDE} goes without a shadow, weakest lamps first.
+ *
+ * @param firstLayer per lamp, −1 without a shadow
+ * @param layers one per depth picture to draw
+ * @param side texels
+ */
+public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
+    public static final double NEAR_METRES = 0.05;
+    public static final int LARGEST_SIDE = 512;
+    public static final int SMALLEST_SIDE = 128;
+
+    /** 32 MiB of 32-bit depth; OpenGL 4.1 promises 2048 layers. */
+    private static final int MAX_TEXELS = 1 << 23;
+
+    private static final int MAX_LAYERS = 512;
+
+    /** Texels beyond a cube's edge in each of its six pictures: a filter near the edge stays in one picture. */
+    private static final double GUARD_TEXELS = 2;
+
+    private static final double WIDEST_SPOT_COSINE = 0.17364817766693033;
+
+    /**
+     * @param axis 0–5 for +x −x +y −y +z −z, or 6 for a spot's own axis
+     */
+    public record Layer(int lamp, int axis) {}
+
+    public static LampShadows of(List<Lamp> lamps) {
+        List<Integer> byPower = new ArrayList<>();
+        for (int i = 0; i < lamps.size(); i++) {
+            if (lamps.get(i).source().castsShadow()) {
+                byPower.add(i);
+            }
+        }
+        byPower.sort(Comparator.comparingDouble(i -> -power(lamps.get(i))));
+        int wanted = byPower.stream().mapToInt(i -> pictures(lamps.get(i))).sum();
+        int side = LARGEST_SIDE;
+        while (side > SMALLEST_SIDE && (long) side * side * wanted > MAX_TEXELS) {
+            side /= 2;
+        }
+        int available = Math.min(MAX_LAYERS, MAX_TEXELS / (side * side));
+        return assigned(lamps, byPower, available, side);
+    }
+
+    private static LampShadows assigned(List<Lamp> lamps, List<Integer> byPower, int available, int side) {
+        int[] first = new int[lamps.size()];
+        Arrays.fill(first, -1);
+        List<Layer> layers = new ArrayList<>();
+        for (int lamp : byPower) {
+            int pictures = pictures(lamps.get(lamp));
+            if (layers.size() + pictures <= available) {
+                first[lamp] = layers.size();
+                for (int i = 0; i < pictures; i++) {
+                    layers.add(new Layer(lamp, pictures == 1 ? 6 : i));
+                }
+            }
+        }
+        return new LampShadows(first, List.copyOf(layers), side);
+    }
+
+    private static double power(Lamp lamp) {
+        Vec3 i = lamp.radiantIntensity();
+        return i.x() + i.y() + i.z();
+    }
+
+    private static int pictures(Lamp lamp) {
+        return hasOwnAxis(lamp) ? 1 : 6;
+    }
+
+    static boolean hasOwnAxis(Lamp lamp) {
+        return lamp.isSpot() && lamp.cosOuter() >= WIDEST_SPOT_COSINE;
+    }
+
+    /** Half the picture's width over its distance, inverted: less than the lamp's opening by the guard texels. */
+    static double cotangent(Lamp lamp, int side) {
+        double guard = 1 - 2 * GUARD_TEXELS / side;
+        if (!hasOwnAxis(lamp)) {
+            return guard;
+        }
+        double c = Math.min(lamp.cosOuter(), 1 - 1e-7);
+        return guard * c / Math.sqrt(1 - c * c);
+    }
+
+    /** A spot's horizontal picture axis (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"). */
+    static Vector3d right(Lamp lamp) {
+        Vec3 n = lamp.axis();
+        double sign = n.z() < 0 ? -1 : 1;
+        double a = -1 / (sign + n.z());
+        return new Vector3d(1 + sign * n.x() * n.x() * a, sign * n.x() * n.y() * a, -sign * n.x());
+    }
+
+    /** Clip space of one layer from metres relative to {@code anchor}; may mirror, so draw both sides. */
+    public Matrix4d clipFromAnchor(List<Lamp> lamps, int layer, Vec3 anchor) {
+        Lamp lamp = lamps.get(layers.get(layer).lamp());
+        int axis = layers.get(layer).axis();
+        Vector3d forward = axis == 6 ? lamp.axis().toVector() : unit(axis / 2).mul((axis & 1) == 0 ? 1 : -1);
+        Vector3d right = axis == 6 ? right(lamp) : unit((axis / 2 + 1) % 3);
+        Vector3d up = axis == 6 ? new Vector3d(forward).cross(right) : unit((axis / 2 + 2) % 3);
+        double near = NEAR_METRES;
+        double far = Math.max(lamp.rangeMetres(), 2 * near);
+        double cot = cotangent(lamp, side);
+        Matrix4d clip = new Matrix4d(
+                cot,
+                0,
+                0,
+                0,
+                0,
+                cot,
+                0,
+                0,
+                0,
+                0,
+                (far + near) / (far - near),
+                1,
+                0,
+                0,
+                -2 * far * near / (far - near),
+                0);
+        Matrix4d view = new Matrix4d(
+                right.x, up.x, forward.x, 0, right.y, up.y, forward.y, 0, right.z, up.z, forward.z, 0, 0, 0, 0, 1);
+        Vec3 p = lamp.position();
+        return clip.mul(view).translate(anchor.x() - p.x(), anchor.y() - p.y(), anchor.z() - p.z());
+    }
+
+    private static Vector3d unit(int axis) {
+        return new Vector3d(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+    }
+}

@@ -1,0 +1,73 @@
+package nephele.engine.scene.light;
+
+import java.util.List;
+import nephele.engine.math.Vec3;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+
+/**
+ * The parallel projection of a sun's depth map, fitted to what casts shadows.
+ *
+ * @param anchor world position that float coordinates in shaders are relative to
+ * @param mapFromAnchor metres relative to the anchor → texture coordinates and depth, all 0–1; depth grows away from the sun
+ * @param texelMetres side of a texel, the same along both axes
+ * @param depthMetres what depth 0–1 spans
+ */
+public record ShadowFrame(
+        Vec3 anchor, Matrix4d mapFromAnchor, int width, int height, double texelMetres, double depthMetres) {
+    /** Finer texels cannot be told apart from three metres away at 1280 × 720. */
+    public static final double FINEST_TEXEL_METRES = 0.01;
+
+    /** Empty texels around the casters: a filter at the border reads what is lit. */
+    private static final int MARGIN_TEXELS = 3;
+
+    /**
+     * @param casters corners of everything that casts
+     * @param towardsSun any length but zero
+     * @param maxSide texels
+     */
+    public static ShadowFrame fit(List<Vec3> casters, Vec3 towardsSun, Vec3 anchor, int maxSide) {
+        Vector3d back = towardsSun.toVector().normalize();
+        Vector3d right =
+                Math.abs(back.y) < 0.999 ? new Vector3d(0, 1, 0).cross(back).normalize() : new Vector3d(1, 0, 0);
+        right.fma(-right.dot(back), back).normalize();
+        Vector3d up = new Vector3d(back).cross(right);
+        double[] x = range(casters, anchor, right);
+        double[] y = range(casters, anchor, up);
+        double[] z = range(casters, anchor, back);
+        double side = Math.max(x[1] - x[0], y[1] - y[0]);
+        double texel = Math.max(FINEST_TEXEL_METRES, side / (maxSide - 2 * MARGIN_TEXELS));
+        int width = texels(x, texel);
+        int height = texels(y, texel);
+        double depth = (z[1] - z[0]) * 1.01 + 0.1;
+        Matrix4d map = rows(
+                new Vector3d(right).div(width * texel), 0.5 - (x[0] + x[1]) / 2 / (width * texel),
+                new Vector3d(up).div(height * texel), 0.5 - (y[0] + y[1]) / 2 / (height * texel),
+                new Vector3d(back).div(-depth), 0.5 + (z[0] + z[1]) / 2 / depth);
+        return new ShadowFrame(anchor, map, width, height, texel, depth);
+    }
+
+    private static double[] range(List<Vec3> points, Vec3 anchor, Vector3d axis) {
+        double min = Double.POSITIVE_INFINITY;
+        double max = Double.NEGATIVE_INFINITY;
+        for (Vec3 p : points) {
+            double along = axis.dot(p.x() - anchor.x(), p.y() - anchor.y(), p.z() - anchor.z());
+            min = Math.min(min, along);
+            max = Math.max(max, along);
+        }
+        return new double[] {min, max};
+    }
+
+    private static int texels(double[] range, double texel) {
+        return (int) Math.ceil((range[1] - range[0]) / texel - 1e-9) + 2 * MARGIN_TEXELS;
+    }
+
+    private static Matrix4d rows(Vector3d x, double x3, Vector3d y, double y3, Vector3d z, double z3) {
+        return new Matrix4d(x.x, y.x, z.x, 0, x.y, y.y, z.y, 0, x.z, y.z, z.z, 0, x3, y3, z3, 1);
+    }
+
+    /** The projection for drawing the map: coordinates and depth −1 to 1. */
+    public Matrix4d clipFromAnchor() {
+        return new Matrix4d().translation(-1, -1, -1).scale(2).mul(mapFromAnchor);
+    }
+}

@@ -1,0 +1,109 @@
+package nephele.engine.scene.light;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Optional;
+import java.util.zip.DeflaterOutputStream;
+import java.util.zip.InflaterInputStream;
+import nephele.engine.level.Brush;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Plane;
+
+/** A baked sky visibility as bytes, and the name that its geometry gives it. */
+public final class SkyVisibilityFile {
+    /** Part of every name: raise it whenever the same solids would bake to other texels. */
+    private static final int VERSION = 1;
+
+    private static final byte[] MAGIC = "NSKYVIS1".getBytes(StandardCharsets.US_ASCII);
+
+    private SkyVisibilityFile() {}
+
+    /** The same for the same shapes in the same order, whatever their materials. */
+    public static String nameFor(List<Brush> brushes) {
+        MessageDigest digest = sha256();
+        ByteBuffer buffer = ByteBuffer.allocate(4 * Double.BYTES);
+        digest.update((byte) VERSION);
+        digest.update(bytes(buffer, LightMapLayout.TEXEL_METRES, SkyVisibilityBake.RAYS, 0, 0));
+        for (Brush brush : brushes) {
+            digest.update((byte) brush.shape().faces().size());
+            for (ConvexPolyhedron.Face face : brush.shape().faces()) {
+                Plane p = face.plane();
+                digest.update(bytes(buffer, p.nx(), p.ny(), p.nz(), p.distance()));
+            }
+        }
+        return "sky-visibility-" + HexFormat.of().formatHex(digest.digest(), 0, 10) + ".bin";
+    }
+
+    private static byte[] bytes(ByteBuffer buffer, double a, double b, double c, double d) {
+        buffer.clear();
+        // Adding zero makes −0 and 0 the same geometry.
+        buffer.putDouble(a + 0.0).putDouble(b + 0.0).putDouble(c + 0.0).putDouble(d + 0.0);
+        return buffer.array();
+    }
+
+    private static MessageDigest sha256() {
+        try {
+            return MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+
+    /** Rows as differences from texel to texel, deflated: smooth light packs to a quarter. */
+    public static byte[] encode(LightMapLayout layout, short[] texels) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (DataOutputStream head = new DataOutputStream(bytes)) {
+            head.write(MAGIC);
+            head.writeInt(layout.width());
+            head.writeInt(layout.height());
+            try (DataOutputStream body = new DataOutputStream(new DeflaterOutputStream(bytes))) {
+                short previous = 0;
+                for (short texel : texels) {
+                    body.writeShort(texel - previous);
+                    previous = texel;
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes.toByteArray();
+    }
+
+    /** Empty when the bytes are no visibility for this layout: it is then baked anew. */
+    public static Optional<short[]> decode(LightMapLayout layout, byte[] bytes) {
+        try (DataInputStream head = new DataInputStream(new ByteArrayInputStream(bytes))) {
+            byte[] magic = head.readNBytes(MAGIC.length);
+            boolean fits = MessageDigest.isEqual(magic, MAGIC)
+                    && head.readInt() == layout.width()
+                    && head.readInt() == layout.height();
+            return fits ? Optional.of(body(head, layout.width() * layout.height())) : Optional.empty();
+        } catch (IOException e) {
+            return Optional.empty();
+        }
+    }
+
+    private static short[] body(DataInputStream head, int count) throws IOException {
+        byte[] packed = new InflaterInputStream(head).readNBytes(2 * count);
+        if (packed.length != 2 * count) {
+            throw new IOException("too short");
+        }
+        ByteBuffer differences = ByteBuffer.wrap(packed);
+        short[] texels = new short[count];
+        short previous = 0;
+        for (int i = 0; i < count; i++) {
+            previous += differences.getShort();
+            texels[i] = previous;
+        }
+        return texels;
+    }
+}

@@ -1,0 +1,44 @@
+// The lamps of a level and which of them a place has to ask. Packed by nephele.engine.scene.light.LampTable.
+// Needs lamp-falloff.glsl.
+
+uniform samplerBuffer lampTexels;      // four texels a lamp
+uniform usamplerBuffer lampGridCells;  // start of each cell's list, then the lists
+uniform vec3 lampGridMin;              // metres from the anchor
+uniform vec3 lampGridCellsPerMetre;
+uniform ivec3 lampGridSize;
+
+struct Lamp {
+    vec4 position;   // metres from the anchor; w: 1 / range^2
+    vec4 intensity;  // w: cone scale
+    vec4 axis;       // w: cone offset
+    vec4 shadow;     // right axis of the depth picture times its cotangent; w: layer, -1 without
+};
+
+Lamp lampAt(int index) {
+    int texel = 4 * index;
+    return Lamp(
+            texelFetch(lampTexels, texel),
+            texelFetch(lampTexels, texel + 1),
+            texelFetch(lampTexels, texel + 2),
+            texelFetch(lampTexels, texel + 3));
+}
+
+// First and one past the last entry of a place's list.
+ivec2 lampListAt(vec3 anchorPosition) {
+    vec3 cell = (anchorPosition - lampGridMin) * lampGridCellsPerMetre;
+    ivec3 c = ivec3(clamp(cell, vec3(0.0), vec3(lampGridSize) - 0.5));
+    int at = c.x + lampGridSize.x * (c.y + lampGridSize.y * c.z);
+    return ivec2(int(texelFetch(lampGridCells, at).x), int(texelFetch(lampGridCells, at + 1).x));
+}
+
+int lampOfEntry(int entry) {
+    return int(texelFetch(lampGridCells, entry).x);
+}
+
+// Irradiance on a plane perpendicular to the light, without shadow.
+vec3 lampIrradiance(Lamp lamp, vec3 toLamp, float squareDistance) {
+    float cosine = -dot(toLamp, lamp.axis.xyz);
+    return lamp.intensity.rgb
+            * (windowedInverseSquare(squareDistance, lamp.position.w)
+                    * coneFactor(cosine, lamp.intensity.w, lamp.axis.w));
+}

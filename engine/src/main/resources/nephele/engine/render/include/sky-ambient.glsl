@@ -1,0 +1,12 @@
+// The sky's irradiance / pi by the normal: Ramamoorthi and Hanrahan (2001). Twin: nephele.engine.scene.light.SkyIrradiance.
+
+uniform vec3 skyCoefficients[9];  // 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2
+
+vec3 skyAmbient(vec3 n) {
+    vec3 sum = skyCoefficients[0]
+            + skyCoefficients[1] * n.y + skyCoefficients[2] * n.z + skyCoefficients[3] * n.x
+            + skyCoefficients[4] * (n.x * n.y) + skyCoefficients[5] * (n.y * n.z)
+            + skyCoefficients[6] * (3.0 * n.z * n.z - 1.0)
+            + skyCoefficients[7] * (n.x * n.z) + skyCoefficients[8] * (n.x * n.x - n.y * n.y);
+    return max(sum, 0.0);
+}

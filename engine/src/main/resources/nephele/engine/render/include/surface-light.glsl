@@ -1,0 +1,136 @@
+// Radiance that a surface sends to the eye. What is compiled is what the level asks for:
+//   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, LAMPS, LAMP_SHADOW, AMBIENT_CONSTANT, SKY_VISIBILITY.
+
+struct Surface {
+    vec3 baseColour;
+    float roughness;
+    float metallic;
+    vec3 normal;          // unit, bent by the normal map
+    vec3 faceNormal;      // unit, of the geometry
+    vec3 anchorPosition;  // metres from the anchor of the level's light
+    vec3 toEye;           // unit
+    float skyVisibility;  // 0 to 1
+};
+
+#ifdef METALLIC_ROUGHNESS
+#include "brdf.glsl"
+#else
+const float PI = 3.14159265;
+#endif
+
+#ifdef SUN
+uniform vec3 sunDirection;   // towards the sun, unit
+uniform vec3 sunIrradiance;  // on a perpendicular plane
+#endif
+#if defined(SUN_SHADOW) || defined(LAMP_SHADOW)
+#include "shadow-filter.glsl"
+#endif
+#ifdef SUN_SHADOW
+#include "sun-shadow.glsl"
+#endif
+#ifdef LAMPS
+#include "lamp-falloff.glsl"
+#include "lamps.glsl"
+#endif
+#ifdef LAMP_SHADOW
+#include "lamp-shadow.glsl"
+#endif
+#ifdef AMBIENT_CONSTANT
+uniform vec3 ambientRadiance;
+#endif
+#ifdef SKY_VISIBILITY
+#include "sky-ambient.glsl"
+#endif
+
+// The largest finite half float: lights may be arbitrarily near and strong, targets may not overflow.
+const float MAX_RADIANCE = 65504.0;
+
+#ifdef METALLIC_ROUGHNESS
+#define REFLECTANCE Brdf
+Brdf reflectanceOf(Surface s) {
+    return brdfOf(s.baseColour, s.roughness, s.metallic, dot(s.normal, s.toEye));
+}
+vec3 reflected(Brdf b, Surface s, vec3 toLight) {
+    return reflectedLight(b, s.normal, s.toEye, toLight);
+}
+#else
+#define REFLECTANCE vec3
+vec3 reflectanceOf(Surface s) {
+    return s.baseColour;
+}
+vec3 reflected(vec3 albedo, Surface s, vec3 toLight) {
+    return albedo * (max(dot(s.normal, toLight), 0.0) * (1.0 / PI));
+}
+#endif
+
+#ifdef SUN
+vec3 sunLight(REFLECTANCE r, Surface s) {
+    float nDotSun = dot(s.faceNormal, sunDirection);
+    float lit = nDotSun > 0.0 ? 1.0 : 0.0;
+#ifdef SUN_SHADOW
+    lit *= sunLitShare(s.anchorPosition, s.faceNormal, nDotSun);
+#endif
+    return reflected(r, s, sunDirection) * sunIrradiance * lit;
+}
+#endif
+
+#ifdef LAMPS
+vec3 lampLight(REFLECTANCE r, Surface s, int index) {
+    Lamp lamp = lampAt(index);
+    vec3 fromLamp = s.anchorPosition - lamp.position.xyz;
+    float squareDistance = dot(fromLamp, fromLamp);
+    vec3 toLamp = fromLamp * -inversesqrt(max(squareDistance, 1e-12));
+    float lit = dot(s.faceNormal, toLamp) > 0.0 ? 1.0 : 0.0;
+#ifdef LAMP_SHADOW
+    if (lamp.shadow.w >= 0.0) {
+        lit *= lampLitShare(lamp, fromLamp, s.faceNormal);
+    }
+#endif
+    return reflected(r, s, toLamp) * lampIrradiance(lamp, toLamp, squareDistance) * lit;
+}
+
+vec3 allLamps(REFLECTANCE r, Surface s) {
+    vec3 sum = vec3(0.0);
+    ivec2 list = lampListAt(s.anchorPosition);
+    for (int entry = list.x; entry < list.y; entry++) {
+        sum += lampLight(r, s, lampOfEntry(entry));
+    }
+    return sum;
+}
+#endif
+
+// Light from all around. A rough stand-in mirrors the sky: its irradiance in the mirrored direction, which is right for
+// matt metal and too blurred for polished metal.
+#if defined(AMBIENT_CONSTANT) || defined(SKY_VISIBILITY)
+vec3 ambientLight(REFLECTANCE r, Surface s) {
+#ifdef AMBIENT_CONSTANT
+    vec3 diffuse = ambientRadiance;
+    vec3 mirrored = ambientRadiance;
+#else
+    vec3 diffuse = skyAmbient(s.normal) * s.skyVisibility;
+#ifdef METALLIC_ROUGHNESS
+    vec3 mirrored = skyAmbient(reflect(-s.toEye, s.normal)) * s.skyVisibility;
+#endif
+#endif
+#ifdef METALLIC_ROUGHNESS
+    return r.diffuse * diffuse + r.ambientSpecular * mirrored;
+#else
+    return r * diffuse;
+#endif
+}
+#endif
+
+vec3 surfaceRadiance(Surface s) {
+    REFLECTANCE r = reflectanceOf(s);
+    vec3 sum = vec3(0.0);
+#ifdef SUN
+    sum += sunLight(r, s);
+#endif
+#ifdef LAMPS
+    sum += allLamps(r, s);
+#endif
+#if defined(AMBIENT_CONSTANT) || defined(SKY_VISIBILITY)
+    sum += ambientLight(r, s);
+#endif
+    return min(sum, vec3(MAX_RADIANCE));
+}

@@ -1,0 +1,160 @@
+package nephele.engine.scene.light;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.level.Light;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** C.2 row 44. */
+class LampTest {
+    private static final Vec3 WHITE = new Vec3(1, 1, 1);
+
+    @Test
+    void irradianceFallsWithTheSquareFarInsideTheRange() {
+        Lamp lamp = point(new Vec3(0, 0, 0), 1e6);
+        for (double d : new double[] {0.1, 1, 2, 10, 100}) {
+            assertEquals(1 / (d * d), lamp.irradianceAt(new Vec3(d, 0, 0)).x, 1e-9 / (d * d), d + " m away");
+        }
+    }
+
+    @Test
+    void nothingArrivesAtOrBeyondTheRange() {
+        Lamp lamp = point(Vec3.ZERO, 5);
+        assertEquals(0, lamp.irradianceAt(new Vec3(0, 5, 0)).x);
+        assertEquals(0, lamp.irradianceAt(new Vec3(1e9, 1e9, 0)).x);
+        assertTrue(lamp.irradianceAt(new Vec3(0, 4.9, 0)).x < 1e-3, "the window ends smoothly");
+    }
+
+    @Test
+    void nearerThanACentimetreNothingGrows() {
+        Lamp lamp = point(Vec3.ZERO, 5);
+        assertEquals(1e4, lamp.irradianceAt(Vec3.ZERO).x, 1e-3);
+        assertEquals(1e4, lamp.irradianceAt(new Vec3(1e-160, 0, 0)).x, 1e-3);
+    }
+
+    @Test
+    void lampsThatLightNothingAreDropped() {
+        double nan = Double.NaN;
+        Vec3 p = new Vec3(1, 2, 3);
+        List<Light> useless = List.of(
+                new Light.Point("no-range", p, WHITE, 0, true),
+                new Light.Point("negative", p, WHITE, -3, true),
+                new Light.Point("nan-range", p, WHITE, nan, true),
+                new Light.Point("nan-colour", p, new Vec3(nan, nan, nan), 5, true),
+                new Light.Point("dark", p, Vec3.ZERO, 5, true),
+                new Light.Point("nowhere", new Vec3(nan, 0, 0), WHITE, 5, true),
+                new Light.Spot("no-axis", p, Vec3.ZERO, WHITE, 5, 10, 20, true),
+                new Light.Spot("no-cone", p, WHITE, WHITE, 5, 0, 0, true),
+                new Light.Spot("nan-cone", p, WHITE, WHITE, 5, nan, nan, true));
+        for (Light light : useless) {
+            assertTrue(Lamp.of(light).isEmpty(), light.id());
+        }
+    }
+
+    @Test
+    void extremeLampsPackIntoFiniteFloats() {
+        List<Light> lights = List.of(
+                new Light.Point("strong", Vec3.ZERO, new Vec3(1e300, 1, 0), 1e300, true),
+                new Light.Point("short", Vec3.ZERO, WHITE, 1e-3, true),
+                new Light.Spot("needle", Vec3.ZERO, new Vec3(0, 1e-200, 0), WHITE, 9, 1e-9, 1e-9, true),
+                new Light.Spot("all-around", Vec3.ZERO, new Vec3(0, -1, 0), WHITE, 9, 500, 900, true));
+        LampTable table = LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1));
+        for (float f : table.packed(Vec3.ZERO)) {
+            assertTrue(Float.isFinite(f), Arrays.toString(table.packed(Vec3.ZERO)));
+        }
+    }
+
+    @Test
+    void spotIsFullInsideItsInnerConeAndDarkOutsideItsOuterOne() {
+        Lamp lamp = Lamp.of(new Light.Spot("s", Vec3.ZERO, new Vec3(0, -2, 0), WHITE, 1e6, 20, 30, false))
+                .orElseThrow();
+        for (double degrees = 0; degrees < 60; degrees += 1.7) {
+            double angle = Math.toRadians(degrees);
+            double e = lamp.irradianceAt(new Vec3(Math.sin(angle), -Math.cos(angle), 0)).x;
+            if (degrees < 19.9) {
+                assertEquals(1, e, 1e-6, degrees + "° from the axis");
+            } else if (degrees > 30.1) {
+                assertEquals(0, e, degrees + "° from the axis");
+            }
+        }
+    }
+
+    /** Every lamp that lights a point is in the point's list, inside the grid and far outside of it. */
+    @Test
+    void gridListsEveryLampThatArrives() {
+        SplittableRandom random = new SplittableRandom(44);
+        List<Light> lights = randomLights(random, 1000);
+        LampTable table = LampTable.of(lights, new Aabb(-30, -2, -20, 30, 8, 20));
+        long listed = 0;
+        for (int i = 0; i < 2000; i++) {
+            double spread = i % 4 == 0 ? 90 : 32;
+            Vec3 p = new Vec3(
+                    (random.nextDouble() - 0.5) * 2 * spread,
+                    random.nextDouble() * 12 - 3,
+                    (random.nextDouble() - 0.5) * 2 * spread);
+            int cell = table.grid().cellAt(p);
+            int from = table.grid().firstOfCell()[cell];
+            int to = table.grid().firstOfCell()[cell + 1];
+            listed += to - from;
+            assertSame(brute(table, p), fromList(table, p, from, to), p);
+        }
+        assertTrue(listed < 2000 * 300, "lists are short: " + listed / 2000 + " of 1000 lamps on average");
+    }
+
+    private static void assertSame(Vector3d all, Vector3d listed, Vec3 p) {
+        assertEquals(0, all.distance(listed), 1e-12, "light at " + p + " is missing lamps");
+    }
+
+    private static Vector3d brute(LampTable table, Vec3 p) {
+        Vector3d sum = new Vector3d();
+        table.lamps().forEach(lamp -> sum.add(lamp.irradianceAt(p)));
+        return sum;
+    }
+
+    private static Vector3d fromList(LampTable table, Vec3 p, int from, int to) {
+        Vector3d sum = new Vector3d();
+        for (int i = from; i < to; i++) {
+            sum.add(table.lamps().get(table.grid().lamps()[i]).irradianceAt(p));
+        }
+        return sum;
+    }
+
+    private static List<Light> randomLights(SplittableRandom random, int count) {
+        List<Light> lights = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            Vec3 p = new Vec3(random.nextDouble() * 80 - 40, random.nextDouble() * 8, random.nextDouble() * 60 - 30);
+            double range = i % 50 == 0 ? 1e9 : 1 + random.nextDouble() * 7;
+            Vec3 axis = new Vec3(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
+            double outer = 1 + random.nextDouble() * 170;
+            lights.add(
+                    i % 2 == 0
+                            ? new Light.Point("p" + i, p, WHITE, range, i % 3 == 0)
+                            : new Light.Spot("s" + i, p, axis, WHITE, range, outer / 2, outer, i % 3 == 0));
+        }
+        return lights;
+    }
+
+    @Test
+    void shadowLayersKeepToTheirBudget() {
+        List<Light> lights = randomLights(new SplittableRandom(1), 1000);
+        LampShadows shadows =
+                LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1)).shadows();
+        assertTrue((long) shadows.side() * shadows.side() * shadows.layers().size() <= 1 << 23);
+        assertEquals(LampShadows.SMALLEST_SIDE, shadows.side());
+        LampShadows few = LampTable.of(lights.subList(0, 4), new Aabb(-1, -1, -1, 1, 1, 1))
+                .shadows();
+        assertEquals(LampShadows.LARGEST_SIDE, few.side());
+    }
+
+    private static Lamp point(Vec3 p, double range) {
+        return Lamp.of(new Light.Point("p", p, WHITE, range, false)).orElseThrow();
+    }
+}

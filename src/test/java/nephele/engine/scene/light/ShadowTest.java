@@ -1,0 +1,110 @@
+package nephele.engine.scene.light;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Light;
+import nephele.engine.level.Solid;
+import nephele.engine.level.TextureMapping;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.joml.Vector4d;
+import org.junit.jupiter.api.Test;
+
+class ShadowTest {
+    @Test
+    void everyCasterLiesInsideTheMapWithItsMargin() {
+        List<Brush> brushes = List.of(box(0, 1, 0, 2, 2, 2), box(9, 0.5, -4, 1, 1, 8));
+        for (Vec3 sun :
+                List.of(new Vec3(0.3, 0.8, -0.5), new Vec3(0, 5, 0), new Vec3(1, 0, 0), new Vec3(0, -1, 1e-3))) {
+            List<Vec3> corners =
+                    brushes.stream().flatMap(b -> b.shape().vertices().stream()).toList();
+            ShadowFrame frame = ShadowFrame.fit(corners, sun, new Vec3(1, 2, 3), 2048);
+            for (Vec3 c : corners) {
+                Vector3d m = frame.mapFromAnchor().transformPosition(new Vector3d(c.x() - 1, c.y() - 2, c.z() - 3));
+                assertTrue(m.x * frame.width() >= 2 && m.x * frame.width() <= frame.width() - 2, "column " + m);
+                assertTrue(m.y * frame.height() >= 2 && m.y * frame.height() <= frame.height() - 2, "row " + m);
+                assertTrue(m.z > 0 && m.z < 1, "depth " + m);
+            }
+            assertTrue(Math.max(frame.width(), frame.height()) <= 2048);
+        }
+    }
+
+    @Test
+    void aGroundBehindEverythingNeedNotCast() {
+        Brush ground = box(0, -0.5, 0, 1000, 1, 1000);
+        Brush house = box(0, 1, 0, 4, 2, 4);
+        assertEquals(List.of(house), ShadowCasters.of(List.of(ground, house), new Vec3(1, 1, 0)));
+        Brush cellar = box(0, -5, 0, 2, 2, 2);
+        assertEquals(
+                2,
+                ShadowCasters.of(List.of(ground, house, cellar), new Vec3(1, 1, 0))
+                        .size());
+    }
+
+    /** A plane never shades itself, at any slope and place, because each texel is compared with its own depth. */
+    @Test
+    void aSlopingPlaneIsLitEverywhere() {
+        SplittableRandom random = new SplittableRandom(7);
+        for (int i = 0; i < 2000; i++) {
+            double gx = (random.nextDouble() - 0.5) * 0.1;
+            double gy = (random.nextDouble() - 0.5) * 0.1;
+            double x = random.nextDouble() * 50;
+            double y = random.nextDouble() * 50;
+            ShadowFilter.DepthMap map = (column, row) -> 0.5 + gx * (column + 0.5 - x) + gy * (row + 0.5 - y);
+            assertEquals(1, ShadowFilter.litShare(map, x, y, 0.5 - 1e-9, gx, gy), 1e-9, "plane " + i);
+        }
+    }
+
+    @Test
+    void anEdgeIsSharpWithinOneTexel() {
+        ShadowFilter.DepthMap map = (column, row) -> column < 10 ? 0.2 : 1;
+        assertEquals(0, ShadowFilter.litShare(map, 9.5, 5, 0.5, 0, 0));
+        assertEquals(0.5, ShadowFilter.litShare(map, 10, 5, 0.5, 0, 0), 1e-12);
+        assertEquals(1, ShadowFilter.litShare(map, 10.5, 5, 0.5, 0, 0));
+    }
+
+    /** Six pictures around a lamp see every direction, each with two texels to spare at the edges between them. */
+    @Test
+    void cubeLayersOverlapByTheirGuardBand() {
+        List<Lamp> lamps = List.of(Lamp.of(new Light.Point("p", new Vec3(5, 6, 7), new Vec3(1, 1, 1), 10, true))
+                .orElseThrow());
+        LampShadows shadows = LampShadows.of(lamps);
+        SplittableRandom random = new SplittableRandom(3);
+        for (int i = 0; i < 1000; i++) {
+            Vector3d d = new Vector3d(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
+            int axis = d.maxComponent();
+            int layer = 2 * axis + (d.get(axis) < 0 ? 1 : 0);
+            Matrix4d clip = shadows.clipFromAnchor(lamps, layer, new Vec3(1, 1, 1));
+            Vector4d c = clip.transform(new Vector4d(d.x + 4, d.y + 5, d.z + 6, 1));
+            double limit = 1 - 4.0 / shadows.side() + 1e-9;
+            assertTrue(c.w > 0 && Math.abs(c.x) <= limit * c.w && Math.abs(c.y) <= limit * c.w, d + " → " + c);
+        }
+    }
+
+    @Test
+    void spotLayerCoversItsCone() {
+        Light.Spot spot =
+                new Light.Spot("s", new Vec3(0, 3, 0), new Vec3(1, -2, 0.5), new Vec3(1, 1, 1), 9, 20, 35, true);
+        List<Lamp> lamps = List.of(Lamp.of(spot).orElseThrow());
+        LampTable table = LampTable.of(List.of(spot), new Aabb(-5, 0, -5, 5, 3, 5));
+        assertEquals(1, table.shadows().layers().size());
+        Vector3d axis = lamps.get(0).axis().toVector();
+        Vector3d side = LampShadows.right(lamps.get(0));
+        assertEquals(0, side.dot(axis), 1e-12);
+        Vector3d rim = new Vector3d(axis).mul(Math.cos(Math.toRadians(35))).fma(Math.sin(Math.toRadians(35)), side);
+        Vector4d c = table.shadows().clipFromAnchor(lamps, 0, new Vec3(0, 3, 0)).transform(new Vector4d(rim, 1));
+        assertEquals(1 - 4.0 / table.shadows().side(), c.x / c.w, 1e-9, "the cone's rim lies two texels inside");
+    }
+
+    static Brush box(double x, double y, double z, double width, double height, double depth) {
+        return Brush.of(new Solid.Box(
+                "box", null, false, TextureMapping.WORLD, new Vec3(x, y, z), new Vec3(width, height, depth), Map.of()));
+    }
+}
