@@ -10,17 +10,21 @@ import java.util.List;
  * @param strokes each a row of points x0, y0, x1, y1 …
  */
 record Glyph(int codePoint, double widthHundredths, List<double[]> strokes) {
-    /** The same letter with another's strokes added, moved by (dx, dy). */
-    Glyph with(Glyph mark, int newCodePoint, double dx, double dy) {
-        var all = new ArrayList<>(strokes);
-        for (var stroke : mark.strokes) {
-            var moved = stroke.clone();
-            for (int i = 0; i < moved.length; i += 2) {
-                moved[i] += dx;
-                moved[i + 1] += dy;
-            }
-            all.add(moved);
+    /** The letter with another one's strokes on its middle, lifted; as wide as the wider of both. */
+    Glyph with(Glyph mark, int newCodePoint, double lift) {
+        double width = Math.max(widthHundredths, mark.widthHundredths);
+        var all = new ArrayList<double[]>();
+        strokes.forEach(stroke -> all.add(moved(stroke, (width - widthHundredths) / 2, 0)));
+        mark.strokes.forEach(stroke -> all.add(moved(stroke, (width - mark.widthHundredths) / 2, lift)));
+        return new Glyph(newCodePoint, width, all);
+    }
+
+    private static double[] moved(double[] stroke, double dx, double dy) {
+        var moved = stroke.clone();
+        for (int i = 0; i < moved.length; i += 2) {
+            moved[i] += dx;
+            moved[i + 1] += dy;
         }
-        return new Glyph(newCodePoint, widthHundredths, all);
+        return moved;
     }
 }

@@ -65,9 +65,8 @@ final class StrokeFont {
     private Glyph composed(int codePoint, String baseAndMark) {
         var base = glyphs.get(baseAndMark.codePointAt(0));
         var mark = glyphs.get(baseAndMark.codePointAt(baseAndMark.indexOf('+') + 1));
-        double centred = (base.widthHundredths() - mark.widthHundredths()) / 2;
         boolean below = mark.codePoint() == '¸';
         boolean lifted = Character.isUpperCase(base.codePoint()) && !below;
-        return base.with(mark, codePoint, centred, lifted ? MARK_LIFT_OVER_CAPITALS : 0);
+        return base.with(mark, codePoint, lifted ? MARK_LIFT_OVER_CAPITALS : 0);
     }
 }

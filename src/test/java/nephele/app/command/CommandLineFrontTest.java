@@ -1,0 +1,76 @@
+package nephele.app.command;
+
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class CommandLineFrontTest {
+    static Stream<String> commandNames() {
+        return Commands.ALL.stream().map(CommandEntry::name);
+    }
+
+    @ParameterizedTest
+    @MethodSource("commandNames")
+    void everyCommandAnswersHelp(String name) {
+        var help = Captured.run(name, "--help");
+        assertAll(
+                () -> assertEquals(0, help.exitCode()),
+                () -> assertTrue(help.out().contains("nephele " + name), help.out()),
+                () -> assertEquals("", help.err()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("commandNames")
+    void theOverviewListsEveryCommand(String name) {
+        assertTrue(Captured.run("--help").out().contains("\n  " + name + " "));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"edit", "trade", "bake", "generate", "scene", "import"})
+    void whatIsNotBuiltSaysSo(String name) {
+        var answer = Captured.run(name, "anything", "--at-all");
+        assertEquals(3, answer.exitCode());
+        assertTrue(answer.err().contains("not built yet"), answer.err());
+    }
+
+    @Test
+    void aTypingErrorIsWrongUsageAndGetsAProposal() {
+        var answer = Captured.run("pley");
+        assertEquals(2, answer.exitCode());
+        assertTrue(answer.err().contains("did you mean `play`"), answer.err());
+        assertFalse(Captured.run("xyzzy").err().contains("did you mean"));
+    }
+
+    @Test
+    void noCommandIsWrongUsage() {
+        assertEquals(2, Captured.run().exitCode());
+    }
+
+    @ParameterizedTest
+    @MethodSource("wrongUsages")
+    void wrongUsageNamesTheCommandAndTheOption(String line, String named) {
+        var answer = Captured.run(line.split(" "));
+        assertAll(
+                () -> assertEquals(2, answer.exitCode(), answer.err()),
+                () -> assertTrue(answer.err().contains(named), answer.err()),
+                () -> assertEquals("", answer.out()),
+                () -> assertFalse(answer.err().contains("Exception"), answer.err()));
+    }
+
+    static Stream<Arguments> wrongUsages() {
+        return Stream.of(
+                        "prove --nonsense|--nonsense",
+                        "prove no-such-proof|no-such-proof",
+                        "prove --count x|--count",
+                        "prove --count 0|--count")
+                .map(line -> Arguments.of((Object[]) line.split("\\|")));
+    }
+}

@@ -1,0 +1,82 @@
+package nephele.app.window;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.lwjgl.glfw.GLFW;
+
+class InputTest {
+    private final Input input = new Input();
+
+    @Test
+    void theFirstMotionOnlySaysWhereTheMouseIs() {
+        input.look(5000, -3000);
+        assertEquals(0, input.takeCountsRight());
+        input.look(5003, -3004);
+        assertEquals(3, input.takeCountsRight());
+        assertEquals(-4, input.takeCountsDown());
+    }
+
+    @Test
+    void aRegainedFocusDoesNotTurnTheView() {
+        input.look(0, 0);
+        input.forget();
+        input.look(900, 900);
+        assertEquals(0, input.takeCountsRight());
+        assertEquals(0, input.takeCountsDown());
+    }
+
+    @Test
+    void manySmallMotionsTurnAsFarAsOneLargeOne() {
+        input.look(0, 0);
+        for (int i = 1; i <= 1000; i++) {
+            input.look(i * 0.5, i * 0.25);
+        }
+        assertEquals(500, input.takeCountsRight());
+        assertEquals(250, input.takeCountsDown());
+        assertEquals(0, input.takeCountsRight());
+    }
+
+    @Test
+    void aLostFocusReleasesEveryKey() {
+        input.key(GLFW.GLFW_KEY_W, true);
+        input.key(GLFW.GLFW_KEY_SPACE, true);
+        assertTrue(input.holds(Control.FORWARD));
+        input.forget();
+        assertFalse(input.holds(Control.FORWARD));
+        assertFalse(input.holds(Control.JUMP));
+        assertNull(input.nextPressed());
+    }
+
+    @Test
+    void pressesArriveInOrderAndOnce() {
+        input.key(GLFW.GLFW_KEY_F3, true);
+        input.key(GLFW.GLFW_KEY_F3, false);
+        input.key(GLFW.GLFW_KEY_ESCAPE, true);
+        assertEquals(Control.FIGURES, input.nextPressed());
+        assertEquals(Control.MENU, input.nextPressed());
+        assertNull(input.nextPressed());
+    }
+
+    @Test
+    void aKeyThatMeansNothingIsIgnored() {
+        input.key(GLFW.GLFW_KEY_F25, true);
+        input.key(GLFW.GLFW_KEY_UNKNOWN, true);
+        assertNull(input.nextPressed());
+    }
+
+    @Test
+    void aFloodOfKeysDoesNotFillTheMemory() {
+        for (int i = 0; i < 10_000; i++) {
+            input.key(GLFW.GLFW_KEY_F3, true);
+        }
+        int waiting = 0;
+        while (input.nextPressed() != null) {
+            waiting++;
+        }
+        assertEquals(64, waiting);
+    }
+}
