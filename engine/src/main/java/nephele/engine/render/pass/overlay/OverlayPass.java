@@ -1,0 +1,104 @@
+package nephele.engine.render.pass.overlay;
+
+import java.nio.ByteBuffer;
+import java.util.Map;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.QuadStream;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.VertexFormat;
+import nephele.engine.render.gl.VertexFormat.Attribute;
+import org.lwjgl.system.MemoryUtil;
+
+/**
+ * Draws a canvas over a finished picture with one call. No level requires it: whoever shows an overlay does. Program,
+ * texture and buffers are made when the first canvas that isn't empty is drawn.
+ */
+public final class OverlayPass implements AutoCloseable {
+    private static final String FOLDER = "/nephele/engine/render/pass/overlay/";
+    private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT4, Attribute.FLOAT4);
+    private static final int LETTERS_UNIT = 0;
+
+    private final GlContext gl;
+    private final Lettering lettering;
+    private GlProgram<Uniforms.Vector4> program;
+    private Texture letters;
+    private QuadStream quads;
+    private OverlayCanvas uploaded;
+    private long uploadedVersion;
+
+    public OverlayPass(GlContext gl, Lettering lettering) {
+        this.gl = gl;
+        this.lettering = lettering;
+    }
+
+    /** An empty canvas costs nothing. */
+    public void draw(OverlayCanvas canvas, RenderTarget picture) {
+        if (canvas.isEmpty()) {
+            return;
+        }
+        if (program == null) {
+            build();
+        }
+        if (canvas != uploaded || canvas.version() != uploadedVersion) {
+            quads.upload(canvas.vertices(), canvas.length(), canvas.quads());
+            uploaded = canvas;
+            uploadedVersion = canvas.version();
+        }
+        picture.bind();
+        gl.state().set(Depth.OFF, Blend.OVER, Cull.NONE);
+        letters.bind(LETTERS_UNIT);
+        program.use();
+        program.uniforms().set(picture.width(), picture.height(), 0, 0);
+        quads.draw();
+    }
+
+    /** Whether anything was built yet. */
+    boolean isBuilt() {
+        return program != null;
+    }
+
+    private void build() {
+        var atlas = lettering.atlas();
+        var defines = Map.of(
+                "ATLAS_WIDTH", FontAtlas.WIDTH + ".0",
+                "ATLAS_HEIGHT", atlas.height() + ".0",
+                "STEPS_PER_TEXEL", FontAtlas.STEPS_PER_TEXEL + ".0");
+        program = new GlProgram<>(
+                gl,
+                ShaderSource.load(FOLDER + "overlay.vert", defines),
+                ShaderSource.load(FOLDER + "overlay.frag", defines),
+                uniforms -> {
+                    uniforms.sampler("letters", LETTERS_UNIT);
+                    return uniforms.vector4("pictureSize");
+                });
+        quads = new QuadStream(gl, "overlay", FORMAT);
+        letters = new Texture(
+                gl,
+                "letters",
+                Texture.Shape.FLAT,
+                PixelFormat.R8,
+                Texture.Extent.flat(FontAtlas.WIDTH, atlas.height()),
+                Sampling.LINEAR_CLAMP);
+        ByteBuffer texels = MemoryUtil.memAlloc(atlas.texels().length);
+        letters.upload(0, texels.put(atlas.texels()).flip());
+        MemoryUtil.memFree(texels);
+    }
+
+    @Override
+    public void close() {
+        if (program != null) {
+            program.close();
+            letters.close();
+            quads.close();
+        }
+    }
+}
