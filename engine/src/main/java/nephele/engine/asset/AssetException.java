@@ -2,12 +2,18 @@ package nephele.engine.asset;
 
 /** An asset that cannot be used: which one, why, and what its author can do about it. */
 public final class AssetException extends RuntimeException {
+    private static final long serialVersionUID = 1;
+
     private final String assetId;
     private final String reason;
     private final String remedy;
 
     public AssetException(String assetId, String reason, String remedy) {
-        super(assetId + ": " + reason + "; " + remedy);
+        this(assetId, reason, remedy, null);
+    }
+
+    public AssetException(String assetId, String reason, String remedy, Throwable cause) {
+        super(assetId + ": " + reason + "; " + remedy, cause);
         this.assetId = assetId;
         this.reason = reason;
         this.remedy = remedy;

@@ -2,6 +2,7 @@ package nephele.engine.asset;
 
 import com.twelvemonkeys.imageio.plugins.bmp.BMPImageReaderSpi;
 import com.twelvemonkeys.imageio.plugins.tga.TGAImageReaderSpi;
+import com.twelvemonkeys.imageio.stream.ByteArrayImageInputStream;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
 import java.awt.image.ComponentColorModel;
@@ -10,12 +11,12 @@ import java.awt.image.DataBufferByte;
 import java.awt.image.DataBufferUShort;
 import java.awt.image.PixelInterleavedSampleModel;
 import java.awt.image.Raster;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Locale;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
-import javax.imageio.stream.MemoryCacheImageInputStream;
+import javax.imageio.stream.ImageInputStream;
 
 /** Decoding through {@code javax.imageio}, which touches no window toolkit. */
 final class ImageIoPictures {
@@ -23,12 +24,17 @@ final class ImageIoPictures {
 
     static Picture decode(PictureFormat format, byte[] bytes) throws IOException {
         ImageReader reader = reader(format);
-        try (MemoryCacheImageInputStream stream = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
-            reader.setInput(stream, true, true);
+        try (ImageInputStream stream = new ByteArrayImageInputStream(padded(format, bytes))) {
+            reader.setInput(stream, false, true);
             return picture(reader.read(0));
         } finally {
             reader.dispose();
         }
+    }
+
+    /** The TGA reader looks for a footer of 26 bytes before it knows that there are so many. */
+    private static byte[] padded(PictureFormat format, byte[] bytes) {
+        return format == PictureFormat.TGA ? Arrays.copyOf(bytes, Math.max(bytes.length, 18 + 26)) : bytes;
     }
 
     /** The fat jar holds no merged provider lists, so TwelveMonkeys' readers are made directly. */

@@ -1,5 +1,7 @@
 package nephele.engine.asset;
 
+import java.io.IOException;
+
 /** Files to pictures, in pure Java and behind limits that hold before a pixel is allocated. */
 public final class PictureDecoder {
     /** Pixels of either side. */
@@ -25,13 +27,20 @@ public final class PictureDecoder {
         }
         checkHeader(assetId, format, bytes);
         try {
-            return ImageIoPictures.decode(format, bytes);
-        } catch (java.io.IOException | RuntimeException problem) {
+            return format == PictureFormat.PNG ? png(bytes) : ImageIoPictures.decode(format, bytes);
+        } catch (IOException | RuntimeException problem) {
             throw new AssetException(
-                    assetId, "is damaged or of an unknown kind of " + format, "save it again as 8-bit PNG");
+                    assetId, "is damaged or of an unknown kind of " + format, "save it again as 8-bit PNG", problem);
         } catch (OutOfMemoryError tooLarge) {
             throw new AssetException(assetId, "does not fit into memory", "make the picture smaller");
         }
+    }
+
+    private static Picture png(byte[] bytes) throws IOException {
+        PngFile file = PngFile.of(bytes);
+        return PngPixels.canDecode(file)
+                ? PngPixels.decode(file)
+                : ImageIoPictures.decode(PictureFormat.PNG, file.essence());
     }
 
     private static void checkHeader(String assetId, PictureFormat format, byte[] bytes) {
