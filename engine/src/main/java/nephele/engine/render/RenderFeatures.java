@@ -3,13 +3,14 @@ package nephele.engine.render;
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.sky.GradientSkyPass;
+import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 
 /** Everything that can be drawn, in frame order. */
 public final class RenderFeatures {
     public static final List<RenderFeature> ALL =
-            List.of(SolidPass.FEATURE, GradientSkyPass.FEATURE, ToneMapPass.FEATURE);
+            List.of(SolidPass.FEATURE, GradientSkyPass.FEATURE, SkyboxPass.FEATURE, ToneMapPass.FEATURE);
 
     private RenderFeatures() {}
 }

@@ -1,0 +1,68 @@
+package nephele.engine.render.pass.sky;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.Picture;
+import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.Sky;
+import nephele.engine.level.SkyboxLayout;
+
+/**
+ * Six square pictures in the order +x −x +y −y +z −z, each as an eye in the middle sees it: sides with world up upwards,
+ * +y with its bottom edge at −z, −y with its top edge at −z. A cross is four columns by three rows: −x −z +x +z in the
+ * middle row, +y above −z, −y below it.
+ */
+record SkyboxFaces(int side, List<Picture> pictures) {
+    /** Column and row of each face in a cross. */
+    private static final int[][] CROSS_CELLS = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {3, 1}, {1, 1}};
+
+    static SkyboxFaces of(Sky.Skybox sky, AssetSource assets) {
+        return sky.layout() == SkyboxLayout.CROSS ? cross(sky.files().get(0), assets) : faces(sky.files(), assets);
+    }
+
+    private static SkyboxFaces faces(List<String> files, AssetSource assets) {
+        List<Picture> pictures = new ArrayList<>();
+        for (String file : files) {
+            Picture picture = decode(file, assets);
+            int side = pictures.isEmpty() ? picture.width() : pictures.get(0).width();
+            if (picture.width() != side || picture.height() != side) {
+                throw new AssetException(
+                        file,
+                        "is " + picture.width() + " x " + picture.height() + " pixels",
+                        "the six faces of a skybox must be squares of one size, here " + side);
+            }
+            pictures.add(picture);
+        }
+        return new SkyboxFaces(pictures.get(0).width(), pictures);
+    }
+
+    private static SkyboxFaces cross(String file, AssetSource assets) {
+        Picture whole = decode(file, assets);
+        int side = whole.width() / 4;
+        if (side == 0 || whole.width() != 4 * side || whole.height() != 3 * side) {
+            throw new AssetException(
+                    file,
+                    "is " + whole.width() + " x " + whole.height() + " pixels",
+                    "a skybox cross has four columns and three rows of squares");
+        }
+        List<Picture> pictures = new ArrayList<>();
+        for (int[] cell : CROSS_CELLS) {
+            pictures.add(cut(whole, cell[0] * side, cell[1] * side, side));
+        }
+        return new SkyboxFaces(side, pictures);
+    }
+
+    private static Picture decode(String file, AssetSource assets) {
+        return PictureDecoder.decode(file, assets.bytes(file)).toRgba8();
+    }
+
+    private static Picture cut(Picture whole, int left, int top, int side) {
+        byte[] samples = new byte[4 * side * side];
+        for (int y = 0; y < side; y++) {
+            System.arraycopy(whole.samples(), 4 * ((top + y) * whole.width() + left), samples, 4 * y * side, 4 * side);
+        }
+        return new Picture(side, side, 4, 8, samples);
+    }
+}

@@ -1,0 +1,129 @@
+package nephele.engine.render.pass.sky;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.IntBuffer;
+import java.util.List;
+import java.util.Set;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.GpuMesh;
+import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.VertexFormat;
+import nephele.engine.render.gl.VertexFormat.Attribute;
+import org.joml.Vector3d;
+
+/** Six pictures around the eye, where no solid has been drawn. */
+public final class SkyboxPass implements Pass {
+    public static final RenderFeature FEATURE = new RenderFeature("sky.skybox", SkyboxPass::requiredBy);
+
+    private static final String FOLDER = "/nephele/engine/render/pass/sky/";
+    private static final int FACES_UNIT = 0;
+    private static final int[][] CORNERS = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
+    private static final int[] QUAD = {0, 1, 2, 0, 2, 3};
+
+    private final GlContext gl;
+    private final Sky.Skybox sky;
+    private GpuMesh cube;
+    private Texture faces;
+    private GlProgram<Object> program;
+
+    private SkyboxPass(GlContext gl, Sky.Skybox sky) {
+        this.gl = gl;
+        this.sky = sky;
+    }
+
+    private static List<Required> requiredBy(Level level) {
+        return level.environment().sky() instanceof Sky.Skybox skybox
+                ? List.of(new Required("environment.sky: a skybox", gl -> new SkyboxPass(gl, skybox)))
+                : List.of();
+    }
+
+    @Override
+    public Set<Target> reads() {
+        return Set.of();
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.SURFACE);
+    }
+
+    @Override
+    public void load(LoadContext context) {
+        SkyboxFaces pictures = SkyboxFaces.of(sky, context.scene().assets());
+        faces = SkyboxTexture.upload(context, pictures);
+        cube = cube(gl, pictures.side());
+        var defines = Defines.of(context).values();
+        program = new GlProgram<>(
+                gl,
+                ShaderSource.load(FOLDER + "skybox.vert", defines),
+                ShaderSource.load(FOLDER + "skybox.frag", defines),
+                uniforms -> {
+                    uniforms.block("Frame", FrameUniforms.BINDING);
+                    uniforms.sampler("faces", FACES_UNIT);
+                    return uniforms;
+                });
+    }
+
+    private static GpuMesh cube(GlContext gl, int side) {
+        ByteBuffer vertices = ByteBuffer.allocateDirect(6 * 4 * 24).order(ByteOrder.nativeOrder());
+        IntBuffer indices = ByteBuffer.allocateDirect(6 * 6 * 4)
+                .order(ByteOrder.nativeOrder())
+                .asIntBuffer();
+        for (int face = 0; face < 6; face++) {
+            for (int[] corner : CORNERS) {
+                Vector3d p = SkyboxCube.point(face, corner[0], corner[1]);
+                vertices.putFloat((float) p.x).putFloat((float) p.y).putFloat((float) p.z);
+                vertices.putFloat(insideBorder(corner[0], side)).putFloat(insideBorder(corner[1], side));
+                vertices.putFloat(face);
+            }
+            for (int i : QUAD) {
+                indices.put(4 * face + i);
+            }
+        }
+        VertexFormat format = VertexFormat.of(Attribute.FLOAT3, Attribute.FLOAT3);
+        return new GpuMesh(gl, "skybox", format, vertices.flip(), indices.flip());
+    }
+
+    /** −1 and 1 to the texture coordinates of a layer's picture without its border. */
+    private static float insideBorder(int corner, int side) {
+        return corner < 0 ? 1f / (side + 2) : (side + 1f) / (side + 2);
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        frame.surface().bind();
+        gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.NONE);
+        program.use();
+        faces.bind(FACES_UNIT);
+        cube.draw(0, 36);
+    }
+
+    @Override
+    public void close() {
+        if (program != null) {
+            program.close();
+        }
+        if (cube != null) {
+            cube.close();
+        }
+        if (faces != null) {
+            faces.close();
+        }
+    }
+}
