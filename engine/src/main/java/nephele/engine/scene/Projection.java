@@ -1,18 +1,85 @@
 package nephele.engine.scene;
 
+import org.joml.Matrix4d;
+
 /**
- * A perspective projection; OpenGL's clip space, z from −1 at near to 1 at far.
+ * A perspective projection that every input gives: what is out of range or not a number is clamped, so that no matrix
+ * ever holds a NaN. OpenGL's clip space, z from −1 at near to 1 at far.
  *
- * @param verticalFovRadians full angle
- * @param aspect width / height
+ * @param verticalFovRadians full angle, 1° to 170°
+ * @param aspect width / height, 10⁻³ to 10³
+ * @param nearMetres at least 1 mm
+ * @param farMetres at least {@code nearMetres · (1 + 10⁻³)}, or infinite
  */
 public record Projection(double verticalFovRadians, double aspect, double nearMetres, double farMetres) {
-    /** Half the picture's height at distance 1. */
-    public double tanHalfHeight() {
-        return Math.tan(verticalFovRadians / 2);
+    private static final double LEAST_FOV = StrictMath.toRadians(1);
+    private static final double GREATEST_FOV = StrictMath.toRadians(170);
+    private static final double USUAL_FOV = StrictMath.toRadians(60);
+    private static final double GREATEST_ASPECT = 1e3;
+    private static final double LEAST_NEAR = 1e-3;
+    private static final double GREATEST_NEAR = 1e6;
+    private static final double USUAL_NEAR = 0.05;
+
+    public Projection {
+        verticalFovRadians = clamp(verticalFovRadians, LEAST_FOV, GREATEST_FOV, USUAL_FOV);
+        aspect = clamp(aspect, 1 / GREATEST_ASPECT, GREATEST_ASPECT, 1);
+        nearMetres = clamp(nearMetres, LEAST_NEAR, GREATEST_NEAR, USUAL_NEAR);
+        double leastFar = nearMetres * (1 + 1e-3);
+        farMetres = clamp(farMetres, leastFar, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
+    /** The same picture, given by the angle between its left and right border. */
+    public static Projection ofHorizontalFov(double horizontalFovRadians, double aspect, double near, double far) {
+        double width = clamp(horizontalFovRadians, LEAST_FOV, GREATEST_FOV, USUAL_FOV);
+        double ratio = clamp(aspect, 1 / GREATEST_ASPECT, GREATEST_ASPECT, 1);
+        return new Projection(2 * StrictMath.atan(StrictMath.tan(width / 2) / ratio), ratio, near, far);
+    }
+
+    private static double clamp(double value, double least, double greatest, double insteadOfNan) {
+        return Double.isNaN(value) ? insteadOfNan : Math.max(least, Math.min(greatest, value));
+    }
+
+    /** Half the picture's height at distance 1. */
+    public double tanHalfHeight() {
+        return StrictMath.tan(verticalFovRadians / 2);
+    }
+
+    /** Half the picture's width at distance 1. */
     public double tanHalfWidth() {
         return tanHalfHeight() * aspect;
+    }
+
+    /** The factor of view z in clip z. */
+    public double depthScale() {
+        return isInfinite() ? -1 : -(farMetres + nearMetres) / (farMetres - nearMetres);
+    }
+
+    /** What is added in clip z. */
+    public double depthOffset() {
+        return isInfinite() ? -2 * nearMetres : -2 * nearMetres * (farMetres / (farMetres - nearMetres));
+    }
+
+    private boolean isInfinite() {
+        // Beyond this far + near loses near; the limit of the matrix is then exact in float.
+        return farMetres > 1e9 * nearMetres;
+    }
+
+    public Matrix4d clipFromView() {
+        return new Matrix4d()
+                .m00(1 / tanHalfWidth())
+                .m11(1 / tanHalfHeight())
+                .m22(depthScale())
+                .m23(-1)
+                .m32(depthOffset())
+                .m33(0);
+    }
+
+    /**
+     * Metres apart, along the view, that two surfaces need at {@code distanceMetres} to be told apart by a 24-bit depth
+     * buffer: the slope of window depth, z²(f − n)/(f n), times one step of the buffer and one of rounding z/w to float.
+     */
+    public double depthQuantumMetres(double distanceMetres) {
+        double perFar = isInfinite() ? 0 : 1 / farMetres;
+        return distanceMetres * distanceMetres * (1 / nearMetres - perFar) * 0x1p-23;
     }
 }

@@ -1,15 +1,17 @@
-package nephele.engine.math;
+package nephele.engine.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
 import org.joml.Matrix4d;
 import org.joml.Vector4d;
 import org.joml.Vector4f;
 import org.junit.jupiter.api.Test;
 
-class PerspectiveTest {
+class ProjectionTest {
     /** C.2 row 4: no NaN for 10⁵ bit patterns. */
     @Test
     void everyBitPatternGivesAFiniteMatrix() {
@@ -17,9 +19,9 @@ class PerspectiveTest {
         for (int i = 0; i < 100_000; i++) {
             double a = anyDouble(random);
             double b = anyDouble(random);
-            Perspective p = i % 2 == 0
-                    ? new Perspective(a, b, anyDouble(random), anyDouble(random))
-                    : Perspective.ofHorizontalFov(a, b, anyDouble(random), anyDouble(random));
+            Projection p = i % 2 == 0
+                    ? new Projection(a, b, anyDouble(random), anyDouble(random))
+                    : Projection.ofHorizontalFov(a, b, anyDouble(random), anyDouble(random));
             assertTrue(p.clipFromView().isFinite(), p::toString);
             double fov = Math.toDegrees(p.verticalFovRadians());
             assertTrue(fov >= 1 - 1e-9 && fov <= 170 + 1e-9, p::toString);
@@ -43,14 +45,14 @@ class PerspectiveTest {
 
     @Test
     void nearFarAndBordersMapToTheFacesOfClipSpace() {
-        Perspective p = Perspective.ofHorizontalFov(Math.toRadians(90), 2, 0.1, 50);
+        Projection p = Projection.ofHorizontalFov(Math.toRadians(90), 2, 0.1, 50);
         Vector4d near = p.clipFromView().transform(new Vector4d(0.1, 0.05, -0.1, 1));
         assertEquals(-1, near.z / near.w, 1e-12);
         assertEquals(1, near.x / near.w, 1e-12);
         assertEquals(1, near.y / near.w, 1e-12);
         Vector4d far = p.clipFromView().transform(new Vector4d(0, 0, -50, 1));
         assertEquals(1, far.z / far.w, 1e-12);
-        var infinite = new Perspective(1, 1, 0.1, Double.POSITIVE_INFINITY);
+        var infinite = new Projection(1, 1, 0.1, Double.POSITIVE_INFINITY);
         Vector4d horizon = infinite.clipFromView().transform(new Vector4d(0, 0, -1, 0));
         assertEquals(1, horizon.z / horizon.w, 0);
     }
@@ -62,14 +64,14 @@ class PerspectiveTest {
         for (int i = 0; i < 100_000; i++) {
             double near = 0.05 + random.nextDouble();
             double far = i % 3 == 0 ? Double.POSITIVE_INFINITY : near * (2 + 1e4 * random.nextDouble());
-            var p = new Perspective(1, 1, near, far);
+            var p = new Projection(1, 1, near, far);
             double z = near * Math.pow(Math.min(far / near, 1e5), random.nextDouble());
             double behind = z + 2 * p.depthQuantumMetres(z);
             assertTrue(depthCode(p, z) < depthCode(p, behind) || behind > far, p + " at " + z);
         }
     }
 
-    private static long depthCode(Perspective p, double distance) {
+    private static long depthCode(Projection p, double distance) {
         float z = (float) p.depthScale() * (float) -distance + (float) p.depthOffset();
         float window = 0.5f * (z / (float) distance) + 0.5f;
         return Math.round(window * (double) ((1 << 24) - 1));
@@ -78,7 +80,7 @@ class PerspectiveTest {
     /** C.1, standard depth with near 0.1 and far 1000: measured 0.9 µm, 89 µm, 9.8 mm, 0.58 m. */
     @Test
     void theDepthQuantumIsThatOfTheMeasurements() {
-        var p = new Perspective(1, 1, 0.1, 1000);
+        var p = new Projection(1, 1, 0.1, 1000);
         assertEquals(9.8e-3, p.depthQuantumMetres(100), 0.3 * 9.8e-3);
         assertEquals(0.9e-6, p.depthQuantumMetres(1), 0.4 * 0.9e-6);
         assertEquals(100, p.depthQuantumMetres(100) / p.depthQuantumMetres(10), 1e-6);
@@ -93,7 +95,7 @@ class PerspectiveTest {
             Vec3 eye = new Vec3(1e7 + random.nextDouble(), -1e7 * random.nextDouble(), 1e7);
             Basis basis = Basis.ofYawPitch(random.nextDouble(-3, 3), random.nextDouble(-1.5, 1.5));
             Matrix4d clip =
-                    new Perspective(1.2, 16 / 9.0, 0.05, 1e5).clipFromView().mul(basis.viewFromRelative());
+                    new Projection(1.2, 16 / 9.0, 0.05, 1e5).clipFromView().mul(basis.viewFromRelative());
             // Exact: the offset from the eye is chosen in steps that a double holds at 10⁷.
             Vec3 back = basis.back();
             double distance = Math.rint(Math.pow(10, random.nextDouble(-0.5, 3)) * 1024) / 1024;
