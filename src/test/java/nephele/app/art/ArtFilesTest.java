@@ -13,6 +13,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The pictures in the checkout are those that the code paints, pixel for pixel, on every JVM. */
 class ArtFilesTest {
@@ -35,6 +36,17 @@ class ArtFilesTest {
             assertSamePixels(picture.getKey(), picture.getValue());
         }
         assertEquals(0xff412d19, BenchPixels.box().getRGB(0, 0), "frame colour and the grain of Content.hash(0, 0, 1)");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3, 4, 5})
+    void committedSkyIsWhatThePainterPaints(int face) throws IOException {
+        assertSamePixels(SkyPainter.files().get(face), new SkyPainter().face(face));
+    }
+
+    @Test
+    void committedSignIsWhatThePainterPaints() throws IOException {
+        assertSamePixels(SignPainter.FILE, SignPainter.paint());
     }
 
     /** The step across the tile's seam is no larger than steps inside it: no seam shows. */

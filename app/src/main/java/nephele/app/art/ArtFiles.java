@@ -29,6 +29,10 @@ public final class ArtFiles {
             PictureFile.write(assets.resolve(recipe.colourFile()), surface.colourPicture());
             PictureFile.write(assets.resolve(recipe.normalFile()), surface.normalPicture());
         }
+        for (int face = 0; face < 6; face++) {
+            PictureFile.write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
+        }
+        PictureFile.write(assets.resolve(SignPainter.FILE), SignPainter.paint());
     }
 
     /** By asset id. */
