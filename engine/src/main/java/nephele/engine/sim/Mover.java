@@ -55,6 +55,11 @@ final class Mover {
         return hit;
     }
 
+    /** Whether anything stands in the way. */
+    boolean isBlocked(RoundedHull shape, Vector3dc place, Vector3dc way) {
+        return sweep.cast(shape, place, way);
+    }
+
     /** Lowers {@code place} onto what lies at most {@code metres} below; stays where it is when nothing does. */
     boolean lower(RoundedHull shape, Vector3d place, double metres) {
         down.set(0, -metres, 0);

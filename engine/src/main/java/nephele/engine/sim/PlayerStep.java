@@ -84,16 +84,15 @@ final class PlayerStep {
         return new PlayerState(feet, speed, heading, eye, stance, normal, jumpHeld);
     }
 
-    /** Feet stay where they are; standing up waits for head room. */
+    /** Feet stay where they are; standing up waits for head room: the low capsule swept upwards is the high one. */
     private void changeStance(boolean wantsCrouch) {
         Stance wanted = wantsCrouch ? Stance.CROUCHED : Stance.STANDING;
         if (wanted == stance) {
             return;
         }
-        way.set(place);
-        way.y += wanted.centreAboveFeet() - stance.centreAboveFeet();
-        if (wantsCrouch || recovery.isFree(wanted.shape(), way)) {
-            place.set(way);
+        way.set(0, wanted.heightMetres() - stance.heightMetres(), 0);
+        if (wantsCrouch || !mover.isBlocked(stance.shape(), place, way)) {
+            place.y += wanted.centreAboveFeet() - stance.centreAboveFeet();
             stance = wanted;
         }
     }
