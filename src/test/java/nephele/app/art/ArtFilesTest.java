@@ -45,6 +45,11 @@ class ArtFilesTest {
     }
 
     @Test
+    void committedCrossIsWhatThePainterPaints() throws IOException {
+        assertSamePixels(SkyPainter.CROSS_FILE, new SkyPainter().cross());
+    }
+
+    @Test
     void committedSignIsWhatThePainterPaints() throws IOException {
         assertSamePixels(SignPainter.FILE, SignPainter.paint());
     }

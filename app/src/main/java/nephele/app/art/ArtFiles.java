@@ -32,6 +32,7 @@ public final class ArtFiles {
         for (int face = 0; face < 6; face++) {
             PictureFile.write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
         }
+        PictureFile.write(assets.resolve(SkyPainter.CROSS_FILE), new SkyPainter().cross());
         PictureFile.write(assets.resolve(SignPainter.FILE), SignPainter.paint());
     }
 

@@ -11,6 +11,7 @@ final class SkyPainter {
     /** Where the sun stands in this sky; a level that uses it gives its sun the same direction. */
     static final Vec3 SUN_DIRECTION = new Vec3(0.62, 0.66, 0.42);
 
+    static final String CROSS_FILE = "textures/sky-bay-cross.png";
     private static final List<String> FACES = List.of("px", "nx", "py", "ny", "pz", "nz");
 
     private static final Colour ZENITH = Colour.of(0x3F73B5);
@@ -33,26 +34,41 @@ final class SkyPainter {
     /** @param face index in the order +x, −x, +y, −y, +z, −z */
     BufferedImage face(int face) {
         BufferedImage picture = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_RGB);
-        for (int row = 0; row < SIDE; row++) {
-            for (int column = 0; column < SIDE; column++) {
-                double s = 2 * (column + 0.5) / SIDE - 1;
-                double t = 2 * (row + 0.5) / SIDE - 1;
-                picture.setRGB(
-                        column, row, colour(direction(face, s, t).normalize()).rgb());
-            }
+        paint(picture, face, 0, 0, SIDE);
+        return picture;
+    }
+
+    /** The whole sky unfolded: four columns and three rows, −x −z +x +z in the middle row. */
+    BufferedImage cross() {
+        int side = SIDE / 2;
+        BufferedImage picture = new BufferedImage(4 * side, 3 * side, BufferedImage.TYPE_INT_RGB);
+        int[][] cells = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {3, 1}, {1, 1}};
+        for (int face = 0; face < cells.length; face++) {
+            paint(picture, face, cells[face][0] * side, cells[face][1] * side, side);
         }
         return picture;
     }
 
-    /** Cube-map axes of the OpenGL specification 4.1, table 3.19. */
-    private static Vector3d direction(int face, double s, double t) {
+    private void paint(BufferedImage picture, int face, int left, int top, int side) {
+        for (int row = 0; row < side; row++) {
+            for (int column = 0; column < side; column++) {
+                double right = 2 * (column + 0.5) / side - 1;
+                double up = 1 - 2 * (row + 0.5) / side;
+                Colour colour = colour(direction(face, right, up).normalize());
+                picture.setRGB(left + column, top + row, colour.rgb());
+            }
+        }
+    }
+
+    /** Each face as an eye in the middle sees it; +y has its bottom edge and −y its top edge at −z. */
+    private static Vector3d direction(int face, double right, double up) {
         return switch (face) {
-            case 0 -> new Vector3d(1, -t, -s);
-            case 1 -> new Vector3d(-1, -t, s);
-            case 2 -> new Vector3d(s, 1, t);
-            case 3 -> new Vector3d(s, -1, -t);
-            case 4 -> new Vector3d(s, -t, 1);
-            default -> new Vector3d(-s, -t, -1);
+            case 0 -> new Vector3d(1, up, right);
+            case 1 -> new Vector3d(-1, up, -right);
+            case 2 -> new Vector3d(right, 1, up);
+            case 3 -> new Vector3d(right, -1, -up);
+            case 4 -> new Vector3d(-right, up, 1);
+            default -> new Vector3d(right, up, -1);
         };
     }
 
