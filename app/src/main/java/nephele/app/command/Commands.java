@@ -6,6 +6,10 @@ import java.util.Optional;
 /** Every command in the order of the help text; the only registration. */
 public final class Commands {
     public static final List<CommandEntry> ALL = List.of(
+            new CommandEntry("render", "Draw one picture offscreen", RenderCommand::new),
+            new CommandEntry("check", "Print the problems of levels", CheckCommand::new),
+            new CommandEntry("explain", "Say which features a level requires, and why", ExplainCommand::new),
+            new CommandEntry("simulate", "Play a replay without graphics and print hashes", SimulateCommand::new),
             new CommandEntry("prove", "Run the proofs at full count and write docs/proofs.md", ProveCommand::new),
             new CommandEntry("edit", "Edit a level: edit [LEVEL]", UnbuiltCommand::new),
             new CommandEntry(

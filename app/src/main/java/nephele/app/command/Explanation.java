@@ -9,12 +9,21 @@ import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.CrashReport;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
+import nephele.engine.asset.AssetException;
+import nephele.engine.level.LevelFormatException;
+import nephele.engine.render.gl.GlUnavailableException;
 
 /** A failure in plain words: the only place that decides what an exception means to a user. */
 record Explanation(ExitCode exitCode, String message, Throwable failure) {
     static Explanation of(Throwable failure, List<String> arguments) {
         if (failure instanceof CommandFailure known) {
             return new Explanation(known.exitCode(), known.getMessage(), failure);
+        }
+        if (failure instanceof LevelFormatException || failure instanceof AssetException) {
+            return new Explanation(ExitCode.INPUT, failure.getMessage(), failure);
+        }
+        if (failure instanceof GlUnavailableException) {
+            return new Explanation(ExitCode.ENVIRONMENT, failure.getMessage(), failure);
         }
         if (failure instanceof Proof.UnavailableException) {
             return new Explanation(ExitCode.ENVIRONMENT, failure.getMessage(), failure);
@@ -34,7 +43,8 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
 
     ExitCode tell(Terminal terminal, String command, boolean withStackTrace) {
         terminal.out().flush();
-        terminal.err().println(command + ": " + message);
+        boolean namesTheFile = failure instanceof LevelFormatException;
+        terminal.err().println(namesTheFile ? message : command + ": " + message);
         if (withStackTrace) {
             failure.printStackTrace(terminal.err());
         }

@@ -14,14 +14,13 @@ import nephele.app.prove.Surroundings;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
-import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** Runs the proofs at full count; a stopped run goes on where it was. */
-@Command
-final class ProveCommand implements nephele.app.command.Command {
+@picocli.CommandLine.Command
+final class ProveCommand implements Command {
     private static final Path STATE_FOLDER = Path.of("build", "prove");
     private static final Path TABLE = Path.of("docs", "proofs.md");
 

@@ -4,13 +4,12 @@ import java.util.List;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
-import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Unmatched;
 
 /** A command of the design that has no body yet: it answers --help and otherwise says so. */
-@Command(synopsisHeading = "Usage (not built yet): ")
-final class UnbuiltCommand implements nephele.app.command.Command {
+@picocli.CommandLine.Command(synopsisHeading = "Usage (not built yet): ")
+final class UnbuiltCommand implements Command {
     @Mixin
     private CommonOptions common;
 

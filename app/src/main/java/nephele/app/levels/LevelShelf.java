@@ -3,14 +3,11 @@ package nephele.app.levels;
 import java.io.IOException;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
 import nephele.app.terminal.CommandFailure;
-import nephele.engine.asset.LevelAssets;
-import nephele.engine.asset.ResourceAssets;
 
 /** Where levels are looked for: a checkout's {@code levels/} in the working directory first, then the jar. */
 public final class LevelShelf {
@@ -19,26 +16,8 @@ public final class LevelShelf {
 
     private LevelShelf() {}
 
-    /** The level that a user typed; the game's own levels are also found under their name when no file is there. */
-    public static LevelFile named(String typed) {
-        Path file;
-        try {
-            file = Path.of(typed);
-        } catch (InvalidPathException noPath) {
-            throw CommandFailure.input(typed + ": is not a file name");
-        }
-        if (Files.exists(file)) {
-            return LevelFile.of(file);
-        }
-        String resource = typed.replace('\\', '/').replaceFirst("^(\\./)?levels/", "");
-        if (new ResourceAssets(LevelAssets.JAR_LEVELS).exists(resource)) {
-            return LevelFile.inJar(resource);
-        }
-        throw CommandFailure.input(typed + ": no such file");
-    }
-
     /** What a game without an argument starts with. */
-    public static LevelFile first() {
+    public static LevelName first() {
         var all = numbered();
         if (all.isEmpty()) {
             throw CommandFailure.environment(
@@ -48,26 +27,26 @@ public final class LevelShelf {
     }
 
     /** The game's levels in their order. */
-    public static List<LevelFile> numbered() {
+    public static List<LevelName> numbered() {
         var inCheckout = inCheckout();
         return inCheckout.isEmpty() ? inJar() : inCheckout;
     }
 
-    private static List<LevelFile> inCheckout() {
+    private static List<LevelName> inCheckout() {
         if (!Files.isDirectory(CHECKOUT)) {
             return List.of();
         }
         try (Stream<Path> files = Files.list(CHECKOUT)) {
             return files.filter(file -> file.getFileName().toString().matches(NUMBERED))
                     .sorted()
-                    .map(LevelFile::of)
+                    .map(file -> new LevelName(file.toString()))
                     .toList();
         } catch (IOException unreadable) {
             return List.of();
         }
     }
 
-    private static List<LevelFile> inJar() {
+    private static List<LevelName> inJar() {
         try {
             var code = LevelShelf.class.getProtectionDomain().getCodeSource();
             var archive = code == null ? null : Path.of(code.getLocation().toURI());
@@ -79,7 +58,7 @@ public final class LevelShelf {
                         .map(entry -> entry.getName().replaceFirst("^levels/", ""))
                         .filter(name -> name.matches(NUMBERED))
                         .sorted()
-                        .map(LevelFile::inJar)
+                        .map(name -> new LevelName("levels/" + name))
                         .toList();
             }
         } catch (IOException | URISyntaxException unreadable) {

@@ -2,7 +2,7 @@ package nephele.app.play;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.app.levels.LevelFile;
+import nephele.app.levels.LevelName;
 
 /**
  * One page of the menu as a value: entries, and the one that is selected. Keys move the selection around the ends, the
@@ -20,7 +20,7 @@ record Menu(String title, List<Entry> entries, int selected) {
 
         record SelectLevel() implements Choice {}
 
-        record Start(LevelFile level) implements Choice {}
+        record Start(LevelName level) implements Choice {}
 
         record Back() implements Choice {}
 
@@ -45,7 +45,7 @@ record Menu(String title, List<Entry> entries, int selected) {
                 0);
     }
 
-    static Menu levels(List<LevelFile> levels) {
+    static Menu levels(List<LevelName> levels) {
         var entries = new ArrayList<Entry>();
         levels.forEach(level -> entries.add(new Entry(level.title(), new Choice.Start(level))));
         entries.add(new Entry("Back", new Choice.Back()));

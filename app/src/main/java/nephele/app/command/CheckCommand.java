@@ -1,0 +1,66 @@
+package nephele.app.command;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.LevelFormatException;
+import nephele.engine.level.LevelRules;
+import nephele.engine.level.Problem;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** Prints the problems of levels, one a line. */
+@picocli.CommandLine.Command
+final class CheckCommand implements Command {
+    @Parameters(arity = "1..*", paramLabel = "LEVEL", description = "Level files.")
+    private List<String> levels;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) {
+        boolean anyError = false;
+        for (var level : levels) {
+            for (var problem : problems(level)) {
+                terminal.out().println(problem.line(level));
+                anyError |= problem.isError();
+            }
+        }
+        return anyError ? ExitCode.INPUT : ExitCode.DONE;
+    }
+
+    private static List<Problem> problems(String file) {
+        try {
+            if (isFile(file)) {
+                var path = Path.of(file);
+                return LevelRules.check(LevelFile.read(path), LevelAssets.beside(path));
+            }
+            var opened = LevelFile.open(file);
+            return LevelRules.check(opened.level(), opened.assets());
+        } catch (LevelFormatException wrong) {
+            return wrong.problems();
+        } catch (AssetException wrong) {
+            return List.of(Problem.error("$", wrong.getMessage()));
+        }
+    }
+
+    private static boolean isFile(String file) {
+        try {
+            return Files.exists(Path.of(file));
+        } catch (InvalidPathException noPath) {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,33 @@
+package nephele.app.command;
+
+import nephele.app.draw.Outputs;
+import nephele.app.levels.LevelName;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.engine.render.FramePlan;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+/** Says which features a level requires, and why. */
+@picocli.CommandLine.Command
+final class ExplainCommand implements Command {
+    @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
+    private String level;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) {
+        var opened = new LevelName(level).open();
+        FramePlan.forLevel(opened.level(), Outputs.requiredBy(opened.level()))
+                .explain()
+                .forEach(terminal.out()::println);
+        return ExitCode.DONE;
+    }
+}

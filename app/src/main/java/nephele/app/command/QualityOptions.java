@@ -1,0 +1,29 @@
+package nephele.app.command;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import nephele.app.draw.QualityChoice;
+import picocli.CommandLine.Option;
+
+/** How well a picture is drawn: the options that all drawing commands share. */
+final class QualityOptions {
+    @Option(
+            names = "--quality",
+            paramLabel = "Q",
+            defaultValue = "high",
+            description = "low, medium, high, ultra or auto (default: high).")
+    private String quality;
+
+    @Option(
+            names = "--set",
+            paramLabel = "KEY=VALUE",
+            parameterConsumer = SettingConsumer.class,
+            description = "Change single settings: anisotropy, shadowTexels.")
+    private Map<String, String> settings = new LinkedHashMap<>();
+
+    QualityChoice choice() {
+        var choice = new QualityChoice(quality, settings);
+        choice.check();
+        return choice;
+    }
+}

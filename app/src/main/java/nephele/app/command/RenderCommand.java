@@ -1,0 +1,214 @@
+package nephele.app.command;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import nephele.app.draw.Outputs;
+import nephele.app.draw.Viewpoints;
+import nephele.app.levels.LevelName;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.level.LevelFile;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.Capture;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Draws one picture offscreen. */
+@picocli.CommandLine.Command
+final class RenderCommand implements Command {
+    @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
+    private String level;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FILE",
+            required = true,
+            description = "F.png, as seen, or F.pfm, linear radiance before exposure and tone curve.")
+    private Path out;
+
+    @Mixin
+    private ViewOptions view;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            converter = Size.Converter.class,
+            description = "Picture in pixels (default: 1280x720).")
+    private Size size = Size.DEFAULT;
+
+    @Option(
+            names = "--time",
+            paramLabel = "S",
+            defaultValue = "0",
+            description = "The environment's clock in seconds (default: 0).")
+    private double timeSeconds;
+
+    @Option(
+            names = "--output",
+            paramLabel = "O",
+            description = "direct, hdr or plain (default: as the level requires).")
+    private Output output;
+
+    @Mixin
+    private QualityOptions quality;
+
+    @Option(names = "--technique", paramLabel = "NAME", description = "Draw all clouds with this technique.")
+    private CloudTechnique technique;
+
+    @Mixin
+    private ReferenceOptions reference;
+
+    @Option(
+            names = "--frames",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Draw N frames at the same time and save the last (default: 1).")
+    private int frames;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) {
+        checkUsage();
+        reference.requireNotAsked();
+        var opened = new LevelName(level).open();
+        opened.notice().ifPresent(terminal.err()::println);
+        var viewpoint = view.in(opened, size);
+        try (var gl = GlContext.offscreen();
+                var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
+                var renderer = Renderer.load(gl, opened.level(), opened.assets(), settings(opened, gl))) {
+            for (int frame = 0; frame < frames; frame++) {
+                renderer.draw(viewpoint.view(0), picture);
+            }
+            gl.requireNoError("render");
+            save(renderer, picture);
+        }
+        return ExitCode.DONE;
+    }
+
+    private void checkUsage() {
+        if (frames < 1) {
+            throw CommandFailure.usage("--frames must be at least 1");
+        }
+        if (!Double.isFinite(timeSeconds) || timeSeconds < 0) {
+            throw CommandFailure.usage("--time must be a number of seconds from 0");
+        }
+        if (!isPfm() && !lowerCaseName().endsWith(".png")) {
+            throw CommandFailure.usage("--out must end in .png or .pfm: " + out);
+        }
+        if (isPfm() && output != null && output != Output.HDR) {
+            throw CommandFailure.usage("a PFM holds linear radiance: leave --output out or say hdr");
+        }
+        quality.choice();
+    }
+
+    private RenderSettings settings(LevelFile.Opened opened, GlContext gl) {
+        var chosen = output != null ? output : Outputs.requiredBy(opened.level());
+        return new RenderSettings(
+                isPfm() ? Output.HDR : chosen, quality.choice().on(gl.limits().software()), Culling.ON);
+    }
+
+    private void save(Renderer renderer, RenderTarget picture) {
+        WrittenFile.write(out, file -> {
+            if (isPfm()) {
+                Capture.pfm(renderer.readRadiance(), size.width(), size.height(), file);
+            } else {
+                Capture.png(picture, file);
+            }
+        });
+    }
+
+    private boolean isPfm() {
+        return lowerCaseName().endsWith(".pfm");
+    }
+
+    private String lowerCaseName() {
+        return out.toString().toLowerCase(Locale.ROOT);
+    }
+
+    /** From where. */
+    static final class ViewOptions {
+        @Option(names = "--camera", paramLabel = "ID", description = "One of the level's cameras.")
+        private String camera;
+
+        @Option(
+                names = "--eye",
+                paramLabel = "x,y,z",
+                converter = NumberList.PointConverter.class,
+                description = "Look from here; needs --target.")
+        private Vec3 eye;
+
+        @Option(
+                names = "--target",
+                paramLabel = "x,y,z",
+                converter = NumberList.PointConverter.class,
+                description = "Look at this point; needs --eye.")
+        private Vec3 target;
+
+        @Option(
+                names = "--fov",
+                paramLabel = "DEG",
+                description = "Horizontal field of view with --eye (default: the player's).")
+        private Double fovDegrees;
+
+        Viewpoints.OfFrame in(LevelFile.Opened opened, Size size) {
+            double aspect = (double) size.width() / size.height();
+            if ((eye == null) != (target == null)) {
+                throw CommandFailure.usage("--eye and --target need each other");
+            }
+            if (eye == null && fovDegrees != null) {
+                throw CommandFailure.usage("--fov needs --eye and --target");
+            }
+            if (fovDegrees != null && !(fovDegrees >= 1 && fovDegrees <= 170)) {
+                throw CommandFailure.usage("--fov is an angle from 1 to 170 degrees");
+            }
+            if (eye != null) {
+                if (camera != null) {
+                    throw CommandFailure.usage("--camera and --eye exclude each other");
+                }
+                var view = Viewpoints.between(eye, target, fovDegrees, aspect);
+                return frame -> view;
+            }
+            return camera == null
+                    ? Viewpoints.standard(opened.level(), opened.file(), aspect)
+                    : Viewpoints.named(opened.level(), opened.file(), camera, aspect);
+        }
+    }
+
+    /** The path tracer, which is not built yet. */
+    static final class ReferenceOptions {
+        @Option(names = "--reference", description = "Trace paths on the CPU instead (not built yet).")
+        private boolean reference;
+
+        @Option(names = "--spp", paramLabel = "N", description = "Samples a pixel of --reference (default: 64).")
+        private Integer samples;
+
+        @Option(names = "--seed", paramLabel = "N", description = "Seed of --reference (default: 1).")
+        private Long seed;
+
+        void requireNotAsked() {
+            if (reference) {
+                throw CommandFailure.environment("--reference is not built yet in this version");
+            }
+            if (samples != null || seed != null) {
+                throw CommandFailure.usage("--spp and --seed belong to --reference");
+            }
+        }
+    }
+}

@@ -1,0 +1,75 @@
+package nephele.app.command;
+
+import java.io.BufferedOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import nephele.app.levels.LevelName;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.engine.level.LevelFile;
+import nephele.engine.sim.Replay;
+import nephele.engine.sim.SimState;
+import nephele.engine.sim.Simulation;
+import nephele.engine.sim.StateDump;
+import nephele.engine.sim.TickHashes;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Plays a replay without graphics and prints the state's hash. */
+@picocli.CommandLine.Command
+final class SimulateCommand implements Command {
+    @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
+    private String level;
+
+    @Option(
+            names = "--replay",
+            paramLabel = "FILE",
+            description = "What the player does (default: the level's recorded walk, else 300 ticks of standing).")
+    private String replay;
+
+    @Option(
+            names = "--every",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Print the hash every N ticks and at the last tick (default: 1).")
+    private long every;
+
+    @Option(names = "--dump", paramLabel = "FILE.json", description = "Write the last state.")
+    private Path dump;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) {
+        if (every < 1) {
+            throw CommandFailure.usage("--every must be at least 1");
+        }
+        var name = new LevelName(level);
+        var opened = name.open();
+        var last = play(opened, replay == null ? name.recordedWalk() : LevelName.replay(replay), terminal);
+        if (dump != null) {
+            WrittenFile.text(dump, StateDump.of(last).write());
+        }
+        return ExitCode.DONE;
+    }
+
+    private SimState play(LevelFile.Opened opened, Replay inputs, Terminal terminal) {
+        var simulation = new Simulation(opened.level(), inputs.settings());
+        var lines = new PrintStream(new BufferedOutputStream(terminal.out(), 1 << 16), false, StandardCharsets.UTF_8);
+        var last = inputs.play(simulation, new TickHashes(every, inputs.ticks(), lines::println));
+        if (inputs.ticks() == 0) {
+            lines.println(TickHashes.line(last));
+        }
+        lines.flush();
+        return last;
+    }
+}

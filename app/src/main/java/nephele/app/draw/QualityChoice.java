@@ -1,0 +1,61 @@
+package nephele.app.draw;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.BiFunction;
+import java.util.stream.Collectors;
+import nephele.app.terminal.CommandFailure;
+import nephele.engine.render.frame.Quality;
+
+/**
+ * A preset and what was changed in it by {@code --set}.
+ *
+ * @param preset low, medium, high, ultra or auto
+ */
+public record QualityChoice(String preset, Map<String, String> settings) {
+    /** Every field of {@link Quality} that `--set` can change. */
+    private static final List<Field> FIELDS = List.of(
+            new Field("anisotropy", (quality, value) -> new Quality(value, quality.shadowTexels())),
+            new Field("shadowTexels", (quality, value) -> new Quality(quality.anisotropy(), value)));
+
+    private static final int GREATEST = 16384;
+
+    private record Field(String key, BiFunction<Quality, Integer, Quality> change) {}
+
+    /** Fails with wrong usage unless everything in here is known. */
+    public void check() {
+        on(true);
+    }
+
+    /** The quality for a machine: auto is low where OpenGL runs in software. */
+    public Quality on(boolean software) {
+        var quality =
+                switch (preset.toLowerCase(Locale.ROOT)) {
+                    case "low" -> Quality.LOW;
+                    case "medium" -> Quality.MEDIUM;
+                    case "high" -> Quality.HIGH;
+                    case "ultra" -> Quality.ULTRA;
+                    case "auto" -> software ? Quality.LOW : Quality.HIGH;
+                    default ->
+                        throw CommandFailure.usage(
+                                "--quality is low, medium, high, ultra or auto, not `" + preset + "`");
+                };
+        for (var setting : settings.entrySet()) {
+            quality = changed(quality, setting.getKey(), setting.getValue());
+        }
+        return quality;
+    }
+
+    private static Quality changed(Quality quality, String key, String value) {
+        var known = FIELDS.stream().filter(field -> field.key.equals(key)).findFirst();
+        if (known.isEmpty()) {
+            var keys = FIELDS.stream().map(Field::key).collect(Collectors.joining(", "));
+            throw CommandFailure.usage("--set knows no `" + key + "`; it knows: " + keys);
+        }
+        if (!value.matches("[0-9]{1,5}") || Integer.parseInt(value) < 1 || Integer.parseInt(value) > GREATEST) {
+            throw CommandFailure.usage("--set " + key + " is a whole number from 1 to " + GREATEST);
+        }
+        return known.get().change.apply(quality, Integer.parseInt(value));
+    }
+}
