@@ -25,6 +25,7 @@ public final class Renderer implements AutoCloseable {
     private final Scene scene;
     private final SharedResources shared;
     private final List<Pass> passes = new ArrayList<>();
+    private final List<String> stepNames = new ArrayList<>(List.of("clear"));
     private final ClearColour clearColour;
     private final VisibleSet visible;
     private RenderTarget linear;
@@ -57,11 +58,14 @@ public final class Renderer implements AutoCloseable {
 
     private void buildPasses() {
         LoadContext context = new LoadContext(gl, scene, settings.output(), settings.quality(), shared);
-        for (Required required :
-                FramePlan.forLevel(scene.level(), settings.output()).required()) {
-            Pass pass = required.build().apply(gl);
-            passes.add(pass);
-            pass.load(context);
+        for (FramePlan.Step step :
+                FramePlan.forLevel(scene.level(), settings.output()).steps()) {
+            for (Required required : step.required()) {
+                Pass pass = required.build().apply(gl);
+                passes.add(pass);
+                stepNames.add(step.feature().name());
+                pass.load(context);
+            }
         }
     }
 
@@ -69,11 +73,31 @@ public final class Renderer implements AutoCloseable {
         return scene;
     }
 
+    /** What a frame consists of, in order: the clear, then the passes. */
+    public List<String> stepNames() {
+        return List.copyOf(stepNames);
+    }
+
+    /** Hears when each step of a frame has been submitted: for timing. */
+    @FunctionalInterface
+    public interface StepListener {
+        StepListener NONE = step -> {};
+
+        /** @param step index into {@link #stepNames} */
+        void submitted(int step);
+    }
+
     /** Draws one view over the whole of {@code picture}. */
     public void draw(View view, RenderTarget picture) {
+        draw(view, picture, StepListener.NONE);
+    }
+
+    /** As {@link #draw(View, RenderTarget)}, telling {@code listener} after each step. */
+    public void draw(View view, RenderTarget picture, StepListener listener) {
         gl.state().resetCounts();
         RenderTarget surface = settings.output() == Output.HDR ? linear(picture) : picture;
         surface.clear(clearColour.red(), clearColour.green(), clearColour.blue());
+        listener.submitted(0);
         if (passes.isEmpty()) {
             return;
         }
@@ -84,6 +108,7 @@ public final class Renderer implements AutoCloseable {
         FrameContext frame = new FrameContext(view, surface, picture, visible);
         for (int i = 0; i < passes.size(); i++) {
             passes.get(i).draw(frame);
+            listener.submitted(i + 1);
         }
     }
 
