@@ -42,6 +42,7 @@ public final class DrawState {
     private Cull cull;
     private long draws;
     private long triangles;
+    private DrawListener listener;
 
     /** Sets the fixed-function switches. */
     public void set(Depth newDepth, Blend newBlend, Cull newCull) {
@@ -153,6 +154,16 @@ public final class DrawState {
         depth = null;
         blend = null;
         cull = null;
+    }
+
+    /** {@code null} to stop listening. */
+    void listen(DrawListener newListener) {
+        listener = newListener;
+    }
+
+    /** {@code null} outside of recordings. */
+    DrawListener listener() {
+        return listener;
     }
 
     void drawn(int calls, long drawnTriangles) {

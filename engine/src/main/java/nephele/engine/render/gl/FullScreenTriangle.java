@@ -14,6 +14,9 @@ public final class FullScreenTriangle implements AutoCloseable {
 
     public void draw() {
         gl.state().vertexArray(vertexArray.id());
+        if (gl.state().listener() != null) {
+            gl.state().listener().drawnFullScreen();
+        }
         glDrawArrays(GL_TRIANGLES, 0, 3);
         gl.state().drawn(1, 1);
     }

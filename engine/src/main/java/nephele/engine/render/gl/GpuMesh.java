@@ -32,6 +32,9 @@ public final class GpuMesh implements AutoCloseable {
     /** Draws {@code count} indices from the {@code first}. */
     public void draw(int first, int count) {
         gl.state().vertexArray(vertexArray.id());
+        if (gl.state().listener() != null) {
+            gl.state().listener().drawn(new int[] {first}, new int[] {count});
+        }
         glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, 4L * first);
         gl.state().drawn(1, count / 3);
     }
@@ -40,6 +43,9 @@ public final class GpuMesh implements AutoCloseable {
     public void draw(IndexRanges ranges) {
         if (ranges.size() > 0) {
             gl.state().vertexArray(vertexArray.id());
+            if (gl.state().listener() != null) {
+                gl.state().listener().drawn(ranges.firsts(), ranges.counts());
+            }
             ranges.multiDraw();
             gl.state().drawn(1, ranges.indexCount() / 3);
         }

@@ -37,6 +37,20 @@ public final class IndexRanges implements AutoCloseable {
         return indexCount;
     }
 
+    int[] firsts() {
+        int[] firsts = new int[size];
+        for (int i = 0; i < size; i++) {
+            firsts[i] = (int) (offsets.get(i) / 4);
+        }
+        return firsts;
+    }
+
+    int[] counts() {
+        int[] copy = new int[size];
+        counts.slice(0, size).get(copy);
+        return copy;
+    }
+
     void multiDraw() {
         long countAddress = MemoryUtil.memAddress(counts, 0);
         nglMultiDrawElements(GL_TRIANGLES, countAddress, GL_UNSIGNED_INT, MemoryUtil.memAddress(offsets, 0), size);

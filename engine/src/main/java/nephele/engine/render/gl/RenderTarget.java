@@ -90,6 +90,9 @@ public final class RenderTarget implements AutoCloseable {
     public void clear(float red, float green, float blue) {
         bind();
         gl.state().allowDepthClear();
+        if (gl.state().listener() != null) {
+            gl.state().listener().cleared(new float[] {red, green, blue, 1});
+        }
         glClearColor(red, green, blue, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     }
@@ -98,6 +101,9 @@ public final class RenderTarget implements AutoCloseable {
     public void clearDepth() {
         bind();
         gl.state().allowDepthClear();
+        if (gl.state().listener() != null) {
+            gl.state().listener().cleared(null);
+        }
         glClear(GL_DEPTH_BUFFER_BIT);
     }
 

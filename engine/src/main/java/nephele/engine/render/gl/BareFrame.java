@@ -1,0 +1,118 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * One frame as hand-written OpenGL would draw it: recorded from what the engine submitted, then run as a flat list of
+ * plain calls with no culling, no lists to build and one draw where the engine had many ranges. What the engine costs
+ * beyond that is its overhead.
+ */
+public final class BareFrame implements AutoCloseable {
+    private final List<Runnable> calls;
+    private final List<GlHandle> handles;
+    private final DrawState state;
+
+    private BareFrame(List<Runnable> calls, List<GlHandle> handles, DrawState state) {
+        this.calls = calls;
+        this.handles = handles;
+        this.state = state;
+    }
+
+    /** Runs {@code engineFrame} once and records it; the engine's objects must outlive the recording. */
+    public static BareFrame record(GlContext gl, Runnable engineFrame) {
+        Recorder recorder = new Recorder(gl);
+        gl.state().assumeNothing();
+        gl.state().listen(recorder);
+        try {
+            engineFrame.run();
+        } finally {
+            gl.state().listen(null);
+        }
+        return new BareFrame(List.copyOf(recorder.calls), List.copyOf(recorder.handles), gl.state());
+    }
+
+    public void draw() {
+        for (int i = 0; i < calls.size(); i++) {
+            calls.get(i).run();
+        }
+        state.assumeNothing();
+    }
+
+    @Override
+    public void close() {
+        handles.forEach(GlHandle::close);
+    }
+
+    /** Turns each submission into the state changes before it and one call. */
+    private static final class Recorder implements DrawListener {
+        private final GlContext gl;
+        private final List<Runnable> calls = new ArrayList<>();
+        private final List<GlHandle> handles = new ArrayList<>();
+        private BoundState last = BoundState.NOTHING;
+
+        Recorder(GlContext gl) {
+            this.gl = gl;
+        }
+
+        @Override
+        public void cleared(float[] colour) {
+            bindAll();
+            if (colour == null) {
+                calls.add(() -> glClear(GL_DEPTH_BUFFER_BIT));
+            } else {
+                calls.add(() -> {
+                    glClearColor(colour[0], colour[1], colour[2], colour[3]);
+                    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+                });
+            }
+        }
+
+        @Override
+        public void drawn(int[] firsts, int[] counts) {
+            bindAll();
+            int engineIndices = glGetInteger(GL_ELEMENT_ARRAY_BUFFER_BINDING);
+            GlHandle own =
+                    new GlHandle(gl, GlKind.BUFFER, "bare twin's indices", glGenBuffers(), id -> glDeleteBuffers(id));
+            handles.add(own);
+            int total = gather(engineIndices, own.id(), firsts, counts);
+            int id = own.id();
+            calls.add(() -> {
+                glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, id);
+                glDrawElements(GL_TRIANGLES, total, GL_UNSIGNED_INT, 0);
+                glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, engineIndices);
+            });
+        }
+
+        /** Copies the ranges one after the other into the twin's own buffer. */
+        private static int gather(int from, int to, int[] firsts, int[] counts) {
+            int total = 0;
+            for (int count : counts) {
+                total += count;
+            }
+            glBindBuffer(GL_COPY_READ_BUFFER, from);
+            glBindBuffer(GL_COPY_WRITE_BUFFER, to);
+            glBufferData(GL_COPY_WRITE_BUFFER, 4L * total, GL_STATIC_DRAW);
+            long at = 0;
+            for (int i = 0; i < counts.length; i++) {
+                glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 4L * firsts[i], at, 4L * counts[i]);
+                at += 4L * counts[i];
+            }
+            return total;
+        }
+
+        @Override
+        public void drawnFullScreen() {
+            bindAll();
+            calls.add(() -> glDrawArrays(GL_TRIANGLES, 0, 3));
+        }
+
+        private void bindAll() {
+            BoundState now = BoundState.read();
+            now.changesFrom(last, calls);
+            last = now;
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.lwjgl.BufferUtils;
+
+/** Everything a draw call depends on, read back from OpenGL, as small steps that can be compared and repeated. */
+record BoundState(List<Step> steps) {
+    static final BoundState NOTHING = new BoundState(List.of());
+
+    private static final int UNIFORM_BINDINGS = 8;
+
+    /** Equal keys and values need not be set again. */
+    private record Step(String key, List<Number> value, Runnable set) {}
+
+    static BoundState read() {
+        List<Step> steps = new ArrayList<>();
+        readFramebuffer(steps);
+        readSwitches(steps);
+        int program = glGetInteger(GL_CURRENT_PROGRAM);
+        add(steps, "program", () -> glUseProgram(program), program);
+        int vertexArray = glGetInteger(GL_VERTEX_ARRAY_BINDING);
+        add(steps, "vertex array", () -> glBindVertexArray(vertexArray), vertexArray);
+        readTextures(steps);
+        readUniformBlocks(steps);
+        if (program != 0) {
+            readUniforms(steps, program);
+        }
+        return new BoundState(steps);
+    }
+
+    /** Appends what must be called when {@code before} is what is set. */
+    void changesFrom(BoundState before, List<Runnable> calls) {
+        for (Step step : steps) {
+            boolean same =
+                    before.steps.stream().anyMatch(old -> old.key.equals(step.key) && old.value.equals(step.value));
+            if (!same) {
+                calls.add(step.set);
+            }
+        }
+    }
+
+    private static void add(List<Step> steps, String key, Runnable set, Number... value) {
+        steps.add(new Step(key, List.of(value), set));
+    }
+
+    private static void readFramebuffer(List<Step> steps) {
+        int framebuffer = glGetInteger(GL_FRAMEBUFFER_BINDING);
+        int[] viewport = new int[4];
+        glGetIntegerv(GL_VIEWPORT, viewport);
+        add(steps, "framebuffer", () -> glBindFramebuffer(GL_FRAMEBUFFER, framebuffer), framebuffer);
+        add(steps, "viewport", () -> glViewport(0, 0, viewport[2], viewport[3]), viewport[2], viewport[3]);
+    }
+
+    private static void readSwitches(List<Step> steps) {
+        for (int capability : new int[] {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_POLYGON_OFFSET_FILL}) {
+            boolean on = glIsEnabled(capability);
+            add(
+                    steps,
+                    "switch " + capability,
+                    on ? () -> glEnable(capability) : () -> glDisable(capability),
+                    on ? 1 : 0);
+        }
+        int depthFunction = glGetInteger(GL_DEPTH_FUNC);
+        add(steps, "depth function", () -> glDepthFunc(depthFunction), depthFunction);
+        boolean depthMask = glGetBoolean(GL_DEPTH_WRITEMASK);
+        add(steps, "depth mask", () -> glDepthMask(depthMask), depthMask ? 1 : 0);
+        int source = glGetInteger(GL_BLEND_SRC_RGB);
+        int destination = glGetInteger(GL_BLEND_DST_RGB);
+        add(
+                steps,
+                "blend function",
+                () -> glBlendFuncSeparate(source, destination, GL_ZERO, GL_ONE),
+                source,
+                destination);
+    }
+
+    private static void readTextures(List<Step> steps) {
+        int[][] targets = {
+            {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
+            {GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
+            {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP}
+        };
+        int active = glGetInteger(GL_ACTIVE_TEXTURE);
+        for (int unit = 0; unit < DrawState.TEXTURE_UNITS; unit++) {
+            int name = GL_TEXTURE0 + unit;
+            glActiveTexture(name);
+            for (int[] target : targets) {
+                int texture = glGetInteger(target[1]);
+                if (texture != 0) {
+                    Runnable bind = () -> {
+                        glActiveTexture(name);
+                        glBindTexture(target[0], texture);
+                    };
+                    add(steps, "texture " + unit + " " + target[0], bind, texture);
+                }
+            }
+        }
+        glActiveTexture(active);
+    }
+
+    private static void readUniformBlocks(List<Step> steps) {
+        for (int binding = 0; binding < UNIFORM_BINDINGS; binding++) {
+            int buffer = glGetIntegeri(GL_UNIFORM_BUFFER_BINDING, binding);
+            if (buffer == 0) {
+                continue;
+            }
+            int point = binding;
+            add(steps, "block " + binding, () -> glBindBufferBase(GL_UNIFORM_BUFFER, point, buffer), buffer);
+            glBindBuffer(GL_UNIFORM_BUFFER, buffer);
+            float[] content = new float[glGetBufferParameteri(GL_UNIFORM_BUFFER, GL_BUFFER_SIZE) / 4];
+            glGetBufferSubData(GL_UNIFORM_BUFFER, 0, content);
+            Runnable upload = () -> {
+                glBindBuffer(GL_UNIFORM_BUFFER, buffer);
+                glBufferSubData(GL_UNIFORM_BUFFER, 0, content);
+            };
+            // Material and light blocks never change: their content is set once by the engine.
+            if (content.length <= 64) {
+                add(steps, "content " + buffer, upload, Arrays.hashCode(content));
+            }
+        }
+    }
+
+    private static void readUniforms(List<Step> steps, int program) {
+        int uniforms = glGetProgrami(program, GL_ACTIVE_UNIFORMS);
+        var size = BufferUtils.createIntBuffer(1);
+        var type = BufferUtils.createIntBuffer(1);
+        for (int i = 0; i < uniforms; i++) {
+            String name = glGetActiveUniform(program, i, size, type);
+            int location = glGetUniformLocation(program, name);
+            if (location >= 0 && type.get(0) == GL_FLOAT_VEC3 && size.get(0) == 1) {
+                float[] v = new float[3];
+                glGetUniformfv(program, location, v);
+                Runnable set = () -> glProgramUniform3f(program, location, v[0], v[1], v[2]);
+                add(steps, "uniform " + program + " " + location, set, v[0], v[1], v[2]);
+            }
+        }
+    }
+}
