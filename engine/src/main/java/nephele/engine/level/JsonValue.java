@@ -32,6 +32,11 @@ sealed interface JsonValue {
             return this;
         }
 
+        void insert(int index, String name, JsonValue value) {
+            names.add(index, name);
+            values.add(index, value);
+        }
+
         boolean contains(String name) {
             return names.contains(name);
         }

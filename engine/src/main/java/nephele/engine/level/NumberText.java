@@ -11,6 +11,11 @@ import java.math.RoundingMode;
 public final class NumberText {
     private static final double EXACT_INTEGERS = 1L << 53;
     private static final double[] TENS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+    private static final double LOG10_OF_2 = 0.30102999566398120;
+
+    /** Of up to 767 digits; the ones after these decide nothing. */
+    private static final MathContext ENOUGH = new MathContext(40);
+
     private static final RoundingMode[] NEIGHBOURS = {RoundingMode.HALF_EVEN, RoundingMode.DOWN, RoundingMode.UP};
 
     private NumberText() {}
@@ -44,13 +49,21 @@ public final class NumberText {
         return general(magnitude);
     }
 
-    /** Rounds the exact value to ever more digits, to nearest first, until the text reads back. */
+    /**
+     * Rounds the exact value to ever more digits, to nearest first, until the text reads back. Every decimal of ⌊(p − 1)
+     * log10 2⌋ digits survives a double of p bits (Matula 1968), so a shorter text is what that many digits leave after
+     * stripping zeros.
+     */
     private static String general(double magnitude) {
-        BigDecimal exact = new BigDecimal(magnitude);
-        for (int digits = 1; digits <= 17; digits++) {
+        int bits = magnitude < Double.MIN_NORMAL
+                ? Long.SIZE - Long.numberOfLeadingZeros(Double.doubleToRawLongBits(magnitude))
+                : 53;
+        int alwaysHeld = (int) ((bits - 1) * LOG10_OF_2);
+        BigDecimal exact = new BigDecimal(magnitude, ENOUGH);
+        for (int digits = Math.max(1, alwaysHeld); digits <= 17; digits++) {
             for (RoundingMode mode : NEIGHBOURS) {
                 BigDecimal rounded = exact.round(new MathContext(digits, mode));
-                if (rounded.doubleValue() == magnitude) {
+                if (Double.parseDouble(rounded.toString()) == magnitude) {
                     BigDecimal plain = rounded.stripTrailingZeros();
                     String unscaled = plain.unscaledValue().toString();
                     return layout(unscaled, unscaled.length() - plain.scale());

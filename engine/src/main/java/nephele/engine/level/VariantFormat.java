@@ -33,8 +33,10 @@ record VariantFormat(List<Class<?>> types, List<String> kinds, List<RecordFormat
     @Override
     public void writeMembers(Object value, JsonValue.Members members) {
         int index = types.indexOf(value.getClass());
-        members.with(KIND, new JsonValue.Text(kinds.get(index)));
+        int before = members.size();
         formats.get(index).writeMembers(value, members);
+        boolean named = members.size() > before && members.name(before).equals("id");
+        members.insert(named ? before + 1 : before, KIND, new JsonValue.Text(kinds.get(index)));
     }
 
     @Override
