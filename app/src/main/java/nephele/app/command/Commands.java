@@ -10,6 +10,7 @@ public final class Commands {
             new CommandEntry("check", "Print the problems of levels", CheckCommand::new),
             new CommandEntry("explain", "Say which features a level requires, and why", ExplainCommand::new),
             new CommandEntry("simulate", "Play a replay without graphics and print hashes", SimulateCommand::new),
+            new CommandEntry("bench", "Measure a level's frames", BenchCommand::new),
             new CommandEntry("prove", "Run the proofs at full count and write docs/proofs.md", ProveCommand::new),
             new CommandEntry("edit", "Edit a level: edit [LEVEL]", UnbuiltCommand::new),
             new CommandEntry(

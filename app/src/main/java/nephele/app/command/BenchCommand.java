@@ -1,0 +1,135 @@
+package nephele.app.command;
+
+import java.util.stream.IntStream;
+import nephele.app.bench.Bench;
+import nephele.app.bench.CalibrationDrawing;
+import nephele.app.bench.FrameTimes;
+import nephele.app.bench.LevelDrawing;
+import nephele.app.bench.PerPass;
+import nephele.app.draw.Outputs;
+import nephele.app.draw.Viewpoints;
+import nephele.app.levels.LevelName;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.engine.level.LevelFile;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Measures a level's frames and prints CSV. */
+@picocli.CommandLine.Command
+final class BenchCommand implements Command {
+    @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file; none with --calibrate.")
+    private String level;
+
+    @Option(names = "--calibrate", description = "Measure one full-screen bilinear quad instead of a level.")
+    private boolean calibrate;
+
+    @Option(
+            names = "--output",
+            paramLabel = "O",
+            description = "direct, hdr or plain (default: as the level requires).")
+    private Output output;
+
+    @Option(names = "--per-pass", description = "Time each pass as well, and say with which clock.")
+    private boolean perPass;
+
+    @Option(names = "--bare", description = "Measure the bare OpenGL twin instead of the engine.")
+    private boolean bare;
+
+    @Option(
+            names = "--frames",
+            paramLabel = "N",
+            description = "Frames of one round (default: the length of the camera's path).")
+    private Integer frames;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            converter = Size.Converter.class,
+            description = "Picture in pixels (default: 1280x720).")
+    private Size size = Size.DEFAULT;
+
+    @Mixin
+    private QualityOptions quality;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) {
+        if (frames != null && frames < 1) {
+            throw CommandFailure.usage("--frames must be at least 1");
+        }
+        if ((level == null) != calibrate) {
+            throw CommandFailure.usage("name a level, or say --calibrate");
+        }
+        if (bare && perPass) {
+            throw CommandFailure.usage("the bare twin has no passes: leave --per-pass or --bare out");
+        }
+        quality.choice();
+        if (calibrate) {
+            calibrate(terminal);
+        } else {
+            measure(new LevelName(level).open(), terminal);
+        }
+        return ExitCode.DONE;
+    }
+
+    private void calibrate(Terminal terminal) {
+        try (var gl = GlContext.offscreen();
+                var drawing = new CalibrationDrawing(gl, size.width(), size.height())) {
+            print(new Bench(gl).measure(drawing), terminal);
+        }
+    }
+
+    private void measure(LevelFile.Opened opened, Terminal terminal) {
+        try (var gl = GlContext.offscreen();
+                var drawing = drawing(opened, gl)) {
+            print(new Bench(gl).measure(drawing), terminal);
+            gl.requireNoError("bench");
+            if (perPass) {
+                new PerPass(gl, drawing).csv().forEach(terminal.out()::println);
+            }
+        }
+    }
+
+    private LevelDrawing drawing(LevelFile.Opened opened, GlContext gl) {
+        var viewpoint = Viewpoints.standard(opened.level(), opened.file(), (double) size.width() / size.height());
+        var views = IntStream.range(0, roundLength(opened))
+                .mapToObj(viewpoint::view)
+                .toList();
+        var chosen = output != null ? output : Outputs.requiredBy(opened.level());
+        var settings =
+                new RenderSettings(chosen, quality.choice().on(gl.limits().software()), Culling.ON);
+        var renderer = Renderer.load(gl, opened.level(), opened.assets(), settings);
+        var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
+        return new LevelDrawing(renderer, views, picture);
+    }
+
+    private int roundLength(LevelFile.Opened opened) {
+        if (frames != null) {
+            return frames;
+        }
+        var cameras = opened.level().cameras();
+        return cameras.isEmpty() ? 1 : Math.max(1, cameras.get(0).path().size());
+    }
+
+    private static void print(FrameTimes times, Terminal terminal) {
+        terminal.out().println(FrameTimes.HEADER);
+        terminal.out().println(times.csv());
+    }
+}
