@@ -1,0 +1,166 @@
+package nephele.architecture;
+
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
+import static com.tngtech.archunit.lang.conditions.ArchPredicates.are;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaMethod;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.lang.ArchCondition;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
+import java.util.List;
+import java.util.regex.Pattern;
+
+/** What compiled classes must keep to; {@link DeterminismRules} and {@link SourceRules} hold the rest. */
+final class CodeRules {
+    private static final Pattern BANNED_NAME =
+            Pattern.compile("Abstract.*|.*(Manager|Helper|Utils?|Info|Impl|Handler|Data)");
+
+    static final List<ArchRule> ALL = List.of(
+            classes()
+                    .that()
+                    .resideInAPackage("nephele.engine..")
+                    .should(PackageTable.useOnlyWhatTheTableAllows())
+                    .as("engine packages use only what the table in DESIGN allows"),
+            classes()
+                    .that()
+                    .resideInAPackage("nephele.engine.render.pass..")
+                    .should(PackageTable.useNoOtherPass())
+                    .as("a pass uses no other pass"),
+            noClasses()
+                    .that()
+                    .resideInAnyPackage("nephele.engine..", "nephele.editor..")
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAPackage("nephele.app..")
+                    .as("nobody uses app"),
+            noClasses()
+                    .that()
+                    .resideInAPackage("nephele.engine..")
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAPackage("nephele.editor..")
+                    .as("the engine does not use the editor"),
+            slices().assignedFrom(PackageTable.slices())
+                    .should()
+                    .beFreeOfCycles()
+                    .as("no cycles between packages"),
+            noClasses()
+                    .that()
+                    .resideInAPackage("nephele.engine..")
+                    .and()
+                    .resideOutsideOfPackages("nephele.engine.render..", "nephele.engine.asset..")
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAnyPackage("org.lwjgl..", "java.awt..", "javax.swing..", "javax.imageio..")
+                    .as("headless packages see neither LWJGL nor AWT"),
+            noClasses()
+                    .that()
+                    .resideInAPackage("nephele.engine.asset..")
+                    .should()
+                    .dependOnClassesThat(describe(
+                            "LWJGL but stb, or AWT but images", type -> isBeyondDecoding(type.getPackageName())))
+                    .as("asset sees of LWJGL and AWT only what decodes images"),
+            noClasses()
+                    .that()
+                    .resideInAPackage("nephele.engine.render..")
+                    .should()
+                    .dependOnClassesThat(describe("AWT but images, or Swing", type -> type.getPackageName()
+                            .matches("javax\\.swing.*|java\\.awt(?!\\.image).*")))
+                    .as("the renderer opens no window of its own"),
+            noClasses()
+                    .that()
+                    .resideOutsideOfPackage("nephele.engine.render.gl..")
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAnyPackage("org.lwjgl.opengl..", "org.lwjgl.egl..")
+                    .as("raw OpenGL only in render.gl"),
+            noClasses()
+                    .that()
+                    .resideInAPackage("nephele.editor.tool..")
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAnyPackage("javax.swing..", "java.awt..")
+                    .as("editor tools know no Swing"),
+            fields().should(beFinalWhenStatic()).as("no mutable statics"),
+            classes()
+                    .that(are(describe("named", type -> !type.isAnonymousClass())))
+                    .should(haveATellingName())
+                    .as("no names that say nothing"),
+            classes().should(inheritNothingOfOurs()).as("no inheritance beyond interface and class"),
+            methods().should(takeAtMostOneBoolean()).as("no pairs of boolean parameters"));
+
+    private CodeRules() {}
+
+    private static boolean isBeyondDecoding(String packageName) {
+        boolean lwjgl = packageName.startsWith("org.lwjgl.") && !packageName.matches("org\\.lwjgl\\.(stb|system)");
+        return lwjgl || packageName.matches("javax\\.swing.*|java\\.awt(?!\\.image).*");
+    }
+
+    private static ArchCondition<JavaField> beFinalWhenStatic() {
+        return new ArchCondition<>("be final when static") {
+            @Override
+            public void check(JavaField field, ConditionEvents events) {
+                boolean isStatic = field.getModifiers().contains(JavaModifier.STATIC);
+                boolean isFinal = field.getModifiers().contains(JavaModifier.FINAL);
+                events.add(new SimpleConditionEvent(field, !isStatic || isFinal, field.getFullName() + " is mutable"));
+            }
+        };
+    }
+
+    private static ArchCondition<JavaClass> haveATellingName() {
+        return new ArchCondition<>("have a name that is a term of the field") {
+            @Override
+            public void check(JavaClass type, ConditionEvents events) {
+                boolean banned = BANNED_NAME.matcher(type.getSimpleName()).matches();
+                events.add(new SimpleConditionEvent(type, !banned, type.getName() + " has a banned suffix"));
+            }
+        };
+    }
+
+    /** Superclasses come from libraries (Swing, exceptions, call-backs), or are an enum of ours with bodies. */
+    private static ArchCondition<JavaClass> inheritNothingOfOurs() {
+        return new ArchCondition<>("extend no class of ours") {
+            @Override
+            public void check(JavaClass type, ConditionEvents events) {
+                type.getRawSuperclass().ifPresent(parent -> {
+                    boolean fine = parent.getName().matches("java\\.lang\\.(Object|Record|Enum)")
+                            || parent.isAssignableTo(Throwable.class)
+                            || parent.isEnum()
+                            || parent.getPackageName().matches("javax\\.swing.*|java\\.awt.*")
+                            || isCallBack(parent);
+                    events.add(new SimpleConditionEvent(type, fine, type.getName() + " extends " + parent.getName()));
+                });
+            }
+        };
+    }
+
+    /** Library types that exist to be extended and have no interface instead. */
+    private static boolean isCallBack(JavaClass parent) {
+        return parent.getPackageName().startsWith("org.lwjgl")
+                || parent.getPackageName().startsWith("javax.imageio")
+                || parent.getName().matches("java\\.io\\.(Filter)?(In|Out)putStream|java\\.lang\\.ClassLoader");
+    }
+
+    private static ArchCondition<JavaMethod> takeAtMostOneBoolean() {
+        return new ArchCondition<>("take at most one boolean") {
+            @Override
+            public void check(JavaMethod method, ConditionEvents events) {
+                long booleans = method.getRawParameterTypes().stream()
+                        .filter(type -> type.getName().equals("boolean"))
+                        .count();
+                boolean written = !method.getName().contains("$");
+                events.add(new SimpleConditionEvent(
+                        method, !written || booleans < 2, method.getFullName() + " takes " + booleans + " booleans"));
+            }
+        };
+    }
+}

@@ -1,0 +1,140 @@
+package nephele.architecture;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.lang.ArchCondition;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** DESIGN section 1: which package uses which. "Uses" is transitive; a subpackage belongs to the row above it. */
+final class PackageTable {
+    private static final String ENGINE = "nephele.engine.";
+
+    private static final List<String> HEADLESS =
+            List.of("math", "level", "asset", "model", "portal", "xmlscene", "scene", "collision", "sim", "cloud");
+
+    private static final Map<String, List<String>> USES = new LinkedHashMap<>();
+
+    static {
+        USES.put("math", List.of());
+        USES.put("level", List.of("math", "asset"));
+        USES.put("asset", List.of("math"));
+        USES.put("model", List.of("math", "asset"));
+        USES.put("portal", List.of("level"));
+        USES.put("xmlscene", List.of("level", "model"));
+        USES.put("scene", List.of("portal", "model", "asset"));
+        USES.put("collision", List.of("portal", "model"));
+        USES.put("sim", List.of("collision", "portal", "model"));
+        USES.put("cloud", List.of("level", "asset"));
+        USES.put("reference", List.of("portal", "model", "cloud"));
+        USES.put("measure", List.of());
+        USES.put("render.gl", List.of());
+        USES.put("render.frame", with("render.gl", HEADLESS));
+        USES.put("render.pass", List.of("render.frame"));
+        USES.put("render", with("render.pass", HEADLESS));
+    }
+
+    private PackageTable() {}
+
+    private static List<String> with(String first, List<String> others) {
+        return java.util.stream.Stream.concat(java.util.stream.Stream.of(first), others.stream())
+                .toList();
+    }
+
+    /** The longest row that holds the package; {@code null} for one that DESIGN does not know. */
+    static String row(String packageName) {
+        String best = null;
+        for (String row : USES.keySet()) {
+            boolean holds = (packageName + ".").startsWith(ENGINE + row + ".");
+            if (holds && (best == null || row.length() > best.length())) {
+                best = row;
+            }
+        }
+        return best;
+    }
+
+    /** A row itself and everything it may use. */
+    static Set<String> closure(String row) {
+        Set<String> reached = new TreeSet<>();
+        reach(row, reached);
+        return reached;
+    }
+
+    private static void reach(String row, Set<String> reached) {
+        if (reached.add(row)) {
+            USES.get(row).forEach(next -> reach(next, reached));
+        }
+    }
+
+    /** One slice for each row, pass and package outside the engine. */
+    static SliceAssignment slices() {
+        return new SliceAssignment() {
+            @Override
+            public SliceIdentifier getIdentifierOf(JavaClass type) {
+                String name = type.getPackageName();
+                String row = row(name);
+                boolean ours = name.startsWith("nephele.");
+                boolean whole = row == null || row.equals("render.pass");
+                return ours ? SliceIdentifier.of(whole ? name : row) : SliceIdentifier.ignore();
+            }
+
+            @Override
+            public String getDescription() {
+                return "packages";
+            }
+        };
+    }
+
+    static ArchCondition<JavaClass> useOnlyWhatTheTableAllows() {
+        return new ArchCondition<>("use only what the table in DESIGN allows") {
+            @Override
+            public void check(JavaClass origin, ConditionEvents events) {
+                String row = row(origin.getPackageName());
+                if (row == null) {
+                    events.add(SimpleConditionEvent.violated(origin, origin.getName() + " is in no row of the table"));
+                    return;
+                }
+                Set<String> allowed = closure(row);
+                origin.getDirectDependenciesFromSelf().forEach(dependency -> {
+                    String target =
+                            dependency.getTargetClass().getBaseComponentType().getPackageName();
+                    boolean ours = target.startsWith("nephele.");
+                    String targetRow = row(target);
+                    if (ours && (targetRow == null || !allowed.contains(targetRow))) {
+                        events.add(SimpleConditionEvent.violated(origin, dependency.getDescription()));
+                    }
+                });
+            }
+        };
+    }
+
+    /** {@code render.pass.x} and {@code render.pass.y} never meet; the shared {@code render.pass.cloud} is excepted. */
+    static ArchCondition<JavaClass> useNoOtherPass() {
+        return new ArchCondition<>("use no other pass") {
+            @Override
+            public void check(JavaClass origin, ConditionEvents events) {
+                String own = pass(origin.getPackageName());
+                origin.getDirectDependenciesFromSelf().forEach(dependency -> {
+                    String targetPackage =
+                            dependency.getTargetClass().getBaseComponentType().getPackageName();
+                    String other = pass(targetPackage);
+                    boolean shared = targetPackage.equals(ENGINE + "render.pass.cloud");
+                    if (other != null && !shared && !other.equals(own)) {
+                        events.add(SimpleConditionEvent.violated(origin, dependency.getDescription()));
+                    }
+                });
+            }
+        };
+    }
+
+    private static String pass(String packageName) {
+        String prefix = ENGINE + "render.pass.";
+        return packageName.startsWith(prefix) ? packageName.substring(prefix.length()) : null;
+    }
+}

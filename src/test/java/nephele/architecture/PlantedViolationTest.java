@@ -1,0 +1,172 @@
+package nephele.architecture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.lang.ArchRule;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every rule finds the violation that is planted for it; a rule that cannot fail is a defect. */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
+class PlantedViolationTest {
+    private final Map<String, String> planted = new TreeMap<>();
+    private JavaClasses classes;
+
+    @BeforeAll
+    void compilePlantedClasses(@TempDir Path folder) throws IOException {
+        plantPackageViolations();
+        plantStyleViolations();
+        plantIndeterminism();
+        List<String> arguments = new ArrayList<>(
+                List.of("-proc:none", "-nowarn", "-d", folder.resolve("out").toString()));
+        for (var file : planted.entrySet()) {
+            Path path = folder.resolve(file.getKey().replace('.', '/') + ".java");
+            Files.createDirectories(path.getParent());
+            Files.writeString(path, file.getValue());
+            arguments.add(path.toString());
+        }
+        assertEquals(0, ToolProvider.getSystemJavaCompiler().run(null, null, null, arguments.toArray(String[]::new)));
+        classes = new ClassFileImporter().importPath(folder.resolve("out"));
+    }
+
+    private void plant(String name, String body) {
+        int dot = name.lastIndexOf('.');
+        String type = name.substring(dot + 1);
+        planted.put(name, "package " + name.substring(0, dot) + "; public class " + type + " {" + body + "}");
+    }
+
+    private void plantPackageViolations() {
+        plant("nephele.engine.level.Written", "");
+        plant("nephele.engine.math.SeesLevel", "nephele.engine.level.Written w;");
+        plant("nephele.engine.unknown.InNoRow", "");
+        plant("nephele.engine.render.pass.fog.SeesSky", "nephele.engine.render.pass.sky.Sky s;");
+        plant("nephele.engine.render.pass.sky.Sky", "nephele.engine.render.pass.cloud.Shared s;");
+        plant("nephele.engine.render.pass.cloud.Shared", "");
+        plant("nephele.app.Top", "");
+        plant("nephele.editor.SeesApp", "nephele.app.Top t;");
+        plant("nephele.engine.scene.SeesEditor", "nephele.editor.SeesApp e;");
+        plant("nephele.engine.portal.RoundA", "nephele.engine.cloud.RoundB b;");
+        plant("nephele.engine.cloud.RoundB", "nephele.engine.portal.RoundA a;");
+        plant("nephele.engine.sim.SeesSwing", "javax.swing.JLabel l;");
+        plant("nephele.engine.asset.SeesGlfw", "int i = org.lwjgl.glfw.GLFW.glfwGetTimerFrequency() > 0 ? 1 : 0;");
+        plant("nephele.engine.render.SeesFrame", "java.awt.Frame f;");
+        plant("nephele.app.SeesOpenGl", "void f() { org.lwjgl.opengl.GL41C.glFlush(); }");
+        plant("nephele.editor.tool.SeesSwing", "javax.swing.JLabel l;");
+    }
+
+    private void plantStyleViolations() {
+        plant("nephele.engine.level.Counter", "static int count;");
+        plant("nephele.engine.level.SolidManager", "");
+        planted.put(
+                "nephele.engine.level.Child", "package nephele.engine.level; public class Child extends Written {}");
+        plant("nephele.engine.level.Flags", "void f(boolean a, int n, boolean b) {}");
+    }
+
+    private void plantIndeterminism() {
+        plant("nephele.engine.sim.ReadsClock", "long t = System.nanoTime();");
+        plant("nephele.engine.sim.Gambles", "double d = Math.random();");
+        plant("nephele.engine.collision.TakesSine", "double d = Math.sin(1);");
+        plant("nephele.engine.portal.Rotates", "Object q = new org.joml.Quaterniond().rotateX(1);");
+        plant("nephele.engine.sim.Hashes", "Object m = new java.util.HashMap<String, String>();");
+    }
+
+    static List<String[]> plantedByRule() {
+        return List.of(
+                new String[] {"engine packages use only", "math.SeesLevel"},
+                new String[] {"engine packages use only", "unknown.InNoRow"},
+                new String[] {"a pass uses no other pass", "fog.SeesSky"},
+                new String[] {"nobody uses app", "editor.SeesApp"},
+                new String[] {"the engine does not use the editor", "scene.SeesEditor"},
+                new String[] {"no cycles", "portal.RoundA"},
+                new String[] {"headless packages", "sim.SeesSwing"},
+                new String[] {"asset sees", "asset.SeesGlfw"},
+                new String[] {"the renderer opens no window", "render.SeesFrame"},
+                new String[] {"raw OpenGL only", "app.SeesOpenGl"},
+                new String[] {"editor tools", "tool.SeesSwing"},
+                new String[] {"no mutable statics", "level.Counter"},
+                new String[] {"no names that say nothing", "level.SolidManager"},
+                new String[] {"no inheritance", "level.Child"},
+                new String[] {"no pairs of boolean", "level.Flags"},
+                new String[] {"the simulation calls no a clock", "sim.ReadsClock"},
+                new String[] {"unseeded or foreign randomness", "sim.Gambles"},
+                new String[] {"a transcendental of Math", "collision.TakesSine"},
+                new String[] {"trigonometry of JOML", "portal.Rotates"},
+                new String[] {"a collection in hash order", "sim.Hashes"});
+    }
+
+    @ParameterizedTest
+    @MethodSource("plantedByRule")
+    void theRuleFindsWhatIsPlantedForIt(String ruleName, String offender) {
+        ArchRule rule = ArchitectureTest.rules()
+                .filter(r -> r.getDescription().contains(ruleName))
+                .findFirst()
+                .orElseThrow();
+        String report = rule.evaluate(classes).getFailureReport().toString();
+        assertTrue(report.contains(offender), report);
+    }
+
+    @Test
+    void everyRuleHasAPlantedViolation() {
+        List<String> names = plantedByRule().stream().map(pair -> pair[0]).toList();
+        ArchitectureTest.rules()
+                .forEach(rule ->
+                        assertTrue(names.stream().anyMatch(rule.getDescription()::contains), rule.getDescription()));
+    }
+
+    @Test
+    void theSharedCloudPackageIsExcepted() {
+        ArchRule rule = CodeRules.ALL.get(1);
+        assertFalse(rule.evaluate(classes).getFailureReport().toString().contains("sky.Sky.s>"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "NOTHING_NEWER_THAN_OPENGL_4_1|engine/src/A.java|import org.lwjgl.%opengl.GL43C;",
+                "NOTHING_NEWER_THAN_OPENGL_4_1|engine/src/A.java|import static org.lwjgl.%opengl.GL42C.glTexStorage2D;",
+                "NOTHING_NEWER_THAN_OPENGL_4_1|engine/src/A.java|import org.lwjgl.%opengl.ARBClipControl;",
+                "GLSL_410|engine/src/a.glsl|#version 430 core",
+                "GLSL_410|engine/src/a.glsl|#extension GL_ARB_gpu_shader5 : enable",
+                "NO_UNFINISHED_WORK|engine/src/A.java|// TO%DO later",
+                "NO_SLEEPS_RETRIES_OR_DISABLED_TESTS|src/test/ATest.java|Thread.%sleep(1);",
+                "NO_SLEEPS_RETRIES_OR_DISABLED_TESTS|src/test/ATest.java|@%Disabled",
+                "NO_STACK_TRACES_FOR_USERS|app/src/A.java|e.print%StackTrace();",
+                "TESTS_ARE_NAMED_BY_TIER|src/test/Checks.java|@Test void f() {}",
+                "TESTS_ARE_NAMED_BY_TIER|src/test/EmptyTest.java|class EmptyTest {}",
+                "TESTS_ARE_NAMED_BY_TIER|src/test/LightTest.java|@Test void f() { OffscreenContext c; }",
+                "TESTS_ARE_NAMED_BY_TIER|src/test/ViewTest.java|import javax.%swing.JFrame; @Test void f() {}",
+                "AT_MOST_400_LINES|engine/src/A.java|%%%"
+            })
+    void theSourceRuleFindsWhatIsPlantedForIt(SourceRules rule, String path, String text) {
+        String planted = text.equals("%%%") ? "\n".repeat(401) : text.replace("%", "");
+        assertEquals(1, rule.violations(new SourceFile(path, planted)).size());
+        assertEquals(
+                List.of(),
+                rule.violations(new SourceFile(path, "import org.lwjgl.opengl.GL41C; @Test void f() {}")).stream()
+                        .filter(v -> !rule.equals(SourceRules.TESTS_ARE_NAMED_BY_TIER))
+                        .toList());
+    }
+
+    @Test
+    void everySourceRuleIsCompared() {
+        assertEquals(7, SourceRules.values().length, "add a planted line above for the new rule");
+    }
+}
