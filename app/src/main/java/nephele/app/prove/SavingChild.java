@@ -1,0 +1,46 @@
+package nephele.app.prove;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.LevelJson;
+
+/** A process that saves one level after another until it is killed. */
+final class SavingChild {
+    /** Nobody kills it any more when its parent has gone: it ends by itself. */
+    private static final int MOST_SAVES = 5_000;
+
+    private SavingChild() {}
+
+    /** Saves to the file it is given and writes a byte after each save. */
+    public static void main(String[] arguments) throws IOException {
+        Path file = Path.of(arguments[0]);
+        for (int generation = 1; generation <= MOST_SAVES; generation++) {
+            LevelFile.save(file, level(generation));
+            System.out.write('.');
+            System.out.flush();
+            if (System.out.checkError()) {
+                return;
+            }
+        }
+    }
+
+    /** Levels of changing size, each known by its number. */
+    static Level level(int generation) {
+        StringBuilder json = new StringBuilder("{\"format\": \"nephele-level\", \"version\": 1, \"name\": \"");
+        json.append(generation).append("\", \"solids\": [");
+        for (int i = 0; i < generation * 37 % 200; i++) {
+            json.append(i == 0 ? "" : ",")
+                    .append("{\"id\": \"s")
+                    .append(i)
+                    .append("\", \"kind\": \"box\", \"centre\": [")
+                    .append(i)
+                    .append(", 0.5, ")
+                    .append(generation)
+                    .append("], \"size\": [1, 1, 1]}");
+        }
+        return LevelJson.read("generated", json.append("]}").toString().getBytes(StandardCharsets.UTF_8));
+    }
+}
