@@ -15,13 +15,32 @@ import nephele.engine.math.Vec3;
 /** A small place to walk in, built by the test, and the player in it. Floors have their top at y = 0 unless said. */
 final class Course {
     private final List<Collider> colliders = new ArrayList<>();
-    private PlayerStart start = new PlayerStart(Vec3.ZERO, 0, 0);
+    private final Vec3 origin;
+    private PlayerStart start;
     private SimSettings settings = SimSettings.DEFAULT;
     private Simulation simulation;
     private SimState state;
 
+    Course() {
+        this(Vec3.ZERO);
+    }
+
+    /** The same place somewhere else. */
+    Course(Vec3 origin) {
+        this.origin = origin;
+        start = new PlayerStart(origin, 0, 0);
+    }
+
+    private Vec3 at(double x, double y, double z) {
+        return new Vec3(origin.x() + x, origin.y() + y, origin.z() + z);
+    }
+
     static Course onFloor() {
-        return new Course().box(-50, -1, -50, 50, 0, 50);
+        return onFloor(Vec3.ZERO);
+    }
+
+    static Course onFloor(Vec3 origin) {
+        return new Course(origin).box(-50, -1, -50, 50, 0, 50);
     }
 
     Course solid(Solid solid) {
@@ -31,7 +50,7 @@ final class Course {
 
     /** By its lower and upper corner. */
     Course box(double x0, double y0, double z0, double x1, double y1, double z1) {
-        Vec3 centre = new Vec3((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2);
+        Vec3 centre = at((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2);
         return solid(new Solid.Box(
                 "box" + colliders.size(), null, false, null, centre, new Vec3(x1 - x0, y1 - y0, z1 - z0), Map.of()));
     }
@@ -39,7 +58,7 @@ final class Course {
     /** A slope that rises towards −z, the direction of yaw 0, from z = {@code z1} at y = 0 to z = {@code z0}. */
     Course slope(double z0, double z1, double degrees) {
         double height = (z1 - z0) * StrictMath.tan(Math.toRadians(degrees));
-        Vec3 centre = new Vec3(0, height / 2, (z0 + z1) / 2);
+        Vec3 centre = at(0, height / 2, (z0 + z1) / 2);
         return solid(new Solid.Wedge(
                 "slope" + colliders.size(),
                 null,
@@ -52,7 +71,7 @@ final class Course {
     }
 
     Course startAt(double x, double y, double z) {
-        start = new PlayerStart(new Vec3(x, y, z), 0, 0);
+        start = new PlayerStart(at(x, y, z), 0, 0);
         return this;
     }
 

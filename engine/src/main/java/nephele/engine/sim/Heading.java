@@ -10,7 +10,6 @@ public record Heading(int yawMillidegrees, int pitchMillidegrees) {
     private static final int HALF_TURN = 180_000;
     private static final int FULL_TURN = 360_000;
     private static final int STEEPEST = 89_900;
-    private static final double RADIANS = Math.PI / HALF_TURN;
 
     public Heading {
         yawMillidegrees = Math.floorMod(yawMillidegrees + (long) HALF_TURN, FULL_TURN) - HALF_TURN;
@@ -34,16 +33,21 @@ public record Heading(int yawMillidegrees, int pitchMillidegrees) {
 
     /** In [−π, π). */
     public double yawRadians() {
-        return yawMillidegrees * RADIANS;
+        return radians(yawMillidegrees);
     }
 
     public double pitchRadians() {
-        return pitchMillidegrees * RADIANS;
+        return radians(pitchMillidegrees);
     }
 
     /** What has to be added to this yaw to reach another one by the shorter way, in [−π, π). */
     public double yawRadiansTo(Heading other) {
         int difference = other.yawMillidegrees - yawMillidegrees;
-        return (Math.floorMod(difference + HALF_TURN, FULL_TURN) - HALF_TURN) * RADIANS;
+        return radians(Math.floorMod(difference + HALF_TURN, FULL_TURN) - HALF_TURN);
+    }
+
+    /** Divided first, so that a half turn is exactly π. */
+    private static double radians(int millidegrees) {
+        return millidegrees / (double) HALF_TURN * Math.PI;
     }
 }

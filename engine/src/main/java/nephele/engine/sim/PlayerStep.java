@@ -27,6 +27,7 @@ final class PlayerStep {
     private final Vector3d way = new Vector3d();
     private final Vector3d ground = new Vector3d();
     private boolean grounded;
+    private double centreBefore;
     private double eye;
     private Stance stance;
 
@@ -57,13 +58,14 @@ final class PlayerStep {
             }
         }
         eye = eyeDamping.approach(eye, stance.eyeMetres());
-        return store(heading, input.holds(Action.JUMP));
+        return store(before.feet().y(), heading, input.holds(Action.JUMP));
     }
 
     private void load(PlayerState s) {
         stance = s.stance();
         place.set(
                 s.feet().x(), s.feet().y() + stance.centreAboveFeet(), s.feet().z());
+        centreBefore = place.y;
         velocity.set(s.velocity().x(), s.velocity().y(), s.velocity().z());
         eye = s.eyeMetres();
         // Whatever throws a player upwards lifts it off the ground.
@@ -77,8 +79,9 @@ final class PlayerStep {
         }
     }
 
-    private PlayerState store(Heading heading, boolean jumpHeld) {
-        Vec3 feet = new Vec3(place.x, place.y - stance.centreAboveFeet(), place.z);
+    /** Adds the rise to the feet's old height: to and fro between feet and centre, rounding would creep. */
+    private PlayerState store(double feetBefore, Heading heading, boolean jumpHeld) {
+        Vec3 feet = new Vec3(place.x, feetBefore + (place.y - centreBefore), place.z);
         Vec3 speed = new Vec3(velocity.x, velocity.y, velocity.z);
         Vec3 normal = grounded ? new Vec3(ground.x, ground.y, ground.z) : null;
         return new PlayerState(feet, speed, heading, eye, stance, normal, jumpHeld);
@@ -93,6 +96,7 @@ final class PlayerStep {
         way.set(0, wanted.heightMetres() - stance.heightMetres(), 0);
         if (wantsCrouch || !mover.isBlocked(stance.shape(), place, way)) {
             place.y += wanted.centreAboveFeet() - stance.centreAboveFeet();
+            centreBefore = place.y;
             stance = wanted;
         }
     }

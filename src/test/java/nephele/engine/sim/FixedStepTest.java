@@ -1,0 +1,83 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** C.2 row 32: dt 0, negative, 1e-9, 10 s, NaN; what results equals a replay of pure ticks. */
+class FixedStepTest {
+    private static final long SECOND = 1_000_000_000L;
+
+    @Test
+    void noTimeAndNegativeTimeAreNoTicks() {
+        FixedStep step = new FixedStep(120);
+        assertEquals(0, step.advance(0));
+        assertEquals(0, step.advance(-SECOND));
+        assertEquals(0, step.advance(Long.MIN_VALUE));
+        assertEquals(0, step.share());
+        assertEquals(0, FixedStep.nanos(-1));
+    }
+
+    @Test
+    void nanosecondsAddUp() {
+        FixedStep step = new FixedStep(120);
+        long ticks = 0;
+        for (int i = 0; i < 10_000_000; i++) {
+            ticks += step.advance(FixedStep.nanos(1e-9));
+        }
+        assertEquals(1, ticks);
+        assertEquals(0.2, step.share(), 1e-12);
+    }
+
+    @Test
+    void aLongFrameIsAtMostEightTicksAndTheRestIsCounted() {
+        FixedStep step = new FixedStep(120);
+        assertEquals(8, step.advance(FixedStep.nanos(10)));
+        assertEquals(22, step.droppedTicks());
+        assertEquals(8, step.advance(FixedStep.nanos(Double.POSITIVE_INFINITY)));
+        assertEquals(0, step.advance(0), "nothing is caught up later");
+    }
+
+    @Test
+    void notANumberIsRefused() {
+        assertThrows(IllegalArgumentException.class, () -> FixedStep.nanos(Double.NaN));
+    }
+
+    @Test
+    void tenHoursOfUnevenFramesLoseNoTick() {
+        FixedStep step = new FixedStep(144);
+        var random = new SplittableRandom(1);
+        long elapsed = 0;
+        long ticks = 0;
+        while (elapsed < 36_000 * SECOND) {
+            long frame = random.nextLong(50_000_000);
+            elapsed += frame;
+            ticks += step.advance(frame);
+        }
+        assertEquals(elapsed * 144 / SECOND, ticks + step.droppedTicks());
+        assertEquals(0, step.droppedTicks());
+    }
+
+    @Test
+    void unevenFramesEqualAReplayOfPureTicks() {
+        Course frames = Course.onFloor().box(-3, 0, -4, 3, 0.3, -2);
+        Course pure = Course.onFloor().box(-3, 0, -4, 3, 0.3, -2);
+        FixedStep step = new FixedStep(120);
+        var random = new SplittableRandom(2);
+        SimState state = frames.state();
+        double[] lengths = {0, -1, 1e-9, 0.004, 0.017, 0.05, 10};
+        while (state.tick() < 500) {
+            int ticks = step.advance(FixedStep.nanos(lengths[random.nextInt(lengths.length)]));
+            assertTrue(ticks <= FixedStep.MAX_TICKS_PER_FRAME);
+            for (int i = 0; i < ticks; i++) {
+                state = frames.simulation().step(state, PlayerInput.FORWARD);
+            }
+        }
+        pure.hold(PlayerInput.FORWARD, state.tick() / 120.0);
+        assertEquals(pure.state().hash(), state.hash());
+        assertEquals(pure.state(), state);
+    }
+}

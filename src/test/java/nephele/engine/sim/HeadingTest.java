@@ -1,0 +1,78 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** C.2 row 8: yaw in [−π, π), pitch to ±89.9°, no jump greater than the input in 1e6 deltas, ±1e6 counts too. */
+class HeadingTest {
+    @Test
+    void turnsByWhatTheMouseSaysAndNoMore() {
+        var random = new SplittableRandom(1);
+        Heading heading = new Heading(0, 0);
+        for (int i = 0; i < 1_000_000; i++) {
+            int most = i % 1000 == 0 ? 1_000_000 : 300;
+            int left = random.nextInt(-most, most + 1);
+            int up = random.nextInt(-most, most + 1);
+            Heading next = heading.turned(left, up);
+            double turned = heading.yawRadiansTo(next) * 180_000 / Math.PI;
+            assertEquals(0, Math.IEEEremainder(turned - left, 360_000), 1e-6);
+            assertTrue(Math.abs(turned) <= Math.abs(left) + 1e-6, "jumped by " + turned + " for " + left);
+            assertTrue(Math.abs(next.pitchMillidegrees() - heading.pitchMillidegrees()) <= Math.abs(up));
+            assertTrue(next.yawRadians() >= -Math.PI && next.yawRadians() < Math.PI);
+            assertTrue(Math.abs(next.pitchMillidegrees()) <= 89_900);
+            heading = next;
+        }
+    }
+
+    @Test
+    void aMillionTurnsAndBackIsWhereItBegan() {
+        Heading heading = Heading.ofDegrees(33.3, -12);
+        Heading turned = heading;
+        for (int i = 0; i < 1_000_000; i++) {
+            turned = turned.turned(77_777, 0);
+        }
+        for (int i = 0; i < 1_000_000; i++) {
+            turned = turned.turned(-77_777, 0);
+        }
+        assertEquals(heading, turned);
+    }
+
+    @Test
+    void anglesOfFilesAreWrapped() {
+        assertEquals(new Heading(-90_000, 0), Heading.ofDegrees(270, 0));
+        assertEquals(new Heading(-180_000, 89_900), Heading.ofDegrees(180, 95));
+        assertEquals(new Heading(0, 0), Heading.ofDegrees(Double.NaN, Double.NaN));
+        assertEquals(Math.PI / 2, new Heading(90_000, 0).yawRadians(), 1e-15);
+    }
+
+    /** A slow hand turns as far as a fast one: what is less than a thousandth of a degree is kept. */
+    @Test
+    void theMouseLosesNothing() {
+        MouseLook look = new MouseLook(0.0001234);
+        long left = 0;
+        for (int i = 0; i < 100_000; i++) {
+            left += look.turn(PlayerInput.NONE, -1, 0).turnLeftMillidegrees();
+        }
+        assertEquals(12_340, left, 1);
+        PlayerInput wild = look.turn(PlayerInput.FORWARD, 1e12, Double.NaN);
+        assertEquals(-PlayerInput.MAX_TURN_MILLIDEGREES, wild.turnLeftMillidegrees());
+        assertEquals(0, wild.turnUpMillidegrees());
+    }
+
+    @Test
+    void betweenTwoStatesTheEyeTurnsTheShorterWay() {
+        SimState a = new SimState(
+                0, 1, 0, PlayerState.standing(new nephele.engine.math.Vec3(0, 0, 0), new Heading(179_000, 0)));
+        SimState b = new SimState(
+                1, 1, 0, PlayerState.standing(new nephele.engine.math.Vec3(1, 0, 0), new Heading(-179_000, 50)));
+        PlayerPose pose = PlayerPose.between(a, b, 0.75);
+        assertEquals(Math.toRadians(-179.5), pose.yawRadians(), 1e-12);
+        assertEquals(0.75, pose.eye().x(), 1e-15);
+        assertEquals(1.65, pose.eye().y(), 1e-15);
+        assertEquals(Math.toRadians(179.5), PlayerPose.between(a, b, 0.25).yawRadians(), 1e-12);
+        assertEquals(Math.toRadians(-179), PlayerPose.between(a, b, 1).yawRadians(), 1e-12);
+    }
+}

@@ -1,0 +1,112 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The laws of motion, whatever the tick. */
+class MotionTest {
+    private static final PlayerInput JUMP = PlayerInput.NONE.holding(Action.JUMP);
+
+    /** C.2 row 33: the apex of a jump is right to 0.05 % at 60 ticks a second, and at no rate much worse. */
+    @ParameterizedTest
+    @ValueSource(ints = {30, 60, 120, 240})
+    void aJumpReachesItsHeight(int rate) {
+        Course course = Course.onFloor().ticksPerSecond(rate);
+        double[] highest = {0};
+        course.hold(
+                JUMP,
+                0.8,
+                player -> highest[0] = Math.max(highest[0], player.feet().y()));
+        double missed = 9.81 / 8 / rate / rate;
+        double bound = rate >= 60 ? 0.0005 : missed + 1e-9;
+        assertEquals(PlayerBody.JUMP_HEIGHT, highest[0], bound * PlayerBody.JUMP_HEIGHT);
+    }
+
+    /** Every tick of a fall lies on the parabola. */
+    @ParameterizedTest
+    @ValueSource(ints = {30, 60, 120, 240})
+    void aFallIsAParabola(int rate) {
+        Course course = Course.onFloor().ticksPerSecond(rate).startAt(0, 100, 0);
+        course.set(new SimState(0, 1, 0, course.state().player().withVelocity(new Vec3(3, 5, -2))));
+        course.hold(PlayerInput.NONE, 4);
+        Vec3 feet = course.feet();
+        assertEquals(100 + 5 * 4 - 9.81 / 2 * 16, feet.y(), 1e-9);
+        assertEquals(12, feet.x(), 1e-9);
+        assertEquals(-8, feet.z(), 1e-9);
+        assertEquals(5 - 9.81 * 4, course.state().player().velocity().y(), 1e-9);
+    }
+
+    /** C.2 row 34: approach by 1 − exp(−k dt): no overshoot up to k dt = 1000, the same at any rate. */
+    @Test
+    void dampingNeverOvershoots() {
+        for (double product = 1e-6; product <= 1000; product *= 1.7) {
+            Damping damping = Damping.of(product * 120, 1.0 / 120);
+            double after = damping.approach(-3, 5);
+            assertTrue(after >= -3 && after <= 5, "k dt = " + product);
+            assertTrue(damping.way(0, 5) >= 0 && damping.way(0, 5) <= 5.0 / 120);
+        }
+        assertEquals(5, Damping.of(1000 * 120, 1.0 / 120).approach(-3, 5), 1e-12);
+        assertEquals(0.25, Damping.of(0, 0.5).way(0.5, 9), 0);
+    }
+
+    @Test
+    void twoHalfTicksOfDampingAreOneWhole() {
+        Damping whole = Damping.of(12, 1.0 / 60);
+        Damping half = Damping.of(12, 1.0 / 120);
+        double between = half.approach(1, 4);
+        assertEquals(whole.approach(1, 4), half.approach(between, 4), 1e-14);
+        assertEquals(whole.way(1, 4), half.way(1, 4) + half.way(between, 4), 1e-14);
+    }
+
+    @Test
+    void startingAndStoppingIsTheSameAtAnyRate() {
+        double[] z = new double[3];
+        int[] rates = {60, 120, 240};
+        for (int i = 0; i < 3; i++) {
+            Course course = Course.onFloor().ticksPerSecond(rates[i]);
+            z[i] = course.hold(PlayerInput.FORWARD, 0.5)
+                    .hold(PlayerInput.NONE, 0.25)
+                    .feet()
+                    .z();
+        }
+        assertEquals(z[1], z[0], 1e-12);
+        assertEquals(z[1], z[2], 1e-12);
+    }
+
+    /** Steering in the air neither brakes a flight nor speeds it up beyond running. */
+    @Test
+    void steeringInTheAirIsModest() {
+        Course course = Course.onFloor().startAt(0, 400, 0);
+        course.set(new SimState(0, 1, 0, course.state().player().withVelocity(new Vec3(0, 0, -30))));
+        course.hold(PlayerInput.FORWARD.holding(Action.RUN), 2);
+        assertEquals(-30, course.state().player().velocity().z(), 1e-9);
+        course.hold(PlayerInput.NONE.walking(0, 100), 3, player -> {
+            double speed = Math.hypot(player.velocity().x(), player.velocity().z());
+            assertEquals(30, speed, 1e-9);
+        });
+        assertEquals(4, course.state().player().velocity().x(), 0.1);
+    }
+
+    @Test
+    void whoFallsOutOfTheWorldBeginsAgain() {
+        Course course = new Course().box(-1, -1, -1, 1, 0, 1);
+        course.hold(PlayerInput.FORWARD, 6);
+        assertTrue(course.feet().y() > -60);
+        assertEquals(0, course.state().faults());
+    }
+
+    @Test
+    void inAnEmptyLevelThePlayerHovers() {
+        Course course = new Course().startAt(1, 2, 3).hold(JUMP, 5);
+        assertEquals(new Vec3(1, 2, 3), course.feet());
+        assertEquals(
+                -4,
+                course.hold(PlayerInput.FORWARD, 2).state().player().velocity().z(),
+                1e-6);
+    }
+}
