@@ -38,7 +38,7 @@ public record FrameTimes(
     }
 
     /** Nearest-rank percentile of the first {@code count} values, in milliseconds. */
-    static double percentileMs(long[] nanos, int count, double share) {
+    public static double percentileMs(long[] nanos, int count, double share) {
         var sorted = Arrays.copyOf(nanos, count);
         Arrays.sort(sorted);
         int rank = (int) Math.ceil(share * count);

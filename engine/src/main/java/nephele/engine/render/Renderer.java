@@ -45,7 +45,11 @@ public final class Renderer implements AutoCloseable {
      * @throws nephele.engine.asset.AssetException naming a picture that cannot be used
      */
     public static Renderer load(GlContext gl, Level level, AssetSource assets, RenderSettings settings) {
-        Scene scene = Scene.of(level, assets);
+        return load(gl, Scene.of(level, assets), settings);
+    }
+
+    /** As {@link #load(GlContext, Level, AssetSource, RenderSettings)}, from a scene that was derived elsewhere. */
+    public static Renderer load(GlContext gl, Scene scene, RenderSettings settings) {
         Renderer renderer = new Renderer(gl, scene, settings);
         try {
             renderer.buildPasses();

@@ -1,4 +1,4 @@
-package nephele.app.play;
+package nephele.app.play.hud;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;

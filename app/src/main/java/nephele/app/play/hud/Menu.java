@@ -1,4 +1,4 @@
-package nephele.app.play;
+package nephele.app.play.hud;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -8,12 +8,12 @@ import nephele.app.levels.LevelName;
  * One page of the menu as a value: entries, and the one that is selected. Keys move the selection around the ends, the
  * mouse picks an entry by its row.
  */
-record Menu(String title, List<Entry> entries, int selected) {
+public record Menu(String title, List<Entry> entries, int selected) {
     /** A line of the menu and what choosing it means. */
-    record Entry(String label, Choice choice) {}
+    public record Entry(String label, Choice choice) {}
 
     /** What a player can choose. */
-    sealed interface Choice {
+    public sealed interface Choice {
         record Continue() implements Choice {}
 
         record Restart() implements Choice {}
@@ -27,14 +27,14 @@ record Menu(String title, List<Entry> entries, int selected) {
         record Quit() implements Choice {}
     }
 
-    Menu {
+    public Menu {
         entries = List.copyOf(entries);
         if (entries.isEmpty() || selected < 0 || selected >= entries.size()) {
             throw new IllegalArgumentException("entry " + selected + " of " + entries.size() + " is selected");
         }
     }
 
-    static Menu pause() {
+    public static Menu pause() {
         return new Menu(
                 "Nephele",
                 List.of(
@@ -45,23 +45,23 @@ record Menu(String title, List<Entry> entries, int selected) {
                 0);
     }
 
-    static Menu levels(List<LevelName> levels) {
+    public static Menu levels(List<LevelName> levels) {
         var entries = new ArrayList<Entry>();
         levels.forEach(level -> entries.add(new Entry(level.title(), new Choice.Start(level))));
         entries.add(new Entry("Back", new Choice.Back()));
         return new Menu("Choose a level", entries, 0);
     }
 
-    Menu moved(int steps) {
+    public Menu moved(int steps) {
         return new Menu(title, entries, Math.floorMod(selected + steps, entries.size()));
     }
 
     /** The menu with that row selected; rows outside change nothing. */
-    Menu pointedAt(int row) {
+    public Menu pointedAt(int row) {
         return row >= 0 && row < entries.size() ? new Menu(title, entries, row) : this;
     }
 
-    Choice chosen() {
+    public Choice chosen() {
         return entries.get(selected).choice();
     }
 }

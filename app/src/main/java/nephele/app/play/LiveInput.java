@@ -1,0 +1,44 @@
+package nephele.app.play;
+
+import nephele.app.window.Control;
+import nephele.app.window.Input;
+import nephele.engine.sim.Action;
+import nephele.engine.sim.MouseLook;
+import nephele.engine.sim.PlayerInput;
+
+/** Keyboard and mouse as whole numbers for a tick. All motion since the last tick belongs to the next one. */
+final class LiveInput implements TickInput {
+    private static final double DEGREES_PER_COUNT = 0.08;
+    private static final int FULL_SPEED = 100;
+
+    private final Input input;
+    private final MouseLook mouseLook = new MouseLook(DEGREES_PER_COUNT);
+
+    LiveInput(Input input) {
+        this.input = input;
+    }
+
+    @Override
+    public PlayerInput next() {
+        int forward = axis(Control.FORWARD, Control.BACK);
+        int right = axis(Control.RIGHT, Control.LEFT);
+        var walking = PlayerInput.NONE.walking(forward, right);
+        var acting = holding(walking, Control.RUN, Action.RUN);
+        acting = holding(acting, Control.JUMP, Action.JUMP);
+        acting = holding(acting, Control.CROUCH, Action.CROUCH);
+        return mouseLook.turn(acting, input.takeCountsRight(), input.takeCountsDown());
+    }
+
+    @Override
+    public boolean isFinished() {
+        return false;
+    }
+
+    private int axis(Control positive, Control negative) {
+        return (input.holds(positive) ? FULL_SPEED : 0) - (input.holds(negative) ? FULL_SPEED : 0);
+    }
+
+    private PlayerInput holding(PlayerInput before, Control key, Action action) {
+        return input.holds(key) ? before.holding(action) : before;
+    }
+}

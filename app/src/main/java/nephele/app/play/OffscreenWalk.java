@@ -1,0 +1,171 @@
+package nephele.app.play;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import nephele.app.bench.FrameTimes;
+import nephele.app.bench.Stopwatch;
+import nephele.app.draw.Outputs;
+import nephele.engine.render.Capture;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.sim.Replay;
+
+/** What `play` does without a display: the recorded walk drawn offscreen, three pictures and figures. */
+public final class OffscreenWalk {
+    private static final Path PICTURES = Path.of("build", "pictures");
+
+    /** A software rasteriser draws some ten frames a second: enough to see the walk, not to wait for it. */
+    private static final int MOST_FRAMES = 240;
+
+    private static final double[] PICTURES_AT = {0.05, 0.5, 0.95};
+
+    private final PlayRequest request;
+    private final PrintStream out;
+    private final Stopwatch stopwatch = new Stopwatch();
+
+    public OffscreenWalk(PlayRequest request, PrintStream out) {
+        this.request = request;
+        this.out = out;
+    }
+
+    /** Walks to the end of the replay. */
+    public void run() throws IOException {
+        var preparation = Preparation.begin(request.level());
+        try (var gl = GlContext.offscreen();
+                var target = target(gl);
+                var renderer = renderer(gl, preparation.get())) {
+            var replay = replay();
+            var walk = walk(preparation.get(), replay);
+            out.println(
+                    request.level().typed() + ": " + replay.ticks() + " ticks of a recorded walk, drawn offscreen by "
+                            + gl.limits().renderer());
+            drawAll(gl, renderer, target, walk);
+            gl.requireNoError("play");
+            save(walk);
+        }
+    }
+
+    /** Draws the first frame only and says where the time went. */
+    public void profileStart(StartProfile profile) {
+        profile.done("arguments");
+        var preparation = Preparation.begin(request.level());
+        try (var gl = GlContext.offscreen();
+                var target = target(gl)) {
+            profile.done("context");
+            var prepared = preparation.get();
+            profile.done("waiting for the level");
+            try (var renderer = renderer(gl, prepared)) {
+                profile.done("upload and compile");
+                renderer.draw(walk(prepared, replay()).view(aspect()), target);
+                gl.finish();
+                profile.done("first frame");
+                profile.beside("level", prepared.nanos());
+                profile.report().forEach(out::println);
+            }
+        }
+    }
+
+    private void drawAll(GlContext gl, Renderer renderer, RenderTarget target, Walk walk) throws IOException {
+        long ticks = Math.max(1, replay().ticks());
+        int ticksPerFrame = (int) Math.max(1, (ticks + MOST_FRAMES - 1) / MOST_FRAMES);
+        var figures = new Figures((int) (ticks / ticksPerFrame) + 1);
+        int nextPicture = 0;
+        long cpuStart = stopwatch.processCpuNanos();
+        for (long tick = 0; tick <= ticks; tick += ticksPerFrame) {
+            figures.add(drawOne(gl, renderer, target, walk), renderer);
+            if (nextPicture < PICTURES_AT.length && tick >= PICTURES_AT[nextPicture] * (ticks - ticksPerFrame)) {
+                savePicture(target, ++nextPicture);
+            }
+            for (int i = 0; i < ticksPerFrame && !walk.isFinished(); i++) {
+                walk.tick();
+            }
+        }
+        out.println(figures.text((stopwatch.processCpuNanos() - cpuStart) / 1e6));
+    }
+
+    private long drawOne(GlContext gl, Renderer renderer, RenderTarget target, Walk walk) {
+        long start = System.nanoTime();
+        renderer.draw(walk.view(aspect()), target);
+        gl.finish();
+        return System.nanoTime() - start;
+    }
+
+    private void savePicture(RenderTarget target, int number) throws IOException {
+        Files.createDirectories(PICTURES);
+        var name = request.level().fileName().replaceFirst("\\.json$", "") + "-" + number + ".png";
+        Capture.png(target, PICTURES.resolve(name));
+        out.println("picture: " + PICTURES.resolve(name));
+    }
+
+    private void save(Walk walk) {
+        if (request.record() != null) {
+            Recordings.write(request.record(), walk.recorder().replay());
+        }
+    }
+
+    private Replay replay() {
+        return request.replay() != null ? request.replay() : request.level().recordedWalk();
+    }
+
+    private Walk walk(Preparation.Prepared prepared, Replay replay) {
+        var from = request.from() != null ? request.from() : replay.start();
+        var beginning = new Walk.Beginning(request.level().fileName(), replay.settings(), from);
+        return new Walk(prepared.opened().level(), beginning, new ReplayInput(replay));
+    }
+
+    private Renderer renderer(GlContext gl, Preparation.Prepared prepared) {
+        var output = Outputs.requiredBy(prepared.opened().level());
+        var quality = request.quality().on(gl.limits().software());
+        return Renderer.load(gl, prepared.scene(), new RenderSettings(output, quality, Culling.ON));
+    }
+
+    private RenderTarget target(GlContext gl) {
+        return RenderTarget.picture(
+                gl,
+                "picture",
+                PixelFormat.RGBA8,
+                request.picture().width(),
+                request.picture().height());
+    }
+
+    private double aspect() {
+        return (double) request.picture().width() / request.picture().height();
+    }
+
+    /** What the frames cost. */
+    private static final class Figures {
+        private final long[] wallNanos;
+        private int frames;
+        private long draws;
+        private long triangles;
+
+        Figures(int most) {
+            wallNanos = new long[most];
+        }
+
+        void add(long nanos, Renderer renderer) {
+            wallNanos[frames++] = nanos;
+            draws += renderer.draws();
+            triangles += renderer.triangles();
+        }
+
+        String text(double cpuMs) {
+            return String.format(
+                    Locale.ROOT,
+                    "frames %d, CPU %.1f ms a frame, wall p50 %.1f ms, p95 %.1f ms, draws %.1f, triangles %.0f",
+                    frames,
+                    cpuMs / frames,
+                    FrameTimes.percentileMs(wallNanos, frames, 0.5),
+                    FrameTimes.percentileMs(wallNanos, frames, 0.95),
+                    (double) draws / frames,
+                    (double) triangles / frames);
+        }
+    }
+}

@@ -1,0 +1,32 @@
+package nephele.app.play;
+
+import java.nio.file.Path;
+import nephele.app.draw.QualityChoice;
+import nephele.app.levels.LevelName;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.sim.Replay;
+import nephele.engine.sim.SimSettings;
+
+/**
+ * What the player asked for.
+ *
+ * @param from null: where the level starts
+ * @param replay null: keyboard and mouse
+ * @param record null: nothing is kept
+ */
+public record PlayRequest(
+        LevelName level,
+        PlayerStart from,
+        QualityChoice quality,
+        Replay replay,
+        Path record,
+        SimSettings simulation,
+        Picture picture) {
+    /** How large, and whether over the whole screen. */
+    public record Picture(int width, int height, boolean fullScreen) {}
+
+    /** The same for another level, played by hand. */
+    PlayRequest of(LevelName other) {
+        return new PlayRequest(other, null, quality, null, record, simulation, picture);
+    }
+}

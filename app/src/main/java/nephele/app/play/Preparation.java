@@ -1,0 +1,50 @@
+package nephele.app.play;
+
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import nephele.app.levels.LevelName;
+import nephele.engine.level.LevelFile;
+import nephele.engine.scene.Scene;
+
+/** Reads a level and derives its scene on a thread of its own, while another one opens the window and its context. */
+final class Preparation {
+    private final FutureTask<Prepared> task;
+
+    /** A level that needs nothing but OpenGL to be drawn. */
+    record Prepared(LevelFile.Opened opened, Scene scene, long nanos) {}
+
+    private Preparation(FutureTask<Prepared> task) {
+        this.task = task;
+    }
+
+    static Preparation begin(LevelName level) {
+        var task = new FutureTask<>(() -> {
+            long start = System.nanoTime();
+            var opened = level.open();
+            var scene = Scene.of(opened.level(), opened.assets());
+            return new Prepared(opened, scene, System.nanoTime() - start);
+        });
+        var thread = new Thread(task, "level");
+        thread.setDaemon(true);
+        thread.start();
+        return new Preparation(task);
+    }
+
+    /** Waits; a failure is thrown here as it was there. */
+    Prepared get() {
+        try {
+            return task.get();
+        } catch (ExecutionException failure) {
+            if (failure.getCause() instanceof RuntimeException known) {
+                throw known;
+            }
+            if (failure.getCause() instanceof Error error) {
+                throw error;
+            }
+            throw new IllegalStateException(failure.getCause());
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("interrupted while a level was read", interrupted);
+        }
+    }
+}

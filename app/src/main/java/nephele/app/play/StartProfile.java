@@ -1,0 +1,61 @@
+package nephele.app.play;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** Where the time from the process's start to the first frame went. */
+public final class StartProfile {
+    private final Instant began = Instant.now();
+    private final long beganNanos = System.nanoTime();
+    private final List<String> lines = new ArrayList<>();
+    private long lastNanos = beganNanos;
+
+    /** The part since the last call is over. */
+    public void done(String part) {
+        long now = System.nanoTime();
+        lines.add(line(part, (now - lastNanos) / 1e6));
+        lastNanos = now;
+    }
+
+    /** A part that ran beside the others. */
+    public void beside(String part, long nanos) {
+        lines.add(line(part + " (beside)", nanos / 1e6));
+    }
+
+    /** All parts, the total and the most memory that was resident. */
+    public List<String> report() {
+        double jvmMs = ProcessHandle.current()
+                .info()
+                .startInstant()
+                .map(start -> Duration.between(start, began).toNanos() / 1e6)
+                .orElse(Double.NaN);
+        var report = new ArrayList<String>();
+        report.add(line("JVM", jvmMs));
+        report.addAll(lines);
+        report.add(line("total since JVM start", jvmMs + (lastNanos - beganNanos) / 1e6));
+        report.add("peak RSS: " + peakResident());
+        return report;
+    }
+
+    private static String line(String part, double ms) {
+        return String.format(Locale.ROOT, "%s: %.0f ms", part, ms);
+    }
+
+    /** Linux keeps the high-water mark. */
+    private static String peakResident() {
+        try (var status = Files.lines(Path.of("/proc/self/status"))) {
+            return status.filter(line -> line.startsWith("VmHWM:"))
+                    .findFirst()
+                    .map(line -> Long.parseLong(line.replaceAll("[^0-9]", "")) / 1000 + " MB")
+                    .orElse("unknown");
+        } catch (IOException notLinux) {
+            return "unknown";
+        }
+    }
+}

@@ -1,0 +1,12 @@
+package nephele.app.play;
+
+import nephele.engine.sim.PlayerInput;
+
+/** Who plays: hands and mouse, or a replay. */
+interface TickInput {
+    /** What is done in the next tick. */
+    PlayerInput next();
+
+    /** True when a replay has no further tick. */
+    boolean isFinished();
+}

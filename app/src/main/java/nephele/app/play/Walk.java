@@ -1,0 +1,74 @@
+package nephele.app.play;
+
+import nephele.app.draw.Viewpoints;
+import nephele.engine.level.Level;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.scene.View;
+import nephele.engine.sim.FixedStep;
+import nephele.engine.sim.PlayerPose;
+import nephele.engine.sim.ReplayRecorder;
+import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.SimState;
+import nephele.engine.sim.Simulation;
+
+/** The simulated part of a game: two states to draw between, the clock that makes ticks and the record of all input. */
+final class Walk {
+    private final Simulation simulation;
+    private final SimState start;
+    private final TickInput input;
+    private final ReplayRecorder recorder;
+    private final FixedStep clock;
+    private SimState before;
+    private SimState after;
+
+    /**
+     * Where a walk begins and what its recording is called.
+     *
+     * @param from null: where the level starts
+     */
+    record Beginning(String levelFile, SimSettings settings, PlayerStart from) {}
+
+    Walk(Level level, Beginning beginning, TickInput input) {
+        this.input = input;
+        simulation = new Simulation(level, beginning.settings);
+        start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);
+        recorder = new ReplayRecorder(beginning.levelFile, beginning.settings, beginning.from);
+        clock = new FixedStep(beginning.settings.ticksPerSecond());
+        before = start;
+        after = start;
+    }
+
+    /** Simulates the ticks that are due after a frame of this length. */
+    void advance(long elapsedNanos) {
+        int due = clock.advance(elapsedNanos);
+        for (int i = 0; i < due; i++) {
+            tick();
+        }
+    }
+
+    /** One tick. */
+    void tick() {
+        var done = input.next();
+        recorder.record(done);
+        before = after;
+        after = simulation.step(after, done);
+    }
+
+    boolean isFinished() {
+        return input.isFinished();
+    }
+
+    SimState state() {
+        return after;
+    }
+
+    ReplayRecorder recorder() {
+        return recorder;
+    }
+
+    /** The player's view between the last two ticks. */
+    View view(double aspect) {
+        var pose = PlayerPose.between(before, after, clock.share());
+        return Viewpoints.ofEye(pose.eye(), pose.yawRadians(), pose.pitchRadians(), aspect);
+    }
+}

@@ -1,0 +1,12 @@
+package nephele.app.play.hud;
+
+/** A picture's size in points. */
+public record Area(double width, double height) {
+    double centreX() {
+        return width / 2;
+    }
+
+    double centreY() {
+        return height / 2;
+    }
+}

@@ -1,0 +1,44 @@
+package nephele.app.play.hud;
+
+import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.OverlayCanvas;
+
+/** Keeps the canvas equal to the content; fills it again only when content, size or scale have changed. */
+public final class Hud {
+    private final OverlayCanvas canvas;
+    private HudContent shown;
+    private Area shownArea;
+    private double shownScale;
+
+    public Hud(Lettering lettering) {
+        canvas = new OverlayCanvas(lettering);
+    }
+
+    /** The canvas for this content on a picture of this size. */
+    public OverlayCanvas canvas(HudContent content, Area area, double pixelsPerPoint) {
+        if (!content.equals(shown) || !area.equals(shownArea) || pixelsPerPoint != shownScale) {
+            shown = content;
+            shownArea = area;
+            shownScale = pixelsPerPoint;
+            canvas.begin(pixelsPerPoint);
+            fill(content, area);
+        }
+        return canvas;
+    }
+
+    private void fill(HudContent content, Area area) {
+        if (content.menu() != null) {
+            new MenuPanel(content.menu(), area).draw(canvas);
+        } else if (content.page() == HudContent.Page.HELP) {
+            HelpPanel.draw(canvas, area);
+        } else {
+            Crosshair.draw(canvas, area);
+        }
+        if (!content.figures().isEmpty()) {
+            FiguresPanel.draw(canvas, content.figures());
+        }
+        if (content.message() != null) {
+            MessageBar.draw(canvas, area, content.message());
+        }
+    }
+}

@@ -1,0 +1,21 @@
+package nephele.app.play.hud;
+
+import nephele.engine.render.pass.overlay.OverlayCanvas;
+
+/** What happened just now, at the lower edge. */
+final class MessageBar {
+    private static final double EM = 19;
+    private static final double PADDING = 14;
+    private static final double BOTTOM = 48;
+
+    private MessageBar() {}
+
+    static void draw(OverlayCanvas canvas, Area area, String message) {
+        double width = canvas.width(EM, message) + 2 * PADDING;
+        double left = Math.max(0, Math.rint(area.centreX() - width / 2));
+        double height = EM + 2 * PADDING;
+        double top = area.height() - BOTTOM - height;
+        canvas.rectangle(left, top, width, height, Palette.PANEL);
+        canvas.text(left + PADDING, top + height / 2 + 0.35 * EM, EM, Palette.INK, message);
+    }
+}
