@@ -119,7 +119,7 @@ class SkyVisibilityTest {
         List<FaceFragment> parts = layout.fragments().get(brush).get(face);
         for (int i = 0; i < parts.size(); i++) {
             if (!parts.get(i).isCovered() && contains(parts.get(i), p)) {
-                return baked.at(layout.u(brush, face, i, p), layout.v(brush, face, i, p));
+                return baked.at(layout.column(brush, face, i, p), layout.row(brush, face, i, p));
             }
         }
         return 0;

@@ -1,5 +1,8 @@
 package nephele.engine.asset;
 
+import java.nio.file.Path;
+import java.util.Optional;
+
 /** Where a level's pictures, meshes and grids come from. */
 public interface AssetSource {
     /**
@@ -12,4 +15,9 @@ public interface AssetSource {
 
     /** Whether {@link #bytes} would find it. */
     boolean exists(String assetId);
+
+    /** A folder that takes derived files which {@link #bytes} would then find below {@code cache/}; empty for none. */
+    default Optional<Path> cacheFolder() {
+        return Optional.empty();
+    }
 }

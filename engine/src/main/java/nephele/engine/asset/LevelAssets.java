@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** A level's assets: the level's own folder first, then {@code assets/} of a checkout, then the jar's. */
 public final class LevelAssets implements AssetSource {
@@ -14,8 +15,11 @@ public final class LevelAssets implements AssetSource {
 
     private final List<AssetSource> sources;
 
-    private LevelAssets(List<AssetSource> sources) {
+    private final Path folder;
+
+    private LevelAssets(List<AssetSource> sources, Path folder) {
         this.sources = List.copyOf(sources);
+        this.folder = folder;
     }
 
     /** For a level in the file system, which need not exist yet. */
@@ -28,14 +32,14 @@ public final class LevelAssets implements AssetSource {
         }
         addCheckout(sources, Path.of("").toAbsolutePath());
         sources.add(new ResourceAssets(JAR_ASSETS));
-        return new LevelAssets(sources);
+        return new LevelAssets(sources, folder);
     }
 
     /** @param resource a level in the jar, below {@link #JAR_LEVELS}, such as {@code samples/sky.json} */
     public static LevelAssets inJar(String resource) {
         int slash = resource.lastIndexOf('/');
         String folder = slash < 0 ? JAR_LEVELS : JAR_LEVELS + "/" + resource.substring(0, slash);
-        return new LevelAssets(List.of(new ResourceAssets(folder), new ResourceAssets(JAR_ASSETS)));
+        return new LevelAssets(List.of(new ResourceAssets(folder), new ResourceAssets(JAR_ASSETS)), null);
     }
 
     /** A checkout is a folder with {@code assets} beside {@code levels}. */
@@ -43,6 +47,11 @@ public final class LevelAssets implements AssetSource {
         if (Files.isDirectory(folder.resolve("assets")) && Files.isDirectory(folder.resolve("levels"))) {
             sources.add(new FolderAssets(folder.resolve("assets")));
         }
+    }
+
+    @Override
+    public Optional<Path> cacheFolder() {
+        return Optional.ofNullable(folder).map(beside -> beside.resolve("cache"));
     }
 
     @Override

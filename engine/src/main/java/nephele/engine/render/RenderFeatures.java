@@ -2,6 +2,9 @@ package nephele.engine.render;
 
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.pass.shadow.LampShadowPass;
+import nephele.engine.render.pass.shadow.SkyVisibilityPass;
+import nephele.engine.render.pass.shadow.SunShadowPass;
 import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
@@ -9,8 +12,14 @@ import nephele.engine.render.pass.tonemap.ToneMapPass;
 
 /** Everything that can be drawn, in frame order. */
 public final class RenderFeatures {
-    public static final List<RenderFeature> ALL =
-            List.of(SolidPass.FEATURE, GradientSkyPass.FEATURE, SkyboxPass.FEATURE, ToneMapPass.FEATURE);
+    public static final List<RenderFeature> ALL = List.of(
+            SunShadowPass.FEATURE,
+            LampShadowPass.FEATURE,
+            SkyVisibilityPass.FEATURE,
+            SolidPass.FEATURE,
+            GradientSkyPass.FEATURE,
+            SkyboxPass.FEATURE,
+            ToneMapPass.FEATURE);
 
     private RenderFeatures() {}
 }

@@ -24,51 +24,38 @@ record FaceBasis(Vector3d s, Vector3d t) {
     }
 
     /**
-     * Texture coordinates of a face's corners, s and t in turn, t = 0 at the picture's top row.
+     * Texture coordinates of points on a face, s and t in turn, t = 0 at the picture's top row.
      *
      * @param metres side of the square that one repeat covers
      */
-    static double[] coordinates(BrushFace face, double metres) {
+    static double[] coordinates(BrushFace face, List<Vec3> points, double metres) {
         FaceBasis basis = of(face.plane().normal());
-        List<Vec3> corners = face.polygon();
-        double[] st = new double[2 * corners.size()];
-        for (int i = 0; i < corners.size(); i++) {
-            Vector3d p = corners.get(i).toVector();
-            st[2 * i] = p.dot(basis.s);
-            st[2 * i + 1] = -p.dot(basis.t);
-        }
+        double[] outline = basis.projected(face.polygon());
+        double[] st = points == face.polygon() ? outline.clone() : basis.projected(points);
         for (int axis = 0; axis < 2; axis++) {
-            if (face.textureMapping() == TextureMapping.FACE) {
-                stretch(st, axis);
-            } else {
-                repeat(st, axis, metres);
+            double min = Double.POSITIVE_INFINITY;
+            double max = Double.NEGATIVE_INFINITY;
+            for (int i = axis; i < outline.length; i += 2) {
+                min = Math.min(min, outline[i]);
+                max = Math.max(max, outline[i]);
+            }
+            boolean stretched = face.textureMapping() == TextureMapping.FACE;
+            // Whole repeats are taken off, so that floats stay exact far from the origin.
+            double whole = Math.floor(min / metres);
+            for (int i = axis; i < st.length; i += 2) {
+                st[i] = stretched ? (st[i] - min) / (max - min) : st[i] / metres - whole;
             }
         }
         return st;
     }
 
-    private static void stretch(double[] st, int axis) {
-        double min = Double.POSITIVE_INFINITY;
-        double max = Double.NEGATIVE_INFINITY;
-        for (int i = axis; i < st.length; i += 2) {
-            min = Math.min(min, st[i]);
-            max = Math.max(max, st[i]);
+    private double[] projected(List<Vec3> points) {
+        double[] st = new double[2 * points.size()];
+        for (int i = 0; i < points.size(); i++) {
+            Vector3d p = points.get(i).toVector();
+            st[2 * i] = p.dot(s);
+            st[2 * i + 1] = -p.dot(t);
         }
-        for (int i = axis; i < st.length; i += 2) {
-            st[i] = (st[i] - min) / (max - min);
-        }
-    }
-
-    /** Whole repeats are taken off, so that floats stay exact far from the origin. */
-    private static void repeat(double[] st, int axis, double metres) {
-        double min = Double.POSITIVE_INFINITY;
-        for (int i = axis; i < st.length; i += 2) {
-            st[i] /= metres;
-            min = Math.min(min, st[i]);
-        }
-        double whole = Math.floor(min);
-        for (int i = axis; i < st.length; i += 2) {
-            st[i] -= whole;
-        }
+        return st;
     }
 }

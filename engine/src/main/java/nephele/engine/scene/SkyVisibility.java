@@ -20,10 +20,10 @@ public record SkyVisibility(LightMapLayout layout, short[] texels) {
         return new SkyVisibility(layout, SkyVisibilityBake.texels(layout, brushes, progress));
     }
 
-    /** As the shader sees it: bilinear between the four nearest texels. */
-    public double at(double u, double v) {
-        double x = Math.min(Math.max(u * layout.width() - 0.5, 0), layout.width() - 1);
-        double y = Math.min(Math.max(v * layout.height() - 0.5, 0), layout.height() - 1);
+    /** As the shader sees it: bilinear between the four nearest texels; texels from the map's lower left corner. */
+    public double at(double column, double rowFromBelow) {
+        double x = Math.min(Math.max(column - 0.5, 0), layout.width() - 1);
+        double y = Math.min(Math.max(rowFromBelow - 0.5, 0), layout.height() - 1);
         int x0 = Math.min((int) x, Math.max(layout.width() - 2, 0));
         int y0 = Math.min((int) y, Math.max(layout.height() - 2, 0));
         double fx = x - x0;

@@ -5,16 +5,21 @@ import java.nio.IntBuffer;
 import java.util.List;
 import nephele.engine.level.Solid;
 import nephele.engine.math.SpatialIndex;
+import nephele.engine.math.Vec3;
+import nephele.engine.scene.light.LightMapLayout;
 
 /**
  * All solids as one static mesh: what never moves is drawn from one vertex and one index buffer.
  *
  * <p>A vertex takes {@link #VERTEX_BYTES}: position, three floats relative to its batch's cell origin; outward normal,
  * three 16-bit integers to be normalised, and with them the material's index within its block; texture coordinates,
- * two floats.
+ * two floats. With sky visibility {@link #LIGHT_MAP_BYTES} more: light map coordinates as two 16-bit integers in
+ * sixteenths of a texel.
  */
 public final class SolidGeometry {
     public static final int VERTEX_BYTES = 28;
+
+    public static final int LIGHT_MAP_BYTES = 4;
 
     /** Materials per uniform block: 16 KiB, which every OpenGL allows, at 64 bytes a material. */
     public static final int MATERIALS_PER_BLOCK = 256;
@@ -23,16 +28,37 @@ public final class SolidGeometry {
     private final IntBuffer indices;
     private final List<SolidBatch> batches;
     private final SpatialIndex index;
+    private final Vec3 origin;
+    private final boolean lightMapped;
 
-    SolidGeometry(ByteBuffer vertices, IntBuffer indices, List<SolidBatch> batches, SpatialIndex index) {
+    SolidGeometry(
+            ByteBuffer vertices,
+            IntBuffer indices,
+            List<SolidBatch> batches,
+            SpatialIndex index,
+            Vec3 origin,
+            boolean lightMapped) {
         this.vertices = vertices;
         this.indices = indices;
         this.batches = List.copyOf(batches);
         this.index = index;
+        this.origin = origin;
+        this.lightMapped = lightMapped;
     }
 
-    public static SolidGeometry of(List<Solid> solids, SceneMaterials materials) {
-        return new SolidMesher(solids, materials).mesh();
+    /** @param lightMap how faces are cut and lie in the light map, or {@code null} for none */
+    public static SolidGeometry of(List<Solid> solids, SceneMaterials materials, LightMapLayout lightMap) {
+        return new SolidMesher(solids, materials, lightMap).mesh();
+    }
+
+    /** Middle of all solids, which every cell's origin is a whole number of cells away from. */
+    public Vec3 origin() {
+        return origin;
+    }
+
+    /** Whether vertices carry light map coordinates. */
+    public boolean lightMapped() {
+        return lightMapped;
     }
 
     public boolean isEmpty() {

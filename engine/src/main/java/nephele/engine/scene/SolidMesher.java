@@ -15,6 +15,8 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
+import nephele.engine.scene.light.FaceFragment;
+import nephele.engine.scene.light.LightMapLayout;
 
 /** Turns solids into {@link SolidGeometry}: faces in the order of the spatial index, sorted into batches. */
 final class SolidMesher {
@@ -22,6 +24,7 @@ final class SolidMesher {
     private static final double CELL_METRES = 1024;
 
     private final SceneMaterials materials;
+    private final LightMapLayout lightMap;
     private final List<Brush> brushes;
     private final SpatialIndex index;
     private final Vec3 origin;
@@ -41,18 +44,19 @@ final class SolidMesher {
             ends = new int[slots];
         }
 
-        void triangle(int a, int b, int c) {
-            if (size + 3 > indices.length) {
-                indices = Arrays.copyOf(indices, 2 * indices.length);
+        void triangles(int firstVertex, int[] corners) {
+            if (size + corners.length > indices.length) {
+                indices = Arrays.copyOf(indices, 2 * (size + corners.length));
             }
-            indices[size++] = a;
-            indices[size++] = b;
-            indices[size++] = c;
+            for (int corner : corners) {
+                indices[size++] = firstVertex + corner;
+            }
         }
     }
 
-    SolidMesher(List<Solid> solids, SceneMaterials materials) {
+    SolidMesher(List<Solid> solids, SceneMaterials materials, LightMapLayout lightMap) {
         this.materials = materials;
+        this.lightMap = lightMap;
         this.brushes = solids.stream().map(Brush::of).toList();
         List<Aabb> boxes = brushes.stream().map(b -> b.shape().bounds()).toList();
         this.index = SpatialIndex.of(boxes);
@@ -60,15 +64,19 @@ final class SolidMesher {
     }
 
     SolidGeometry mesh() {
-        int corners = brushes.stream()
-                .flatMap(b -> b.faces().stream())
-                .mapToInt(f -> f.polygon().size())
-                .sum();
-        vertices =
-                ByteBuffer.allocateDirect(corners * SolidGeometry.VERTEX_BYTES).order(ByteOrder.nativeOrder());
+        int corners = 0;
+        for (int brush = 0; brush < brushes.size(); brush++) {
+            for (int face = 0; face < brushes.get(brush).faces().size(); face++) {
+                for (FaceFragment part : parts(brush, face)) {
+                    corners += part.corners().size();
+                }
+            }
+        }
+        vertices = ByteBuffer.allocateDirect(corners * vertexBytes()).order(ByteOrder.nativeOrder());
         for (int slot = 0; slot < index.size(); slot++) {
-            for (BrushFace face : brushes.get(index.itemAt(slot)).faces()) {
-                add(face);
+            int brush = index.itemAt(slot);
+            for (int face = 0; face < brushes.get(brush).faces().size(); face++) {
+                add(brush, face);
             }
             for (Growing batch : batches.values()) {
                 batch.ends[slot] = batch.size;
@@ -77,7 +85,19 @@ final class SolidMesher {
         return finished();
     }
 
-    private void add(BrushFace face) {
+    private int vertexBytes() {
+        return SolidGeometry.VERTEX_BYTES + (lightMap == null ? 0 : SolidGeometry.LIGHT_MAP_BYTES);
+    }
+
+    private List<FaceFragment> parts(int brush, int face) {
+        return lightMap == null
+                ? List.of(
+                        FaceFragment.whole(brushes.get(brush).faces().get(face).polygon()))
+                : lightMap.fragments().get(brush).get(face);
+    }
+
+    private void add(int brush, int faceIndex) {
+        BrushFace face = brushes.get(brush).faces().get(faceIndex);
         int material = materials.indexOf(face.material());
         Surface surface = materials.surfaces().get(material);
         int block = material / SolidGeometry.MATERIALS_PER_BLOCK;
@@ -88,10 +108,22 @@ final class SolidMesher {
                 block);
         Vec3 cell = cellOf(face.polygon().get(0));
         Growing batch = batches.computeIfAbsent(new BatchKey(kind, cell), key -> new Growing(brushes.size()));
-        int first = vertexCount;
-        addCorners(face, surface, material - block * SolidGeometry.MATERIALS_PER_BLOCK, cell);
-        for (int i = 2; i < face.polygon().size(); i++) {
-            batch.triangle(first, first + i - 1, first + i);
+        List<FaceFragment> parts = parts(brush, faceIndex);
+        for (int part = 0; part < parts.size(); part++) {
+            int first = vertexCount;
+            double[] st = FaceBasis.coordinates(
+                    face, parts.get(part).corners(), surface.material().textureMetres());
+            for (int i = 0; i < parts.get(part).corners().size(); i++) {
+                Vec3 p = parts.get(part).corners().get(i);
+                addCorner(face, material - block * SolidGeometry.MATERIALS_PER_BLOCK, p, cell);
+                vertices.putFloat((float) st[2 * i]);
+                vertices.putFloat((float) st[2 * i + 1]);
+                if (lightMap != null) {
+                    vertices.putShort((short) Math.round(lightMap.column(brush, faceIndex, part, p) * 16));
+                    vertices.putShort((short) Math.round(lightMap.row(brush, faceIndex, part, p) * 16));
+                }
+            }
+            batch.triangles(first, parts.get(part).triangles());
         }
     }
 
@@ -102,21 +134,15 @@ final class SolidMesher {
                 origin.z() + CELL_METRES * Math.rint((p.z() - origin.z()) / CELL_METRES));
     }
 
-    private void addCorners(BrushFace face, Surface surface, int materialIndex, Vec3 cell) {
-        double[] st = FaceBasis.coordinates(face, surface.material().textureMetres());
-        for (int i = 0; i < face.polygon().size(); i++) {
-            Vec3 p = face.polygon().get(i);
-            vertices.putFloat((float) (p.x() - cell.x()));
-            vertices.putFloat((float) (p.y() - cell.y()));
-            vertices.putFloat((float) (p.z() - cell.z()));
-            vertices.putShort(unit16(face.plane().nx()));
-            vertices.putShort(unit16(face.plane().ny()));
-            vertices.putShort(unit16(face.plane().nz()));
-            vertices.putShort((short) materialIndex);
-            vertices.putFloat((float) st[2 * i]);
-            vertices.putFloat((float) st[2 * i + 1]);
-            vertexCount++;
-        }
+    private void addCorner(BrushFace face, int materialIndex, Vec3 p, Vec3 cell) {
+        vertices.putFloat((float) (p.x() - cell.x()));
+        vertices.putFloat((float) (p.y() - cell.y()));
+        vertices.putFloat((float) (p.z() - cell.z()));
+        vertices.putShort(unit16(face.plane().nx()));
+        vertices.putShort(unit16(face.plane().ny()));
+        vertices.putShort(unit16(face.plane().nz()));
+        vertices.putShort((short) materialIndex);
+        vertexCount++;
     }
 
     private static short unit16(double x) {
@@ -135,6 +161,6 @@ final class SolidMesher {
         });
         indices.flip();
         vertices.flip();
-        return new SolidGeometry(vertices, indices, done, index);
+        return new SolidGeometry(vertices, indices, done, index, origin, lightMap != null);
     }
 }

@@ -16,6 +16,7 @@ public final class SharedResources implements AutoCloseable {
     private SolidMesh solids;
     private PictureArrays colourPictures;
     private PictureArrays normalPictures;
+    private SurfaceLight surfaceLight;
 
     public SharedResources(GlContext gl, Scene scene) {
         this.gl = gl;
@@ -55,6 +56,14 @@ public final class SharedResources implements AutoCloseable {
         return normalPictures;
     }
 
+    /** Defines, uniforms and textures of {@code surface-light.glsl}. */
+    public SurfaceLight surfaceLight(LoadContext context) {
+        if (surfaceLight == null) {
+            surfaceLight = new SurfaceLight(gl, scene, context.quality());
+        }
+        return surfaceLight;
+    }
+
     /** Makes a target's texture known to the passes after this one; it stays the publisher's. */
     public void publish(Target target, Texture texture) {
         textures.put(target, texture);
@@ -80,6 +89,9 @@ public final class SharedResources implements AutoCloseable {
         }
         if (normalPictures != null) {
             normalPictures.close();
+        }
+        if (surfaceLight != null) {
+            surfaceLight.close();
         }
     }
 }

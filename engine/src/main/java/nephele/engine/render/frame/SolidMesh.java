@@ -12,9 +12,11 @@ import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.SolidGeometry;
 import nephele.engine.scene.VisibleSet;
 
-/** {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates. */
+/** {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates, 3 light map. */
 public final class SolidMesh implements AutoCloseable {
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
+    private static final VertexFormat LIGHT_MAPPED =
+            VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2, Attribute.INT16X2);
 
     private final SolidGeometry geometry;
     private final GpuMesh mesh;
@@ -22,7 +24,8 @@ public final class SolidMesh implements AutoCloseable {
 
     SolidMesh(GlContext gl, SolidGeometry geometry) {
         this.geometry = geometry;
-        mesh = new GpuMesh(gl, "solids", FORMAT, geometry.vertices(), geometry.indices());
+        VertexFormat format = geometry.lightMapped() ? LIGHT_MAPPED : FORMAT;
+        mesh = new GpuMesh(gl, "solids", format, geometry.vertices(), geometry.indices());
         int mostRanges = geometry.slotCount();
         geometry.batches().forEach(batch -> ranges.add(new IndexRanges(mostRanges)));
     }

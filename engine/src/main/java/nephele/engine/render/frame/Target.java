@@ -7,5 +7,7 @@ public enum Target {
     /** The final 8-bit picture, display-referred. */
     PICTURE,
     SUN_SHADOW,
-    LAMP_SHADOW
+    LAMP_SHADOW,
+    /** Light map of the static faces. */
+    SKY_VISIBILITY
 }

@@ -13,6 +13,8 @@ public record VertexFormat(List<Attribute> attributes) {
         FLOAT4(4, GL_FLOAT, 16),
         /** Four signed 16-bit integers read as floats of that value: before 4.2, normalised ones have no zero. */
         INT16X4(4, GL_SHORT, 8),
+        /** Two of them. */
+        INT16X2(2, GL_SHORT, 4),
         /** Four bytes read as 0…1. */
         UNORM8X4(4, GL_UNSIGNED_BYTE, 4),
         /** Two unsigned 16-bit integers, read as integers. */

@@ -36,9 +36,10 @@ public record Brdf(
         double m = clamp(metallic, 0, 1);
         double mu = clamp(nDotV, MIN_N_DOT_V, 1);
         Vector3d f0 = new Vector3d(INSULATOR_F0).lerp(baseColour, m);
-        double all = directionalAlbedo(r, mu);
+        double inverse = inverseDirectionalAlbedo(r, mu);
+        double all = 1 / inverse;
         double grazing = Math.min(grazingAlbedo(r, mu), all);
-        Vector3d gain = new Vector3d(f0).mul(1 / all - 1).add(1, 1, 1);
+        Vector3d gain = new Vector3d(f0).mul(inverse - 1).add(1, 1, 1);
         Vector3d ambient = new Vector3d(f0)
                 .mul(all - grazing)
                 .add(grazing, grazing, grazing)
@@ -78,14 +79,15 @@ public record Brdf(
     }
 
     /**
-     * Reflectance of the lobe for f0 = 1 under equal light from everywhere: a cubic fitted to its integral over
-     * roughness 0.05–1 and cosine 0.02–1, at most 0.045 off.
+     * Reflectance of the lobe for f0 = 1 under equal light from everywhere, inverted: a quartic fitted to its integral
+     * over roughness 0.05–1 and cosine 0.02–1, at most 0.05 off.
      */
-    static double directionalAlbedo(double r, double mu) {
-        double c0 = 0.9601870 + mu * (0.1653944 + mu * (0.1459566 - 0.2642402 * mu));
-        double c1 = -0.2543877 + mu * (-0.7172698 + 0.9281141 * mu);
-        double c2 = 0.7099345 - 0.9001942 * mu;
-        return clamp(c0 + r * (c1 + r * (c2 - 0.4967762 * r)), 0.05, 1);
+    static double inverseDirectionalAlbedo(double r, double mu) {
+        double c0 = 1.0504262 + mu * (-0.5534067 + mu * (0.2685067 + mu * (0.7763794 - 0.5312025 * mu)));
+        double c1 = 0.2777692 + mu * (3.6072694 + mu * (-4.3980971 + 1.2423761 * mu));
+        double c2 = -0.9794563 + mu * (-4.7149996 + 1.3819016 * mu);
+        double c3 = 1.0294144 + 5.1598502 * mu;
+        return Math.max(c0 + r * (c1 + r * (c2 + r * (c3 - 0.4033368 * r))), 1);
     }
 
     /** The part of that integral that Schlick's (1 − v·h)⁵ weighs: fitted likewise, at most 0.045 off. */

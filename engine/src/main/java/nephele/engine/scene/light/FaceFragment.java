@@ -13,6 +13,11 @@ import nephele.engine.math.Vec3;
  * @param triangles indices into {@code corners}
  */
 public record FaceFragment(boolean isCovered, List<Vec3> corners, int[] triangles) {
+    /** A face that is not cut. */
+    public static FaceFragment whole(List<Vec3> polygon) {
+        return new FaceFragment(false, polygon, fan(polygon.size()));
+    }
+
     static FaceFragment of(boolean isCovered, List<Vec3> outline, List<Vec3> outlineWithNeighbours) {
         if (outline.size() == outlineWithNeighbours.size()) {
             return new FaceFragment(isCovered, List.copyOf(outline), fan(outline.size()));

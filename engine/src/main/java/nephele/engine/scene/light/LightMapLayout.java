@@ -81,7 +81,7 @@ public record LightMapLayout(
             area += (long) chart.columns() * chart.rows();
             widest = Math.max(widest, chart.columns());
         }
-        int width = Math.max(widest + 1, 16);
+        int width = (widest + 16) & ~15;
         while (width < MAX_SIDE && (long) width * width < area) {
             width += 16;
         }
@@ -119,14 +119,14 @@ public record LightMapLayout(
         return y + shelf;
     }
 
-    /** Texture coordinate of a point of a fragment, 0–1 over the map; (0, 0) under another solid. */
-    public double u(int brush, int face, int fragment, Vec3 p) {
+    /** Texels from the map's left border to a point of a fragment; 0 under another solid. */
+    public double column(int brush, int face, int fragment, Vec3 p) {
         int chart = chartOf.get(brush).get(face)[fragment];
-        return chart < 0 ? 0 : (columnOf[chart] + 0.5 + charts.get(chart).columnOf(p)) / width;
+        return chart < 0 ? 0.5 : columnOf[chart] + 0.5 + charts.get(chart).columnOf(p);
     }
 
-    public double v(int brush, int face, int fragment, Vec3 p) {
+    public double row(int brush, int face, int fragment, Vec3 p) {
         int chart = chartOf.get(brush).get(face)[fragment];
-        return chart < 0 ? 0 : (rowOf[chart] + 0.5 + charts.get(chart).rowOf(p)) / height;
+        return chart < 0 ? 0.5 : rowOf[chart] + 0.5 + charts.get(chart).rowOf(p);
     }
 }

@@ -14,6 +14,11 @@ public final class ShadowFilter {
         double depth(int column, int row);
     }
 
+    /** Depth by which something must be nearer to the light before it shades. */
+    public static double contactTolerance(double halfTexelDepth, double gradientX, double gradientY) {
+        return halfTexelDepth + Math.min(Math.abs(gradientX) + Math.abs(gradientY), 2 * halfTexelDepth);
+    }
+
     /**
      * @param x texels, centre of the first column at ½
      * @param gradientX change of the receiver's depth from column to column

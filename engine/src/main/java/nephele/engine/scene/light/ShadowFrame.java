@@ -10,11 +10,19 @@ import org.joml.Vector3d;
  *
  * @param anchor world position that float coordinates in shaders are relative to
  * @param mapFromAnchor metres relative to the anchor → texture coordinates and depth, all 0–1; depth grows away from the sun
+ * @param right unit axis along the map's rows, {@code up} along its columns
  * @param texelMetres side of a texel, the same along both axes
  * @param depthMetres what depth 0–1 spans
  */
 public record ShadowFrame(
-        Vec3 anchor, Matrix4d mapFromAnchor, int width, int height, double texelMetres, double depthMetres) {
+        Vec3 anchor,
+        Matrix4d mapFromAnchor,
+        Vec3 right,
+        Vec3 up,
+        int width,
+        int height,
+        double texelMetres,
+        double depthMetres) {
     /** Finer texels cannot be told apart from three metres away at 1280 × 720. */
     public static final double FINEST_TEXEL_METRES = 0.01;
 
@@ -44,7 +52,11 @@ public record ShadowFrame(
                 new Vector3d(right).div(width * texel), 0.5 - (x[0] + x[1]) / 2 / (width * texel),
                 new Vector3d(up).div(height * texel), 0.5 - (y[0] + y[1]) / 2 / (height * texel),
                 new Vector3d(back).div(-depth), 0.5 + (z[0] + z[1]) / 2 / depth);
-        return new ShadowFrame(anchor, map, width, height, texel, depth);
+        return new ShadowFrame(anchor, map, value(right), value(up), width, height, texel, depth);
+    }
+
+    private static Vec3 value(Vector3d v) {
+        return new Vec3(v.x, v.y, v.z);
     }
 
     private static double[] range(List<Vec3> points, Vec3 anchor, Vector3d axis) {

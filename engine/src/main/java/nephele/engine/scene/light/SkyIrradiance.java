@@ -22,6 +22,10 @@ public record SkyIrradiance(double[] coefficients) {
     /** What a cosine lobe keeps of the bands 0, 1 and 2, divided by π. */
     private static final double[] COSINE_LOBE = {1, 2.0 / 3, 1.0 / 4};
 
+    public static SkyIrradiance black() {
+        return new SkyIrradiance(new double[3 * TERMS]);
+    }
+
     public static SkyIrradiance of(SkyRadiance sky) {
         double[] sums = new double[3 * TERMS];
         double total = 0;

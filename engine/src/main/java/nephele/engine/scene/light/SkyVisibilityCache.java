@@ -21,11 +21,11 @@ import nephele.engine.scene.SkyVisibility;
  */
 public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
 
-    /** Beside a level and in the user's cache; {@code levelFolder} is {@code null} for a level in the jar. */
-    public static SkyVisibilityCache of(AssetSource assets, Path levelFolder) {
+    /** Beside a level where there is a folder, else in the user's cache. */
+    public static SkyVisibilityCache of(AssetSource assets) {
         Path own = userFolder();
         return new SkyVisibilityCache(
-                assets, levelFolder == null ? List.of(own) : List.of(levelFolder.resolve("cache"), own));
+                assets, assets.cacheFolder().map(beside -> List.of(beside, own)).orElse(List.of(own)));
     }
 
     private static Path userFolder() {

@@ -12,12 +12,13 @@ struct Brdf {
     vec3 ambientSpecular;
 };
 
-// Reflectance of the lobe for f0 = 1 under equal light from everywhere.
-float directionalAlbedo(float r, float mu) {
-    float c0 = 0.9601870 + mu * (0.1653944 + mu * (0.1459566 - 0.2642402 * mu));
-    float c1 = -0.2543877 + mu * (-0.7172698 + 0.9281141 * mu);
-    float c2 = 0.7099345 - 0.9001942 * mu;
-    return clamp(c0 + r * (c1 + r * (c2 - 0.4967762 * r)), 0.05, 1.0);
+// Reflectance of the lobe for f0 = 1 under equal light from everywhere, inverted.
+float inverseDirectionalAlbedo(float r, float mu) {
+    float c0 = 1.0504262 + mu * (-0.5534067 + mu * (0.2685067 + mu * (0.7763794 - 0.5312025 * mu)));
+    float c1 = 0.2777692 + mu * (3.6072694 + mu * (-4.3980971 + 1.2423761 * mu));
+    float c2 = -0.9794563 + mu * (-4.7149996 + 1.3819016 * mu);
+    float c3 = 1.0294144 + 5.1598502 * mu;
+    return max(c0 + r * (c1 + r * (c2 + r * (c3 - 0.4033368 * r))), 1.0);
 }
 
 // The part of that integral that Schlick's (1 - v.h)^5 weighs.
@@ -35,9 +36,10 @@ Brdf brdfOf(vec3 baseColour, float roughness, float metallic, float nDotV) {
     float mu = clamp(nDotV, 1e-3, 1.0);
     Brdf b;
     b.f0 = mix(vec3(0.04), baseColour, m);
-    float all = directionalAlbedo(r, mu);
+    float inverse = inverseDirectionalAlbedo(r, mu);
+    float all = 1.0 / inverse;
     float grazing = min(grazingAlbedo(r, mu), all);
-    b.specularGain = 1.0 + b.f0 * (1.0 / all - 1.0);
+    b.specularGain = 1.0 + b.f0 * (inverse - 1.0);
     b.ambientSpecular = (b.f0 * (all - grazing) + grazing) * b.specularGain;
     b.diffuse = max(baseColour * (1.0 - m) * (1.0 - b.ambientSpecular), 0.0);
     b.alpha2 = r * r * r * r;

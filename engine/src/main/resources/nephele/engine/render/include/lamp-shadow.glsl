@@ -40,5 +40,6 @@ float lampLitShare(Lamp lamp, vec3 fromLamp, vec3 faceNormal) {
     vec2 gradient = n.xy * (-slope * texelsToTangent / planeDistance);
     float halfTexel = slope * 0.5 * texelsToTangent / distance;
     vec4 depths = textureGather(lampShadowMaps, vec3(gatherPoint(texel) / size, layer));
-    return litShare(depths, texel, scale - slope / distance - halfTexel, gradient);
+    float depth = scale - slope / distance - contactTolerance(halfTexel, gradient);
+    return litShare(depths, texel, depth, gradient);
 }

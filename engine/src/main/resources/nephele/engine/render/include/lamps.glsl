@@ -5,7 +5,7 @@ uniform samplerBuffer lampTexels;      // four texels a lamp
 uniform usamplerBuffer lampGridCells;  // start of each cell's list, then the lists
 uniform vec3 lampGridMin;              // metres from the anchor
 uniform vec3 lampGridCellsPerMetre;
-uniform ivec3 lampGridSize;
+uniform vec3 lampGridSize;
 
 struct Lamp {
     vec4 position;   // metres from the anchor; w: 1 / range^2
@@ -26,8 +26,9 @@ Lamp lampAt(int index) {
 // First and one past the last entry of a place's list.
 ivec2 lampListAt(vec3 anchorPosition) {
     vec3 cell = (anchorPosition - lampGridMin) * lampGridCellsPerMetre;
-    ivec3 c = ivec3(clamp(cell, vec3(0.0), vec3(lampGridSize) - 0.5));
-    int at = c.x + lampGridSize.x * (c.y + lampGridSize.y * c.z);
+    ivec3 c = ivec3(clamp(cell, vec3(0.0), lampGridSize - 0.5));
+    ivec2 size = ivec2(lampGridSize.xy);
+    int at = c.x + size.x * (c.y + size.y * c.z);
     return ivec2(int(texelFetch(lampGridCells, at).x), int(texelFetch(lampGridCells, at + 1).x));
 }
 

@@ -14,6 +14,12 @@ float litShare(vec4 depths, vec2 texelPosition, float receiverDepth, vec2 gradie
     return mix(rows.x, rows.y, f.y);
 }
 
+// A face that rises from another one reads texels of that other one at their joint: what lies this little nearer to the
+// light does not shade. Half a texel, and up to another one with the receiver's slope.
+float contactTolerance(float halfTexelDepth, vec2 gradient) {
+    return halfTexelDepth + min(abs(gradient.x) + abs(gradient.y), 2.0 * halfTexelDepth);
+}
+
 // Where textureGather reads the four texels around a position without doubt about rounding.
 vec2 gatherPoint(vec2 texelPosition) {
     return floor(texelPosition - 0.5) + 1.0;

@@ -1,15 +1,22 @@
-// Radiance that a surface sends to the eye. What is compiled is what the level asks for:
+// Radiance that a surface sends to the eye; uniforms and textures come from render.frame.SurfaceLight. What is compiled is what the level asks for:
 //   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, LAMPS, LAMP_SHADOW, AMBIENT_CONSTANT, SKY_VISIBILITY.
+// ANCHOR_POSITION goes with each of SUN_SHADOW and LAMPS.
 
 struct Surface {
     vec3 baseColour;
+    vec3 normal;  // unit, bent by the normal map
+    vec3 faceNormal;  // unit, of the geometry
+#ifdef METALLIC_ROUGHNESS
     float roughness;
     float metallic;
-    vec3 normal;          // unit, bent by the normal map
-    vec3 faceNormal;      // unit, of the geometry
+    vec3 toEye;  // unit
+#endif
+#ifdef ANCHOR_POSITION
     vec3 anchorPosition;  // metres from the anchor of the level's light
-    vec3 toEye;           // unit
+#endif
+#ifdef SKY_VISIBILITY
     float skyVisibility;  // 0 to 1
+#endif
 };
 
 #ifdef METALLIC_ROUGHNESS
@@ -40,6 +47,7 @@ uniform vec3 ambientRadiance;
 #endif
 #ifdef SKY_VISIBILITY
 #include "sky-ambient.glsl"
+#include "sky-visibility.glsl"
 #endif
 
 // The largest finite half float: lights may be arbitrarily near and strong, targets may not overflow.

@@ -13,7 +13,9 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PictureArrays;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.SolidMesh;
+import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -27,24 +29,33 @@ public final class SolidPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("solid", SolidPass::requiredBy);
 
     private final GlContext gl;
+    private final Set<Target> reads;
     private final Map<SolidVariant, GlProgram<SolidUniforms>> programs = new HashMap<>();
     private final List<GlProgram<SolidUniforms>> programOfBatch = new ArrayList<>();
     private final float[] eye = new float[6];
     private MaterialBlocks materials;
     private SolidMesh mesh;
     private PictureArrays colours;
+    private PictureArrays normals;
+    private SharedResources shared;
+    private SurfaceLight light;
 
-    private SolidPass(GlContext gl) {
+    private SolidPass(GlContext gl, Set<Target> reads) {
         this.gl = gl;
+        this.reads = reads;
     }
 
     private static List<Required> requiredBy(Level level) {
-        return level.solids().isEmpty() ? List.of() : List.of(new Required("solids: surfaces to see", SolidPass::new));
+        if (level.solids().isEmpty()) {
+            return List.of();
+        }
+        Set<Target> reads = SurfaceLight.targetsRead(level);
+        return List.of(new Required("solids: surfaces to see", gl -> new SolidPass(gl, reads)));
     }
 
     @Override
     public Set<Target> reads() {
-        return Set.of();
+        return reads;
     }
 
     @Override
@@ -56,6 +67,9 @@ public final class SolidPass implements Pass {
     public void load(LoadContext context) {
         mesh = context.shared().solids();
         colours = context.shared().colourPictures(context);
+        normals = context.shared().normalPictures(context);
+        shared = context.shared();
+        light = shared.surfaceLight(context);
         materials = new MaterialBlocks(gl, context.scene().materials());
         for (SolidBatch batch : mesh.batches()) {
             SolidVariant variant = SolidVariant.of(batch.kind(), context.scene().level());
@@ -68,6 +82,7 @@ public final class SolidPass implements Pass {
     public void draw(FrameContext frame) {
         frame.surface().bind();
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.BACK);
+        light.bind(shared);
         for (int i = 0; i < programOfBatch.size(); i++) {
             if (frame.visible().size(i) > 0) {
                 drawBatch(frame, i);
@@ -82,9 +97,13 @@ public final class SolidPass implements Pass {
         Vec3 cell = batch.cellOrigin();
         SolidMesh.eyeInCell(frame.view().eye(), cell, eye);
         program.uniforms().eye(eye);
+        program.uniforms().cell(cell, light.anchor());
         materials.bind(batch.kind().materialBlock());
         if (batch.kind().isTextured()) {
             colours.get(batch.kind().colourArray()).bind(SolidVariant.COLOUR_UNIT);
+        }
+        if (batch.kind().isNormalMapped()) {
+            normals.get(batch.kind().normalArray()).bind(SolidVariant.NORMAL_UNIT);
         }
         mesh.draw(index, frame.visible());
     }

@@ -1,11 +1,20 @@
 package nephele.engine.render.pass.solid;
 
+import java.util.Optional;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.Uniforms.Vector3;
 
 /** What changes from batch to batch. */
-record SolidUniforms(Vector3 eyeHigh, Vector3 eyeLow) {
+record SolidUniforms(Vector3 eyeHigh, Vector3 eyeLow, Optional<Vector3> cellFromAnchor) {
     void eye(float[] highAndLow) {
         eyeHigh.set(highAndLow[0], highAndLow[1], highAndLow[2]);
         eyeLow.set(highAndLow[3], highAndLow[4], highAndLow[5]);
+    }
+
+    void cell(Vec3 origin, Vec3 anchor) {
+        if (cellFromAnchor.isPresent()) {
+            cellFromAnchor.get().set((float) (origin.x() - anchor.x()), (float) (origin.y() - anchor.y()), (float)
+                    (origin.z() - anchor.z()));
+        }
     }
 }

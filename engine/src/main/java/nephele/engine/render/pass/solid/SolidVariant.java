@@ -1,11 +1,12 @@
 package nephele.engine.render.pass.solid;
 
-import nephele.engine.level.Environment;
+import java.util.Optional;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Uniforms;
@@ -18,6 +19,7 @@ import nephele.engine.scene.SolidBatch;
  */
 record SolidVariant(boolean lambert, boolean textured, boolean normalMapped, boolean emission) {
     static final int COLOUR_UNIT = 0;
+    static final int NORMAL_UNIT = 1;
 
     private static final String FOLDER = "/nephele/engine/render/pass/solid/";
 
@@ -28,49 +30,44 @@ record SolidVariant(boolean lambert, boolean textured, boolean normalMapped, boo
     }
 
     GlProgram<SolidUniforms> program(LoadContext context, int materialsPerBlock) {
-        var defines = defines(context).with("MATERIAL_COUNT", materialsPerBlock).values();
+        SurfaceLight light = context.shared().surfaceLight(context);
+        var defines = defines(context, light)
+                .with("MATERIAL_COUNT", materialsPerBlock)
+                .values();
         return new GlProgram<>(
                 context.gl(),
                 ShaderSource.load(FOLDER + "solid.vert", defines),
                 ShaderSource.load(FOLDER + "solid.frag", defines),
-                uniforms -> uniforms(uniforms, context.scene().level().environment()));
+                uniforms -> uniforms(uniforms, light));
     }
 
-    private Defines defines(LoadContext context) {
-        Environment environment = context.scene().level().environment();
-        return Defines.of(context)
+    private Defines defines(LoadContext context, SurfaceLight light) {
+        return light.addTo(Defines.of(context))
                 .with(lambert ? "LAMBERT" : "METALLIC_ROUGHNESS")
                 .withIf(textured, "TEXTURED")
                 .withIf(normalMapped, "NORMAL_MAP")
                 .withIf(emission, "EMISSION")
-                .withIf(environment.sun() != null, "SUN")
-                .withIf(environment.ambient() != null, "AMBIENT_CONSTANT")
-                .withIf(isLitPerFace(context.scene().level()), "FLAT_LIGHT");
+                .withIf(isLitPerFace(light), "FLAT_LIGHT");
     }
 
     /** Where light cannot differ from one point of a face to the next. */
-    private boolean isLitPerFace(Level level) {
-        return lambert && !normalMapped && level.lights().isEmpty();
+    private boolean isLitPerFace(SurfaceLight light) {
+        return lambert && !normalMapped && !light.variesOverFaces();
     }
 
-    private SolidUniforms uniforms(Uniforms uniforms, Environment environment) {
+    private SolidUniforms uniforms(Uniforms uniforms, SurfaceLight light) {
         uniforms.block("Frame", FrameUniforms.BINDING);
         uniforms.block("Materials", MaterialBlocks.BINDING);
         if (textured) {
             uniforms.sampler("colours", COLOUR_UNIT);
         }
-        if (environment.sun() != null) {
-            var towards = environment.sun().directionTowardsSun().toVector().normalize();
-            uniforms.vector3("sunDirection").set((float) towards.x, (float) towards.y, (float) towards.z);
-            set(uniforms.vector3("sunIrradiance"), environment.sun().irradiance());
+        if (normalMapped) {
+            uniforms.sampler("normals", NORMAL_UNIT);
         }
-        if (environment.ambient() != null) {
-            set(uniforms.vector3("ambientRadiance"), environment.ambient());
-        }
-        return new SolidUniforms(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"));
-    }
-
-    private static void set(Uniforms.Vector3 uniform, Vec3 v) {
-        uniform.set((float) v.x(), (float) v.y(), (float) v.z());
+        light.set(uniforms);
+        return new SolidUniforms(
+                uniforms.vector3("eyeHigh"),
+                uniforms.vector3("eyeLow"),
+                light.needsPositions() ? Optional.of(uniforms.vector3("cellFromAnchor")) : Optional.empty());
     }
 }

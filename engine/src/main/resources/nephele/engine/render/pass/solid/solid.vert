@@ -1,25 +1,41 @@
 #include "frame.glsl"
 #include "materials.glsl"
-#include "lights.glsl"
+#if defined(FLAT_LIGHT)
+#include "surface-light.glsl"
+#elif defined(SKY_VISIBILITY)
+#include "sky-visibility.glsl"
+#endif
 
 layout(location = 0) in vec3 position; // in its cell
 layout(location = 1) in vec4 normalAndMaterial;
 layout(location = 2) in vec2 textureCoordinates;
+#ifdef SKY_VISIBILITY
+layout(location = 3) in vec2 lightMapSixteenths;
+#endif
 
 // The eye in the cell as two floats a component: the difference to a near vertex is exact.
 uniform vec3 eyeHigh;
 uniform vec3 eyeLow;
 
-#ifdef TEXTURED
+#if defined(TEXTURED) || defined(NORMAL_MAP)
 out vec2 st;
-flat out float colourLayer;
+flat out vec2 layers; // x: base colour, y: normal map
 #endif
 #ifdef FLAT_LIGHT
 flat out vec3 reflectedPerAlbedo;
 #else
 flat out vec3 faceNormal;
 flat out float materialIndex;
+#endif
+#ifdef METALLIC_ROUGHNESS
 out vec3 relativePosition;
+#endif
+#ifdef ANCHOR_POSITION
+uniform vec3 cellFromAnchor; // the cell's origin, metres from the anchor
+out vec3 anchorPosition;
+#endif
+#ifdef SKY_VISIBILITY
+out vec2 lightMapPosition;
 #endif
 #ifdef EMISSION
 flat out vec3 emission;
@@ -30,26 +46,27 @@ void main() {
     gl_Position = clipFromRelative * vec4(relative, 1.0);
     vec3 normal = normalize(normalAndMaterial.xyz);
     Material material = materialAt(normalAndMaterial.w);
-#ifdef TEXTURED
+#if defined(TEXTURED) || defined(NORMAL_MAP)
     st = textureCoordinates;
-    colourLayer = material.layers.x;
+    layers = material.layers.xy;
 #endif
 #ifdef EMISSION
     emission = material.emissionMetallic.rgb;
 #endif
 #ifdef FLAT_LIGHT
     // A flat face under parallel light is lit alike everywhere: once per corner is exact.
-    vec3 perAlbedo = vec3(0.0);
-#ifdef SUN
-    perAlbedo += lambert(sunIrradianceOn(normal));
-#endif
-#ifdef AMBIENT_CONSTANT
-    perAlbedo += ambientRadiance;
-#endif
-    reflectedPerAlbedo = perAlbedo * material.baseColourRoughness.rgb;
+    reflectedPerAlbedo = surfaceRadiance(Surface(material.baseColourRoughness.rgb, normal, normal));
 #else
     faceNormal = normal;
     materialIndex = normalAndMaterial.w;
+#endif
+#ifdef METALLIC_ROUGHNESS
     relativePosition = relative;
+#endif
+#ifdef ANCHOR_POSITION
+    anchorPosition = position + cellFromAnchor;
+#endif
+#ifdef SKY_VISIBILITY
+    lightMapPosition = lightMapCoordinates(lightMapSixteenths);
 #endif
 }

@@ -1,0 +1,220 @@
+package nephele.engine.render.frame;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sun;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.BufferTexture;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.LampGrid;
+import nephele.engine.scene.light.LampTable;
+import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.ShadowCasters;
+import nephele.engine.scene.light.ShadowFrame;
+import nephele.engine.scene.light.SkyIrradiance;
+import nephele.engine.scene.light.SkyRadiance;
+
+/**
+ * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, uniforms and textures.
+ * All of it is static; positions are relative to the {@link #anchor}, so it does not move with the eye.
+ */
+public final class SurfaceLight implements AutoCloseable {
+    private static final int SUN_SHADOW_UNIT = 2;
+    private static final int LAMP_SHADOW_UNIT = 3;
+    private static final int SKY_VISIBILITY_UNIT = 4;
+    private static final int LAMP_TEXELS_UNIT = 5;
+    private static final int LAMP_GRID_UNIT = 6;
+
+    private final Level level;
+    private final Scene scene;
+    private final boolean sunShadow;
+    private final boolean lampShadow;
+    private final ShadowFrame sunFrame;
+    private final LampTable lamps;
+    private final BufferTexture lampTexels;
+    private final BufferTexture lampGrid;
+
+    SurfaceLight(GlContext gl, Scene scene, Quality quality) {
+        this.scene = scene;
+        level = scene.level();
+        sunShadow = LightNeeds.sunShadow(level);
+        lampShadow = LightNeeds.lampShadow(level);
+        boolean hasLamps = LightNeeds.lamps(level);
+        List<Brush> brushes =
+                sunShadow || hasLamps ? level.solids().stream().map(Brush::of).toList() : List.of();
+        sunFrame = sunShadow ? sunFrame(brushes, quality) : null;
+        lamps = hasLamps ? LampTable.of(level.lights(), bounds(brushes)) : null;
+        lampTexels = hasLamps ? BufferTexture.ofFloats(gl, "lamps", lamps.packed(anchor())) : null;
+        lampGrid = hasLamps ? BufferTexture.ofIntegers(gl, "lamp grid", lamps.packedGrid()) : null;
+    }
+
+    /** Targets that {@link #bind} binds for a level. */
+    public static Set<Target> targetsRead(Level level) {
+        Set<Target> targets = EnumSet.noneOf(Target.class);
+        if (LightNeeds.sunShadow(level)) {
+            targets.add(Target.SUN_SHADOW);
+        }
+        if (LightNeeds.lampShadow(level)) {
+            targets.add(Target.LAMP_SHADOW);
+        }
+        if (LightNeeds.skyVisibility(level)) {
+            targets.add(Target.SKY_VISIBILITY);
+        }
+        return targets;
+    }
+
+    private ShadowFrame sunFrame(List<Brush> brushes, Quality quality) {
+        Vec3 towardsSun = level.environment().sun().directionTowardsSun();
+        List<Vec3> corners = ShadowCasters.of(brushes, towardsSun).stream()
+                .flatMap(brush -> brush.shape().vertices().stream())
+                .toList();
+        return ShadowFrame.fit(corners, towardsSun, anchor(), quality.shadowTexels());
+    }
+
+    private static Aabb bounds(List<Brush> brushes) {
+        return brushes.stream().map(brush -> brush.shape().bounds()).reduce(Aabb.EMPTY, Aabb::union);
+    }
+
+    /** World position that positions in light shaders are relative to. */
+    public Vec3 anchor() {
+        return scene.solids().origin();
+    }
+
+    /** {@code null} without a sun that casts. */
+    public ShadowFrame sunFrame() {
+        return sunFrame;
+    }
+
+    /** {@code null} without lamps. */
+    public LampTable lamps() {
+        return lamps;
+    }
+
+    /** Whether light differs from point to point of a face. */
+    public boolean variesOverFaces() {
+        return sunShadow || lamps != null || scene.skyVisibility() != null;
+    }
+
+    /** Whether shaders need to know where on the level they are. */
+    public boolean needsPositions() {
+        return sunShadow || lamps != null;
+    }
+
+    public Defines addTo(Defines defines) {
+        return defines.withIf(LightNeeds.sun(level), "SUN")
+                .withIf(sunShadow, "SUN_SHADOW")
+                .withIf(lamps != null, "LAMPS")
+                .withIf(lampShadow, "LAMP_SHADOW")
+                .withIf(needsPositions(), "ANCHOR_POSITION")
+                .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT")
+                .withIf(scene.skyVisibility() != null, "SKY_VISIBILITY");
+    }
+
+    /** Sets what a program compiled with these defines needs, once and for all. */
+    public void set(Uniforms uniforms) {
+        Environment environment = level.environment();
+        if (LightNeeds.sun(level)) {
+            setSun(uniforms, environment.sun());
+        }
+        if (environment.ambient() != null) {
+            set(uniforms.vector3("ambientRadiance"), environment.ambient());
+        }
+        if (sunShadow) {
+            setSunShadow(uniforms);
+        }
+        if (lamps != null) {
+            setLamps(uniforms);
+        }
+        if (lampShadow) {
+            uniforms.sampler("lampShadowMaps", LAMP_SHADOW_UNIT);
+        }
+        if (scene.skyVisibility() != null) {
+            setSky(uniforms);
+        }
+    }
+
+    private static void setSun(Uniforms uniforms, Sun sun) {
+        var towards = sun.directionTowardsSun().toVector().normalize();
+        uniforms.vector3("sunDirection").set((float) towards.x, (float) towards.y, (float) towards.z);
+        set(uniforms.vector3("sunIrradiance"), sun.irradiance());
+    }
+
+    private void setSunShadow(Uniforms uniforms) {
+        uniforms.sampler("sunShadowMap", SUN_SHADOW_UNIT);
+        uniforms.matrix4("sunMapFromAnchor").set(sunFrame.mapFromAnchor().get(new float[16]));
+        float texelDepth = (float) (sunFrame.texelMetres() / sunFrame.depthMetres());
+        Vec3 right = sunFrame.right();
+        Vec3 up = sunFrame.up();
+        uniforms.vector4("sunMapRight").set((float) right.x(), (float) right.y(), (float) right.z(), texelDepth);
+        uniforms.vector4("sunMapUp").set((float) up.x(), (float) up.y(), (float) up.z(), texelDepth / 2);
+    }
+
+    private void setLamps(Uniforms uniforms) {
+        uniforms.sampler("lampTexels", LAMP_TEXELS_UNIT);
+        uniforms.sampler("lampGridCells", LAMP_GRID_UNIT);
+        LampGrid grid = lamps.grid();
+        Vec3 cell = grid.cellMetres();
+        Vec3 a = anchor();
+        set(
+                uniforms.vector3("lampGridMin"),
+                new Vec3(
+                        grid.min().x() - a.x(),
+                        grid.min().y() - a.y(),
+                        grid.min().z() - a.z()));
+        set(uniforms.vector3("lampGridCellsPerMetre"), new Vec3(1 / cell.x(), 1 / cell.y(), 1 / cell.z()));
+        set(uniforms.vector3("lampGridSize"), new Vec3(grid.columns(), grid.floors(), grid.rows()));
+    }
+
+    private void setSky(Uniforms uniforms) {
+        uniforms.sampler("skyVisibilityMap", SKY_VISIBILITY_UNIT);
+        double[] c = skyIrradiance().coefficients();
+        for (int i = 0; i < SkyIrradiance.TERMS; i++) {
+            set(uniforms.vector3("skyCoefficients[" + i + "]"), new Vec3(c[3 * i], c[3 * i + 1], c[3 * i + 2]));
+        }
+    }
+
+    private SkyIrradiance skyIrradiance() {
+        return SkyRadiance.of(
+                        level.environment().sky(),
+                        id -> PictureDecoder.decode(id, scene.assets().bytes(id)))
+                .map(SkyIrradiance::of)
+                .orElseGet(SkyIrradiance::black);
+    }
+
+    private static void set(Uniforms.Vector3 uniform, Vec3 v) {
+        uniform.set((float) v.x(), (float) v.y(), (float) v.z());
+    }
+
+    /** Binds the textures; call before drawing with such a program. */
+    public void bind(SharedResources shared) {
+        if (sunShadow) {
+            shared.texture(Target.SUN_SHADOW).bind(SUN_SHADOW_UNIT);
+        }
+        if (lampShadow) {
+            shared.texture(Target.LAMP_SHADOW).bind(LAMP_SHADOW_UNIT);
+        }
+        if (scene.skyVisibility() != null) {
+            shared.texture(Target.SKY_VISIBILITY).bind(SKY_VISIBILITY_UNIT);
+        }
+        if (lamps != null) {
+            lampTexels.bind(LAMP_TEXELS_UNIT);
+            lampGrid.bind(LAMP_GRID_UNIT);
+        }
+    }
+
+    @Override
+    public void close() {
+        if (lamps != null) {
+            lampTexels.close();
+            lampGrid.close();
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+/** A list that shaders read by index: texels of four floats ({@code samplerBuffer}) or integers ({@code usamplerBuffer}). */
+public final class BufferTexture implements AutoCloseable {
+    private final GlContext gl;
+    private final GlHandle buffer;
+    private final GlHandle texture;
+
+    private BufferTexture(GlContext gl, String name) {
+        this.gl = gl;
+        buffer = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
+        texture = new GlHandle(gl, GlKind.TEXTURE, name, glGenTextures(), id -> glDeleteTextures(id));
+        glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
+    }
+
+    /** @param values four to a texel */
+    public static BufferTexture ofFloats(GlContext gl, String name, float[] values) {
+        BufferTexture created = new BufferTexture(gl, name);
+        glBufferData(GL_TEXTURE_BUFFER, values, GL_STATIC_DRAW);
+        created.attach(GL_RGBA32F);
+        return created;
+    }
+
+    /** @param values one to a texel, not negative */
+    public static BufferTexture ofIntegers(GlContext gl, String name, int[] values) {
+        BufferTexture created = new BufferTexture(gl, name);
+        glBufferData(GL_TEXTURE_BUFFER, values, GL_STATIC_DRAW);
+        created.attach(GL_R32UI);
+        return created;
+    }
+
+    private void attach(int format) {
+        bind(0);
+        glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.id());
+    }
+
+    public void bind(int unit) {
+        gl.state().texture(unit, GL_TEXTURE_BUFFER, texture.id());
+    }
+
+    @Override
+    public void close() {
+        texture.close();
+        buffer.close();
+    }
+}

@@ -1,0 +1,56 @@
+package nephele.engine.scene.light;
+
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
+import nephele.engine.math.Vec3;
+
+/** Which kinds of light a level asks for. Each answers no as soon as its cause is taken away. */
+public final class LightNeeds {
+    private LightNeeds() {}
+
+    public static boolean sun(Level level) {
+        Sun sun = level.environment().sun();
+        return sun != null && !sun.irradiance().equals(Vec3.ZERO);
+    }
+
+    /** A sun that casts, and a solid that another one can be shaded by. */
+    public static boolean sunShadow(Level level) {
+        if (!sun(level)
+                || !level.environment().sun().castsShadow()
+                || level.solids().size() < 2) {
+            return false;
+        }
+        List<Brush> brushes = level.solids().stream().map(Brush::of).toList();
+        return !ShadowCasters.of(brushes, level.environment().sun().directionTowardsSun())
+                .isEmpty();
+    }
+
+    public static boolean lamps(Level level) {
+        return !level.solids().isEmpty()
+                && level.lights().stream().anyMatch(light -> Lamp.of(light).isPresent());
+    }
+
+    /** A lamp that casts, and more than one solid: a convex solid does not shade itself. */
+    public static boolean lampShadow(Level level) {
+        return level.solids().size() > 1
+                && level.lights().stream().filter(Light::castsShadow).anyMatch(light -> Lamp.of(light)
+                        .isPresent());
+    }
+
+    /** A sky that shines, solids for it to fall on, and no constant in its place. */
+    public static boolean skyVisibility(Level level) {
+        Environment environment = level.environment();
+        return !level.solids().isEmpty() && environment.ambient() == null && shines(environment.sky());
+    }
+
+    private static boolean shines(Sky sky) {
+        boolean isBlack =
+                sky instanceof Sky.Constant constant && constant.radiance().equals(Vec3.ZERO);
+        return sky != null && !isBlack;
+    }
+}
