@@ -44,7 +44,10 @@ class BrdfTest {
             for (double mu : new double[] {0.05, 0.2, 0.5, 0.9}) {
                 double[] integral = albedo(roughness, mu);
                 assertEquals(
-                        integral[0], Brdf.directionalAlbedo(roughness, mu), 0.047, "E at " + roughness + ", " + mu);
+                        1 / integral[0],
+                        Brdf.inverseDirectionalAlbedo(roughness, mu),
+                        0.05,
+                        "1/E at " + roughness + ", " + mu);
                 assertEquals(integral[1], Brdf.grazingAlbedo(roughness, mu), 0.047, "B at " + roughness + ", " + mu);
             }
         }
