@@ -16,7 +16,7 @@ class LevelRoundTripTest {
         try {
             Locale.setDefault(Locale.forLanguageTag(tag));
             RandomLevels levels = new RandomLevels(tag.hashCode());
-            for (int i = 0; i < 500; i++) {
+            for (int i = 0; i < 120; i++) {
                 Level level = levels.next();
                 String text = LevelJson.write(level);
                 Level again = LevelJsonTest.read(text);

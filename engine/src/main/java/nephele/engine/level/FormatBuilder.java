@@ -5,8 +5,8 @@ import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import nephele.engine.math.Vec3;
 
 /** Makes formats from record classes: the only reflection in the project. */
@@ -80,11 +80,12 @@ final class FormatBuilder {
         } else if (type.isSealed()) {
             return variants(type);
         }
-        throw new IllegalStateException("no format for " + type + " or " + Map.class);
+        throw new IllegalStateException("no format for " + type);
     }
 
     private static VariantFormat variants(Class<?> type) {
         List<Class<?>> types = Arrays.asList(type.getPermittedSubclasses());
+        types.sort(Comparator.comparing(VariantFormat::kind));
         return new VariantFormat(
                 types,
                 types.stream().map(VariantFormat::kind).toList(),

@@ -47,7 +47,7 @@ public final class LevelJson {
     /** JSON Schema of what {@link #read} accepts, as far as a schema can say it. */
     public static String schema() {
         SchemaDefinitions definitions = new SchemaDefinitions();
-        JsonValue.Members level = LEVEL.schemaWith(List.of(), definitions);
+        JsonValue.Members level = LEVEL.schemaBeside(definitions);
         var properties = new JsonValue.Members()
                 .with("format", new JsonValue.Members().with("const", new JsonValue.Text(FORMAT)))
                 .with("version", new JsonValue.Members().with("const", new JsonValue.Number(VERSION)));

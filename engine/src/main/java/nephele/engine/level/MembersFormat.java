@@ -9,6 +9,9 @@ interface MembersFormat extends ValueFormat {
 
     void writeMembers(Object value, JsonValue.Members members);
 
+    /** Schema of these members among others: it leaves the object open. */
+    JsonValue.Members schemaBeside(SchemaDefinitions definitions);
+
     /** Every key that may occur. */
     List<String> names();
 

@@ -61,21 +61,27 @@ final class RecordFormat implements MembersFormat {
 
     @Override
     public JsonValue.Members schema(SchemaDefinitions definitions) {
-        return definitions.reference(type, () -> schemaWith(List.of(), definitions));
+        return definitions.reference(type, () -> SchemaDefinitions.closed(schemaBeside(definitions)));
     }
 
-    /** @param kinds the value of {@code kind} that chooses this record among others, or none */
-    JsonValue.Members schemaWith(List<String> kinds, SchemaDefinitions definitions) {
-        var properties = new JsonValue.Members();
-        List<String> required = new ArrayList<>();
-        if (!kinds.isEmpty()) {
-            properties.with("kind", new JsonValue.Members().with("const", new JsonValue.Text(kinds.get(0))));
-            required.add("kind");
-        }
-        MembersFormat beside = null;
+    @Override
+    public JsonValue.Members schemaBeside(SchemaDefinitions definitions) {
+        return schemaOf(new JsonValue.Members(), new ArrayList<>(), definitions);
+    }
+
+    /** As the variant that {@code kind} chooses. */
+    JsonValue.Members schemaOfVariant(String kind, SchemaDefinitions definitions) {
+        var chosen =
+                new JsonValue.Members().with("kind", new JsonValue.Members().with("const", new JsonValue.Text(kind)));
+        return schemaOf(chosen, new ArrayList<>(List.of("kind")), definitions);
+    }
+
+    private JsonValue.Members schemaOf(
+            JsonValue.Members properties, List<String> required, SchemaDefinitions definitions) {
+        List<JsonValue> beside = new ArrayList<>();
         for (FieldFormat field : fields) {
             if (field.beside()) {
-                beside = (MembersFormat) field.format();
+                beside.add(((MembersFormat) field.format()).schemaBeside(definitions));
                 continue;
             }
             properties.with(field.name(), field.schema(definitions));
@@ -86,8 +92,7 @@ final class RecordFormat implements MembersFormat {
         var schema = new JsonValue.Members()
                 .with("type", new JsonValue.Text("object"))
                 .with("properties", properties)
-                .with("required", SchemaDefinitions.texts(required))
-                .with("unevaluatedProperties", JsonValue.Literal.FALSE);
-        return beside == null ? schema : schema.with("allOf", new JsonValue.Array(List.of(beside.schema(definitions))));
+                .with("required", SchemaDefinitions.texts(required));
+        return beside.isEmpty() ? schema : schema.with("allOf", new JsonValue.Array(beside));
     }
 }

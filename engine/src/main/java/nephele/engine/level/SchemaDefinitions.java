@@ -25,6 +25,11 @@ final class SchemaDefinitions {
         return members;
     }
 
+    /** The same object without room for other keys. */
+    static JsonValue.Members closed(JsonValue.Members schema) {
+        return schema.with("unevaluatedProperties", JsonValue.Literal.FALSE);
+    }
+
     static JsonValue texts(List<String> texts) {
         return new JsonValue.Array(
                 texts.stream().<JsonValue>map(JsonValue.Text::new).toList());

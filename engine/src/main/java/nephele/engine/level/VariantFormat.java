@@ -1,5 +1,6 @@
 package nephele.engine.level;
 
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -48,11 +49,21 @@ record VariantFormat(List<Class<?>> types, List<String> kinds, List<RecordFormat
 
     @Override
     public JsonValue.Members schema(SchemaDefinitions definitions) {
-        List<JsonValue> variants = new java.util.ArrayList<>();
+        List<JsonValue> variants = new ArrayList<>();
         for (int i = 0; i < types.size(); i++) {
-            int index = i;
+            RecordFormat format = formats.get(i);
+            String kind = kinds.get(i);
             variants.add(definitions.reference(
-                    types.get(i), () -> formats.get(index).schemaWith(List.of(kinds.get(index)), definitions)));
+                    types.get(i), () -> SchemaDefinitions.closed(format.schemaOfVariant(kind, definitions))));
+        }
+        return new JsonValue.Members().with("oneOf", new JsonValue.Array(variants));
+    }
+
+    @Override
+    public JsonValue.Members schemaBeside(SchemaDefinitions definitions) {
+        List<JsonValue> variants = new ArrayList<>();
+        for (int i = 0; i < types.size(); i++) {
+            variants.add(formats.get(i).schemaOfVariant(kinds.get(i), definitions));
         }
         return new JsonValue.Members().with("oneOf", new JsonValue.Array(variants));
     }
