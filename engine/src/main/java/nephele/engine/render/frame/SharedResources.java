@@ -11,8 +11,8 @@ import nephele.engine.scene.Scene;
 public final class SharedResources implements AutoCloseable {
     private final GlContext gl;
     private final Scene scene;
-    private final FrameUniforms frameUniforms;
     private final Map<Target, Texture> textures = new EnumMap<>(Target.class);
+    private FrameUniforms frameUniforms;
     private SolidMesh solids;
     private PictureArrays colourPictures;
     private PictureArrays normalPictures;
@@ -21,11 +21,13 @@ public final class SharedResources implements AutoCloseable {
     public SharedResources(GlContext gl, Scene scene) {
         this.gl = gl;
         this.scene = scene;
-        this.frameUniforms = new FrameUniforms(gl);
     }
 
     /** The block of {@code frame.glsl}, bound at {@link FrameUniforms#BINDING}. */
     public FrameUniforms frameUniforms() {
+        if (frameUniforms == null) {
+            frameUniforms = new FrameUniforms(gl);
+        }
         return frameUniforms;
     }
 
@@ -80,7 +82,9 @@ public final class SharedResources implements AutoCloseable {
 
     @Override
     public void close() {
-        frameUniforms.close();
+        if (frameUniforms != null) {
+            frameUniforms.close();
+        }
         if (solids != null) {
             solids.close();
         }

@@ -1,0 +1,117 @@
+package nephele.engine.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import nephele.engine.asset.AssetException;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Material;
+import nephele.engine.level.Sky;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Target;
+import nephele.engine.scene.View;
+import org.junit.jupiter.api.Test;
+
+/** The passes that a plan builds: what they hand on, and that nothing of them stays. */
+class FramePlanGlTest {
+    private static TestLevel everything() {
+        return new TestLevel()
+                .sun(new Vec3(0.2, 1, 0.1), 2)
+                .ambient(0.1)
+                .sky(new Sky.Gradient(TestLevel.grey(0.1), TestLevel.grey(0.5), TestLevel.grey(0.2)))
+                .textured("tiles", "tiles.png")
+                .material(new Material("metal", TestLevel.grey(0.7), null, 0.4, 1.0, null, Vec3.ZERO, 1))
+                .light(new Light.Point("lamp", new Vec3(0, 2, 0), TestLevel.grey(4), 10, false))
+                .box("tiles", new Vec3(0, -1, 0), new Vec3(9, 1, 9))
+                .box("metal", new Vec3(0, 0, -2), new Vec3(1, 1, 1));
+    }
+
+    private static TestAssets tiles() {
+        return new TestAssets().picture("tiles.png", 8, 8, (x, y) -> 0x808080);
+    }
+
+    @Test
+    void everyTargetReadIsWrittenEarlier() {
+        try (Offscreen offscreen = new Offscreen(8, 8)) {
+            Set<Target> written = EnumSet.noneOf(Target.class);
+            for (Required required :
+                    FramePlan.forLevel(everything().level(), Output.HDR).required()) {
+                try (Pass pass = required.build().apply(offscreen.gl)) {
+                    assertTrue(written.containsAll(pass.reads()), pass.getClass() + " reads " + pass.reads());
+                    written.addAll(pass.writes());
+                }
+            }
+            assertTrue(written.contains(Target.PICTURE));
+        }
+    }
+
+    /** Issue 2: loading and closing 100 levels brings the count of live objects back to the baseline. */
+    @Test
+    void aHundredLevelsLeaveNothingBehind() {
+        try (Offscreen offscreen = new Offscreen(8, 8)) {
+            var before = offscreen.gl.live().counts();
+            View view = offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO);
+            for (int i = 0; i < 100; i++) {
+                Output output = Output.values()[i % 3];
+                offscreen.pixels(everything().level(), tiles(), view, RenderSettings.of(output));
+            }
+            assertEquals(before, offscreen.gl.live().counts());
+        }
+    }
+
+    @Test
+    void aLevelThatCannotBeLoadedLeavesNothingBehind() {
+        try (Offscreen offscreen = new Offscreen(8, 8)) {
+            var before = offscreen.gl.live().counts();
+            Level level = everything().textured("lost", "lost.png").level();
+            assertThrows(
+                    AssetException.class,
+                    () -> Renderer.load(offscreen.gl, level, tiles(), RenderSettings.of(Output.DIRECT)));
+            assertEquals(before, offscreen.gl.live().counts());
+        }
+    }
+
+    /** The empty level: one clear, nothing drawn, nothing compiled. */
+    @Test
+    void theEmptyLevelIsOneClear() {
+        try (Offscreen offscreen = new Offscreen(8, 8)) {
+            var before = offscreen.gl.live().counts();
+            try (Renderer renderer = Renderer.load(
+                    offscreen.gl, new TestLevel().level(), TestAssets.NONE, RenderSettings.of(Output.DIRECT))) {
+                renderer.draw(offscreen.view(Vec3.ZERO, new Vec3(1, 0, 0)), offscreen.picture);
+                assertEquals(0, renderer.draws());
+                assertEquals(before, offscreen.gl.live().counts());
+            }
+        }
+    }
+
+    /** The twin replays the engine's frames to the last bit, after foreign use of the context too. */
+    @Test
+    void theBareTwinDrawsTheSamePictures() {
+        for (Output output : Output.values()) {
+            try (Offscreen offscreen = new Offscreen(64, 64);
+                    Renderer renderer =
+                            Renderer.load(offscreen.gl, everything().level(), tiles(), RenderSettings.of(output))) {
+                List<View> views = List.of(
+                        offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO), offscreen.view(new Vec3(3, 1, 1), Vec3.ZERO));
+                try (BareTwin twin = new BareTwin(offscreen.gl, renderer, views, offscreen.picture)) {
+                    for (int frame = 0; frame < 4; frame++) {
+                        renderer.draw(views.get(frame % 2), offscreen.picture);
+                        int[] expected = offscreen.pixels();
+                        offscreen.picture.clear(1, 0, 1);
+                        twin.draw(frame);
+                        org.junit.jupiter.api.Assertions.assertArrayEquals(expected, offscreen.pixels());
+                    }
+                }
+            }
+        }
+    }
+}

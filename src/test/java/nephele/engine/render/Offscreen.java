@@ -1,0 +1,81 @@
+package nephele.engine.render;
+
+import java.nio.ByteBuffer;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Projection;
+import nephele.engine.scene.View;
+
+/** A context with one small 8-bit picture; every frame is checked for OpenGL errors. */
+final class Offscreen implements AutoCloseable {
+    final GlContext gl = GlContext.offscreen();
+    final RenderTarget picture;
+
+    Offscreen(int width, int height) {
+        picture = RenderTarget.picture(gl, "test picture", PixelFormat.RGBA8, width, height);
+    }
+
+    /** 0xrrggbb, the bottom row first. */
+    int[] pixels(Level level, View view, Output output) {
+        return pixels(level, TestAssets.NONE, view, RenderSettings.of(output));
+    }
+
+    int[] pixels(Level level, AssetSource assets, View view, RenderSettings settings) {
+        try (Renderer renderer = Renderer.load(gl, level, assets, settings)) {
+            renderer.draw(view, picture);
+            gl.requireNoError("test frame");
+            return pixels();
+        }
+    }
+
+    int[] pixels() {
+        return pixels(picture);
+    }
+
+    static int[] pixels(RenderTarget target) {
+        ByteBuffer bytes = target.readBytes();
+        int[] rgb = new int[target.width() * target.height()];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = (bytes.get(4 * i) & 0xff) << 16 | (bytes.get(4 * i + 1) & 0xff) << 8 | bytes.get(4 * i + 2) & 0xff;
+        }
+        return rgb;
+    }
+
+    /** Linear RGB, the bottom row first. */
+    float[] radiance(Level level, AssetSource assets, View view) {
+        try (Renderer renderer = Renderer.load(gl, level, assets, RenderSettings.of(Output.HDR))) {
+            renderer.draw(view, picture);
+            gl.requireNoError("test frame");
+            return renderer.readRadiance();
+        }
+    }
+
+    /** 90° vertical field of view. */
+    View view(Vec3 eye, Vec3 target) {
+        double aspect = picture.width() / (double) picture.height();
+        return View.lookAt(eye, target, new Vec3(0, 1, 0), new Projection(Math.PI / 2, aspect, 0.05, 1000));
+    }
+
+    static int red(int rgb) {
+        return rgb >> 16;
+    }
+
+    static int green(int rgb) {
+        return rgb >> 8 & 0xff;
+    }
+
+    static int blue(int rgb) {
+        return rgb & 0xff;
+    }
+
+    @Override
+    public void close() {
+        picture.close();
+        gl.close();
+    }
+}

@@ -1,0 +1,101 @@
+package nephele.engine.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
+import nephele.engine.level.SkyboxLayout;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Output;
+import org.junit.jupiter.api.Test;
+
+/** Only what the scene requires, and a reason for each. */
+class RenderFeaturesTest {
+    @Test
+    void theEmptyLevelRequiresNothing() {
+        FramePlan plan = FramePlan.forLevel(new TestLevel().level(), Output.DIRECT);
+        assertEquals(List.of(), plan.required());
+        assertEquals(RenderFeatures.ALL.size(), plan.explain().size());
+        assertTrue(plan.explain().stream().allMatch(line -> line.endsWith(": not required")));
+    }
+
+    @Test
+    void aConstantSkyRequiresNothing() {
+        Level level = new TestLevel().sky(new Sky.Constant(new Vec3(1, 0, 0))).level();
+        assertEquals(List.of(), FramePlan.forLevel(level, Output.DIRECT).required());
+    }
+
+    @Test
+    void takingTheCauseAwayTakesThePassAway() {
+        Level without = new TestLevel().level();
+        causes().forEach((feature, level) -> {
+            assertTrue(required(level).contains(feature), feature);
+            assertFalse(required(without).contains(feature), feature);
+        });
+    }
+
+    private static Map<String, Level> causes() {
+        Map<String, Level> causes = new LinkedHashMap<>();
+        causes.put(
+                "solid", new TestLevel().box(null, Vec3.ZERO, TestLevel.grey(1)).level());
+        causes.put(
+                "sky.gradient",
+                new TestLevel().sky(skies().get(Sky.Gradient.class)).level());
+        causes.put(
+                "sky.skybox", new TestLevel().sky(skies().get(Sky.Skybox.class)).level());
+        return causes;
+    }
+
+    /** The clear colour claims the constant sky; each other kind of sky is claimed by exactly one feature. */
+    @Test
+    void everyKindOfSkyIsClaimedExactlyOnce() {
+        Set<Class<?>> permitted =
+                Arrays.stream(Sky.class.getPermittedSubclasses()).collect(Collectors.toSet());
+        assertEquals(permitted, skies().keySet());
+        skies().forEach((kind, sky) -> {
+            List<String> lines = FramePlan.forLevel(new TestLevel().sky(sky).level(), Output.DIRECT).explain().stream()
+                    .filter(line -> line.contains(": required by environment.sky: "))
+                    .toList();
+            assertEquals(kind == Sky.Constant.class ? 0 : 1, lines.size(), kind + " " + lines);
+        });
+    }
+
+    private static Map<Class<?>, Sky> skies() {
+        return Map.of(
+                Sky.Constant.class, new Sky.Constant(Vec3.ZERO),
+                Sky.Gradient.class, new Sky.Gradient(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO),
+                Sky.Skybox.class, new Sky.Skybox(SkyboxLayout.CROSS, List.of("cross.png")),
+                Sky.Atmosphere.class, new Sky.Atmosphere());
+    }
+
+    private static Set<String> required(Level level) {
+        return FramePlan.forLevel(level, Output.DIRECT).steps().stream()
+                .filter(step -> !step.required().isEmpty())
+                .map(step -> step.feature().name())
+                .collect(Collectors.toSet());
+    }
+
+    @Test
+    void outputHdrRequiresTheToneMapAndDirectDoesNot() {
+        Level level = new TestLevel().level();
+        assertTrue(FramePlan.forLevel(level, Output.HDR)
+                .explain()
+                .contains("tonemap: required by output: hdr was asked for"));
+        assertTrue(FramePlan.forLevel(level, Output.DIRECT).explain().contains("tonemap: not required"));
+    }
+
+    @Test
+    void featureNamesAreUnique() {
+        assertEquals(
+                RenderFeatures.ALL.size(),
+                RenderFeatures.ALL.stream().map(f -> f.name()).distinct().count());
+    }
+}

@@ -1,0 +1,103 @@
+package nephele.engine.render;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.level.BoxFace;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Material;
+import nephele.engine.level.Sky;
+import nephele.engine.level.Solid;
+import nephele.engine.level.Sun;
+import nephele.engine.level.TextureMapping;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.math.Vec3;
+
+/** Small levels for drawing tests, put together piece by piece. */
+final class TestLevel {
+    private Sun sun;
+    private Sky sky;
+    private Vec3 ambient = Vec3.ZERO;
+    private ToneCurve toneCurve = ToneCurve.CLIP;
+    private double exposureStops;
+    private final List<Material> materials = new ArrayList<>();
+    private final List<Solid> solids = new ArrayList<>();
+    private final List<Light> lights = new ArrayList<>();
+
+    TestLevel sun(Vec3 towards, double irradiance) {
+        sun = new Sun(towards, grey(irradiance), false);
+        return this;
+    }
+
+    TestLevel sky(Sky newSky) {
+        sky = newSky;
+        return this;
+    }
+
+    TestLevel ambient(double radiance) {
+        ambient = grey(radiance);
+        return this;
+    }
+
+    TestLevel develop(ToneCurve curve, double stops) {
+        toneCurve = curve;
+        exposureStops = stops;
+        return this;
+    }
+
+    TestLevel material(String id, Vec3 baseColour) {
+        return material(new Material(id, baseColour, null, null, null, null, Vec3.ZERO, 1));
+    }
+
+    TestLevel material(Material material) {
+        materials.add(material);
+        return this;
+    }
+
+    TestLevel textured(String id, String texture) {
+        return material(new Material(id, grey(1), texture, null, null, null, Vec3.ZERO, 1));
+    }
+
+    TestLevel box(String material, Vec3 centre, Vec3 size) {
+        return solid(new Solid.Box(
+                "box" + solids.size(),
+                material,
+                false,
+                TextureMapping.WORLD,
+                centre,
+                size,
+                Map.<BoxFace, Solid.Face>of()));
+    }
+
+    TestLevel solid(Solid solid) {
+        solids.add(solid);
+        return this;
+    }
+
+    TestLevel light(Light light) {
+        lights.add(light);
+        return this;
+    }
+
+    Level level() {
+        Environment environment = new Environment(sun, sky, ambient, exposureStops, toneCurve, null, List.of());
+        return new Level(
+                "test",
+                "",
+                environment,
+                null,
+                List.of(),
+                List.copyOf(materials),
+                List.copyOf(solids),
+                List.copyOf(lights),
+                List.of(),
+                List.of(),
+                List.of());
+    }
+
+    static Vec3 grey(double value) {
+        return new Vec3(value, value, value);
+    }
+}
