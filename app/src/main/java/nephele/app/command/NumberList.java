@@ -1,5 +1,6 @@
 package nephele.app.command;
 
+import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
@@ -39,6 +40,16 @@ final class NumberList {
         public Vec3 convert(String text) {
             double[] numbers = read(text, "x,y,z");
             return new Vec3(numbers[0], numbers[1], numbers[2]);
+        }
+    }
+
+    /** Reads `x,y,z,yawDeg,pitchDeg`. */
+    static final class StartConverter implements ITypeConverter<PlayerStart> {
+        @Override
+        public PlayerStart convert(String text) {
+            double[] numbers = read(text, "x,y,z,yawDeg,pitchDeg");
+            var feet = new Vec3(numbers[0], numbers[1], numbers[2]);
+            return new PlayerStart(feet, numbers[3], numbers[4]);
         }
     }
 }

@@ -1,0 +1,128 @@
+package nephele.app.command;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import nephele.app.levels.LevelName;
+import nephele.app.levels.LevelShelf;
+import nephele.app.play.OffscreenWalk;
+import nephele.app.play.PlayRequest;
+import nephele.app.play.StartProfile;
+import nephele.app.play.WindowedGame;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.sim.Replay;
+import nephele.engine.sim.SimSettings;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** The game; without a display the level's recorded walk, drawn offscreen. */
+@picocli.CommandLine.Command
+final class PlayCommand implements Command {
+    /** Begins to count as soon as the command exists, before its options are read. */
+    private final StartProfile profile = new StartProfile();
+
+    @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file (default: level 01).")
+    private String level;
+
+    @Option(
+            names = "--from",
+            paramLabel = "x,y,z,yawDeg,pitchDeg",
+            converter = NumberList.StartConverter.class,
+            description = "Begin with the feet here, looking there.")
+    private PlayerStart from;
+
+    @Option(names = "--record", paramLabel = "FILE", description = "Keep what is done as a replay.")
+    private Path record;
+
+    @Option(
+            names = "--ticks-per-second",
+            paramLabel = "N",
+            description = "The simulation's rate with --record (default: 120).")
+    private Integer ticksPerSecond;
+
+    @Option(names = "--replay", paramLabel = "FILE", description = "Show a replay, at the rate that the file says.")
+    private String replay;
+
+    @Option(names = "--fullscreen", description = "Begin in full screen (F11 changes it).")
+    private boolean fullScreen;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            converter = Size.Converter.class,
+            description = "The window or picture in pixels (default: 1280x720).")
+    private Size size = Size.DEFAULT;
+
+    @Option(
+            names = "--profile-start",
+            description = "Draw one frame, print where the time since the JVM's start went, and leave.")
+    private boolean profileStart;
+
+    @Mixin
+    private QualityOptions quality;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) throws IOException {
+        var request = request();
+        boolean windowed = hasDisplay();
+        if (windowed && profileStart) {
+            new WindowedGame(request).profileStart(profile, terminal.out());
+        } else if (windowed) {
+            new WindowedGame(request).run();
+        } else if (profileStart) {
+            new OffscreenWalk(request, terminal.out()).profileStart(profile);
+        } else {
+            new OffscreenWalk(request, terminal.out()).run();
+        }
+        return ExitCode.DONE;
+    }
+
+    private PlayRequest request() {
+        var name = level == null ? LevelShelf.first() : new LevelName(level);
+        var picture = new PlayRequest.Picture(size.width(), size.height(), fullScreen);
+        Replay shown = replay == null ? null : LevelName.replay(replay);
+        return new PlayRequest(name, from, quality.choice(), shown, record, settings(), picture);
+    }
+
+    private SimSettings settings() {
+        if (ticksPerSecond == null) {
+            return SimSettings.DEFAULT;
+        }
+        if (record == null) {
+            throw CommandFailure.usage("--ticks-per-second belongs to --record; a replay brings its own rate");
+        }
+        if (replay != null) {
+            throw CommandFailure.usage("--ticks-per-second and --replay exclude each other");
+        }
+        try {
+            return new SimSettings(ticksPerSecond, List.of());
+        } catch (IllegalArgumentException outOfRange) {
+            throw CommandFailure.usage("--ticks-per-second: " + outOfRange.getMessage());
+        }
+    }
+
+    /** Only X and Wayland can be absent. */
+    private static boolean hasDisplay() {
+        var system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
+        boolean alwaysHas = system.contains("mac") || system.contains("windows");
+        return alwaysHas || isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
+    }
+
+    private static boolean isSet(String variable) {
+        var value = System.getenv(variable);
+        return value != null && !value.isEmpty();
+    }
+}

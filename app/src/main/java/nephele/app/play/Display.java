@@ -1,0 +1,68 @@
+package nephele.app.play;
+
+import nephele.app.play.hud.Area;
+import nephele.app.play.hud.Hud;
+import nephele.app.play.hud.HudContent;
+import nephele.app.window.GameWindow;
+import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.OverlayPass;
+
+/** Draws frames into a window: the level, then the overlay, and takes pictures in between. */
+final class Display implements AutoCloseable {
+    /** When a picture is to be taken of the next frame. */
+    enum Shot {
+        NONE,
+        WITH_OVERLAY,
+        WITHOUT_OVERLAY
+    }
+
+    private final GameWindow window;
+    private final GlContext gl;
+    private final Lettering lettering = new Lettering();
+    private final OverlayPass overlay;
+    private final Hud hud = new Hud(lettering);
+    private final Screenshots screenshots;
+    private RenderTarget target;
+
+    Display(GameWindow window, GlContext gl, Screenshots screenshots) {
+        this.window = window;
+        this.gl = gl;
+        this.screenshots = screenshots;
+        overlay = new OverlayPass(gl, lettering);
+    }
+
+    /** One frame on the window; returns where a picture of it was saved, or null. */
+    String draw(Session session, HudContent content, StepListener listener, Shot shot) {
+        var picture = target();
+        double aspect = (double) picture.width() / picture.height();
+        session.renderer().draw(session.walk().view(aspect), picture, listener);
+        String saved = shot == Shot.WITHOUT_OVERLAY ? screenshots.take(picture) : null;
+        overlay.draw(hud.canvas(content, area(), window.scale()), picture);
+        if (shot == Shot.WITH_OVERLAY) {
+            saved = screenshots.take(picture);
+        }
+        window.show();
+        return saved;
+    }
+
+    /** The window's picture in points. */
+    Area area() {
+        return new Area(window.width() / window.scale(), window.height() / window.scale());
+    }
+
+    private RenderTarget target() {
+        boolean fits = target != null && target.width() == window.width() && target.height() == window.height();
+        if (!fits) {
+            target = RenderTarget.window(gl, window.width(), window.height());
+        }
+        return target;
+    }
+
+    @Override
+    public void close() {
+        overlay.close();
+    }
+}

@@ -1,0 +1,262 @@
+package nephele.app.play;
+
+import java.util.List;
+import nephele.app.bench.StepTimer;
+import nephele.app.levels.LevelShelf;
+import nephele.app.play.hud.HudContent;
+import nephele.app.play.hud.HudContent.Page;
+import nephele.app.play.hud.Menu;
+import nephele.app.play.hud.MenuPanel;
+import nephele.app.window.Control;
+import nephele.app.window.GameWindow;
+import nephele.app.window.Input;
+import nephele.engine.asset.AssetException;
+import nephele.engine.level.LevelFormatException;
+import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.gl.GlContext;
+
+/** The game from its first level to its end: what happens in a frame, and how one stage leads to the next. */
+public final class GameLoop implements AutoCloseable {
+    private static final double HIDDEN_WAIT_SECONDS = 0.1;
+
+    private final GameWindow window;
+    private final GlContext gl;
+    private final Input input;
+    private final Display display;
+    private final StageMachine stages = new StageMachine();
+    private final Message message = new Message();
+    private PlayRequest request;
+    private Preparation preparation;
+    private Session session;
+    private Menu menu;
+    private Page page = Page.NONE;
+    private FrameFigures figures;
+    private List<HudContent.Figure> shownFigures = List.of();
+    private Display.Shot shot = Display.Shot.NONE;
+    private long lastNanos;
+
+    /** Begins to read the level; {@link #run} plays it. */
+    public GameLoop(PlayRequest request, GameWindow window, GlContext gl, Input input) {
+        this.request = request;
+        this.window = window;
+        this.gl = gl;
+        this.input = input;
+        display = new Display(window, gl, Screenshots.inUsualFolder());
+        start(request);
+    }
+
+    /** Runs until the player leaves. */
+    public void run() {
+        while (!stages.in(Stage.LEAVING)) {
+            frame();
+        }
+        session.keepRecording();
+    }
+
+    /** One frame. */
+    void frame() {
+        poll();
+        obeyKeys();
+        obeyPointer();
+        changeLevel();
+        simulate();
+        draw();
+    }
+
+    Stage stage() {
+        return stages.current();
+    }
+
+    private void poll() {
+        window.poll();
+        if (!window.isDrawable()) {
+            window.waitForEvents(HIDDEN_WAIT_SECONDS);
+        }
+        if (window.closeRequested() && !stages.in(Stage.LEAVING)) {
+            stages.change(Stage.LEAVING);
+        }
+        window.captureMouse(stages.in(Stage.RUNNING) && window.hasFocus());
+    }
+
+    private void obeyKeys() {
+        for (var key = input.nextPressed(); key != null; key = input.nextPressed()) {
+            switch (key) {
+                case FULL_SCREEN -> window.toggleFullScreen();
+                case SCREENSHOT ->
+                    shot = input.holds(Control.RUN) ? Display.Shot.WITHOUT_OVERLAY : Display.Shot.WITH_OVERLAY;
+                case FIGURES -> toggleFigures();
+                case HELP -> page = page == Page.HELP ? Page.NONE : Page.HELP;
+                default -> obeyStageKey(key);
+            }
+        }
+    }
+
+    private void obeyStageKey(Control key) {
+        if (stages.in(Stage.MENU)) {
+            obeyMenuKey(key);
+        } else if (stages.in(Stage.RUNNING) && key == Control.RESTART) {
+            stages.change(Stage.RESTARTING);
+        } else if (stages.in(Stage.RUNNING) && key == Control.MENU) {
+            openMenuOrClosePage();
+        }
+    }
+
+    private void obeyMenuKey(Control key) {
+        switch (key) {
+            case FORWARD -> menu = menu.moved(-1);
+            case BACK -> menu = menu.moved(1);
+            case CONFIRM, JUMP -> choose(menu.chosen());
+            case MENU -> choose(new Menu.Choice.Continue());
+            default -> {}
+        }
+    }
+
+    private void openMenuOrClosePage() {
+        if (page != Page.NONE) {
+            page = Page.NONE;
+            return;
+        }
+        menu = Menu.pause();
+        input.forget();
+        stages.change(Stage.MENU);
+    }
+
+    private void obeyPointer() {
+        if (!stages.in(Stage.MENU)) {
+            return;
+        }
+        double scale = window.scale();
+        int row = new MenuPanel(menu, display.area()).rowAt(input.pointerX() / scale, input.pointerY() / scale);
+        if (input.takePointerMoved()) {
+            menu = menu.pointedAt(row);
+        }
+        if (input.takeClick() && row >= 0) {
+            menu = menu.pointedAt(row);
+            choose(menu.chosen());
+        }
+    }
+
+    private void choose(Menu.Choice choice) {
+        if (choice instanceof Menu.Choice.SelectLevel) {
+            menu = Menu.levels(LevelShelf.numbered());
+        } else if (choice instanceof Menu.Choice.Back) {
+            menu = Menu.pause();
+        } else if (choice instanceof Menu.Choice.Continue) {
+            resume(Stage.RUNNING);
+        } else if (choice instanceof Menu.Choice.Restart) {
+            resume(Stage.RESTARTING);
+        } else if (choice instanceof Menu.Choice.Quit) {
+            resume(Stage.LEAVING);
+        } else if (choice instanceof Menu.Choice.Start next) {
+            menu = null;
+            start(request.of(next.level()));
+        }
+    }
+
+    private void resume(Stage stage) {
+        menu = null;
+        input.forget();
+        stages.change(stage);
+    }
+
+    private void start(PlayRequest next) {
+        request = next;
+        preparation = Preparation.begin(next.level());
+        stages.change(Stage.STARTING);
+    }
+
+    private void changeLevel() {
+        if (stages.in(Stage.STARTING)) {
+            load();
+        } else if (stages.in(Stage.RESTARTING)) {
+            session.restart();
+            stages.change(Stage.RUNNING);
+        }
+    }
+
+    /** The old level stays until the new one is complete: a level that fails leads back to the menu. */
+    private void load() {
+        try {
+            var loaded = Session.load(gl, request, preparation, input);
+            closeSession();
+            session = loaded;
+            session.notice().ifPresent(message::say);
+            lastNanos = System.nanoTime();
+            stages.change(Stage.RUNNING);
+        } catch (LevelFormatException | AssetException problem) {
+            if (session == null) {
+                throw problem;
+            }
+            message.say(problem.getMessage().lines().findFirst().orElse("the level can't be loaded"));
+            menu = Menu.pause();
+            stages.change(Stage.MENU);
+        }
+    }
+
+    private void simulate() {
+        long now = System.nanoTime();
+        if (stages.in(Stage.RUNNING)) {
+            session.walk().advance(now - lastNanos);
+            if (session.walk().isFinished()) {
+                message.say("The replay is over");
+                openMenuOrClosePage();
+            }
+        }
+        lastNanos = now;
+    }
+
+    private void draw() {
+        if (session == null || !window.isDrawable()) {
+            return;
+        }
+        var content = new HudContent(menu, page, shownFigures, message.text());
+        var saved = display.draw(session, content, listener(), shot);
+        shot = Display.Shot.NONE;
+        if (saved != null) {
+            message.say(saved);
+        }
+        if (figures != null) {
+            shownFigures = figures.afterFrame(session.walk());
+        }
+    }
+
+    private StepListener listener() {
+        if (figures == null) {
+            return StepListener.NONE;
+        }
+        figures.timer().frameBegins();
+        return figures.timer();
+    }
+
+    private void toggleFigures() {
+        boolean closes = figures != null;
+        closeFigures();
+        if (!closes && session != null) {
+            var renderer = session.renderer();
+            figures = new FrameFigures(
+                    renderer, StepTimer.of(gl, renderer.stepNames().size()));
+        }
+    }
+
+    private void closeFigures() {
+        if (figures != null) {
+            figures.close();
+            figures = null;
+            shownFigures = List.of();
+        }
+    }
+
+    private void closeSession() {
+        closeFigures();
+        if (session != null) {
+            session.close();
+            session = null;
+        }
+    }
+
+    @Override
+    public void close() {
+        closeSession();
+        display.close();
+    }
+}

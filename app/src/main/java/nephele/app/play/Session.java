@@ -1,0 +1,72 @@
+package nephele.app.play;
+
+import java.util.Optional;
+import nephele.app.draw.Outputs;
+import nephele.app.window.Input;
+import nephele.engine.level.Level;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.sim.SimSettings;
+
+/** One level being played: what is drawn and what is simulated. */
+final class Session implements AutoCloseable {
+    private final PlayRequest request;
+    private final Level level;
+    private final Renderer renderer;
+    private final Input input;
+    private final Optional<String> notice;
+    private Walk walk;
+
+    private Session(PlayRequest request, Preparation.Prepared prepared, Renderer renderer, Input input) {
+        this.request = request;
+        this.level = prepared.opened().level();
+        this.notice = prepared.opened().notice();
+        this.renderer = renderer;
+        this.input = input;
+        restart();
+    }
+
+    /** Builds what the level requires; its problems are thrown before anything is kept. */
+    static Session load(GlContext gl, PlayRequest request, Preparation preparation, Input input) {
+        var prepared = preparation.get();
+        var output = Outputs.requiredBy(prepared.opened().level());
+        var quality = request.quality().on(gl.limits().software());
+        var settings = new RenderSettings(output, quality, Culling.ON);
+        return new Session(request, prepared, Renderer.load(gl, prepared.scene(), settings), input);
+    }
+
+    /** The same level from its beginning. */
+    void restart() {
+        var replay = request.replay();
+        SimSettings settings = replay != null ? replay.settings() : request.simulation();
+        var from = request.from() == null && replay != null ? replay.start() : request.from();
+        var hands = replay != null ? new ReplayInput(replay) : new LiveInput(input);
+        walk = new Walk(level, new Walk.Beginning(request.level().fileName(), settings, from), hands);
+    }
+
+    Walk walk() {
+        return walk;
+    }
+
+    Renderer renderer() {
+        return renderer;
+    }
+
+    Optional<String> notice() {
+        return notice;
+    }
+
+    /** Writes the recording that was asked for. */
+    void keepRecording() {
+        if (request.record() != null) {
+            Recordings.write(request.record(), walk.recorder().replay());
+        }
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+    }
+}

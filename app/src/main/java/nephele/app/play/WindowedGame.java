@@ -1,0 +1,52 @@
+package nephele.app.play;
+
+import java.io.PrintStream;
+import nephele.app.window.GameWindow;
+import nephele.app.window.Input;
+import nephele.engine.render.gl.GlContext;
+
+/** The game in a window of its own. */
+public final class WindowedGame {
+    private static final String TITLE = "Nephele";
+
+    private final PlayRequest request;
+
+    public WindowedGame(PlayRequest request) {
+        this.request = request;
+    }
+
+    /** Plays until the player leaves. */
+    public void run() {
+        var input = new Input();
+        try (var window = open(input);
+                var gl = GlContext.ofCurrentWindow();
+                var loop = new GameLoop(request, window, gl, input)) {
+            loop.run();
+        }
+    }
+
+    /** Draws the first frame only and says where the time went. */
+    public void profileStart(StartProfile profile, PrintStream out) {
+        profile.done("arguments");
+        var input = new Input();
+        try (var window = open(input);
+                var gl = GlContext.ofCurrentWindow()) {
+            profile.done("window and context");
+            try (var loop = new GameLoop(request, window, gl, input)) {
+                loop.frame();
+                gl.finish();
+                profile.done("level, upload, compile and first frame");
+                profile.report().forEach(out::println);
+            }
+        }
+    }
+
+    private GameWindow open(Input input) {
+        var picture = request.picture();
+        var window = GameWindow.open(new GameWindow.Request(TITLE, picture.width(), picture.height()), input);
+        if (picture.fullScreen()) {
+            window.toggleFullScreen();
+        }
+        return window;
+    }
+}
