@@ -1,9 +1,11 @@
 #include "frame.glsl"
 #include "materials.glsl"
-#if defined(FLAT_LIGHT)
-#include "surface-light.glsl"
-#elif defined(SKY_VISIBILITY)
+// Each file is taken in once, so the one that both branches need comes first.
+#ifdef SKY_VISIBILITY
 #include "sky-visibility.glsl"
+#endif
+#ifdef FLAT_LIGHT
+#include "surface-light.glsl"
 #endif
 
 layout(location = 0) in vec3 position; // in its cell
