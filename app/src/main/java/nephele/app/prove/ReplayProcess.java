@@ -1,0 +1,37 @@
+package nephele.app.prove;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import nephele.app.Main;
+
+/** {@code simulate} in a process of its own. */
+public record ReplayProcess(JvmVariant variant, String level, Path replay, int every) {
+    /**
+     * The lines {@code tick hash} that it prints.
+     *
+     * @throws IOException with what it said when it fails
+     */
+    public List<String> lines() throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of(variant.java().toString(), "-Xmx256m"));
+        command.addAll(variant.flags());
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Main.class.getName()));
+        command.addAll(List.of("simulate", level, "--replay", replay.toString(), "--every", Integer.toString(every)));
+        Path said = Files.createTempFile("nephele-simulate", ".txt");
+        try {
+            Process process =
+                    new ProcessBuilder(command).redirectError(said.toFile()).start();
+            process.getOutputStream().close();
+            String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            if (process.waitFor() != 0) {
+                throw new IOException(variant + ": " + Files.readString(said));
+            }
+            return text.lines().toList();
+        } finally {
+            Files.delete(said);
+        }
+    }
+}
