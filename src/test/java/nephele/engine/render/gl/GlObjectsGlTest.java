@@ -30,6 +30,25 @@ class GlObjectsGlTest {
         }
     }
 
+    /** Twice in the text, once for the compiler; also when the first inclusion lies in a branch that is not taken. */
+    @Test
+    void anIncludeCountsOnceWhereTheCompilerSeesIt() {
+        Map<String, String> files = Map.of(
+                "/two.frag",
+                "#ifdef ABSENT\n#include \"one.glsl\"\n#endif\n#include \"one.glsl\"\n#include \"one.glsl\"\n"
+                        + "void main() { one(); wrong; }\n",
+                "/nephele/engine/render/include/one.glsl",
+                "void one() {}\n");
+        try (GlContext gl = GlContext.offscreen()) {
+            ShaderSource fragment = ShaderSource.assemble("/two.frag", Map.of(), files::get);
+            GlException e = assertThrows(
+                    GlException.class, () -> new GlProgram<>(gl, source("a.vert", VERTEX), fragment, u -> u));
+            assertTrue(e.getMessage().contains("two.frag:6"), e.getMessage());
+            assertFalse(e.getMessage().contains("one.glsl"), e.getMessage());
+            assertFalse(e.getMessage().contains("one'"), e.getMessage());
+        }
+    }
+
     @Test
     void aMissingUniformIsNamed() {
         try (GlContext gl = GlContext.offscreen()) {

@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
@@ -22,6 +24,7 @@ public final class ShaderSource {
     private static final Pattern PLACE = Pattern.compile("(?m)^(?:ERROR: )?(\\d+)[:(](\\d+)\\)?");
 
     private final List<String> files = new ArrayList<>();
+    private final Set<String> open = new HashSet<>();
     private final StringBuilder text = new StringBuilder();
     private final UnaryOperator<String> read;
 
@@ -49,22 +52,34 @@ public final class ShaderSource {
     }
 
     private void append(String path) {
-        int index = files.size();
-        files.add(path);
+        if (!files.contains(path)) {
+            files.add(path);
+        }
+        int index = files.indexOf(path);
         String[] lines = read.apply(path).split("\n", -1);
         text.append("#line 1 ").append(index).append('\n');
         for (int i = 0; i < lines.length; i++) {
             Matcher include = INCLUDE.matcher(lines[i]);
-            if (!include.matches()) {
+            if (include.matches()) {
+                appendOnce(INCLUDE_FOLDER + include.group(1), path);
+                text.append("#line ").append(i + 2).append(' ').append(index).append('\n');
+            } else {
                 text.append(lines[i]).append('\n');
-                continue;
             }
-            String included = INCLUDE_FOLDER + include.group(1);
-            if (!files.contains(included)) {
-                append(included);
-            }
-            text.append("#line ").append(i + 2).append(' ').append(index).append('\n');
         }
+    }
+
+    /** The compiler decides which of several inclusions counts: the first one may lie in a branch that is not taken. */
+    private void appendOnce(String path, String includedFrom) {
+        if (open.contains(path)) {
+            throw new GlException(includedFrom + " includes " + path + ", which includes it in turn");
+        }
+        String guard = "INCLUDED_" + path.substring(INCLUDE_FOLDER.length()).replaceAll("\\W", "_");
+        text.append("#ifndef ").append(guard).append("\n#define ").append(guard).append('\n');
+        open.add(path);
+        append(path);
+        open.remove(path);
+        text.append("\n#endif\n");
     }
 
     private static String resource(String path) {
