@@ -14,14 +14,17 @@ final class SkyPainter {
     static final String CROSS_FILE = "textures/sky-bay-cross.png";
     private static final List<String> FACES = List.of("px", "nx", "py", "ny", "pz", "nz");
 
-    private static final Colour ZENITH = Colour.of(0x3F73B5);
-    private static final Colour UPPER = Colour.of(0x6FA3D8);
-    private static final Colour LOWER = Colour.of(0xA9CBE6);
+    private static final Colour ZENITH = Colour.of(0x3468B4);
+    private static final Colour UPPER = Colour.of(0x629DDB);
+    private static final Colour LOWER = Colour.of(0xA0C8E8);
     private static final Colour HAZE = Colour.of(0xE4E7E2);
     private static final Colour SUNLIT = Colour.of(0xFFF3DC);
     private static final Colour BRIGHT = Colour.of(0xFFFFFF);
     private static final Colour CLOUD_SHADE = Colour.of(0xB4C2D3);
     private static final Colour SEA_NEAR = Colour.of(0x2C5F7C);
+    /** Straight below lies a sunlit beach; it is seldom seen, but lights from below as a bright floor would. */
+    private static final Colour SAND = Colour.of(0xD8C7A6);
+
     private static final Colour SEA_FAR = Colour.of(0x9FBCCB);
     private static final Colour[] HILLS = {Colour.of(0xA7B9C4), Colour.of(0x869F9F), Colour.of(0x66806C)};
 
@@ -135,7 +138,7 @@ final class SkyPainter {
                 .stretched(direction.x * reach / 128 + 0.5, direction.z * reach / 128 + 0.5, 256, 256, 3);
         Colour water =
                 SEA_FAR.mix(SEA_NEAR, Shapes.ramp(0, 0.2, down)).times(1 + 0.05 * swell * Shapes.ramp(0, 0.1, down));
-        return water.times(1 - 0.25 * down);
+        return water.mix(SAND, Shapes.ramp(0.45, 0.8, down));
     }
 
     /** Sine of the altitude of a ridge; negative where there is only sea. */
