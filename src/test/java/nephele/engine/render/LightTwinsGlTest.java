@@ -1,0 +1,189 @@
+package nephele.engine.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import nephele.engine.scene.light.Brdf;
+import nephele.engine.scene.light.LampFalloff;
+import nephele.engine.scene.light.NormalMap;
+import nephele.engine.scene.light.ShadowFilter;
+import nephele.engine.scene.light.SkyIrradiance;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** Every include that computes light against its Java twin: float on the one side, double on the other. */
+class LightTwinsGlTest {
+    private static final int COUNT = 4096;
+
+    /** The lobe's peak squares a difference of nearly equal floats: 5 % below roughness 0.2, 0.2 % above. */
+    @Test
+    void brdf() {
+        SplittableRandom random = new SplittableRandom(1);
+        float[] in = new float[16 * COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            float[] n = unit(random);
+            fill(in, 16 * i, random.nextDouble(), random.nextDouble(), random.nextDouble(), random.nextDouble());
+            fill(in, 16 * i + 4, n[0], n[1], n[2], i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : random.nextDouble());
+            float[] v = towards(n, unit(random));
+            fill(in, 16 * i + 8, v[0], v[1], v[2], 0);
+            float[] l = i % 7 == 0 ? mirrored(v, n) : unit(random);
+            fill(in, 16 * i + 12, l[0], l[1], l[2], 0);
+        }
+        float[] gpu = TwinProgram.run("brdf.frag", in, COUNT, uniforms -> {});
+        for (int i = 0; i < COUNT; i++) {
+            Vector3d n = vector(in, 16 * i + 4);
+            Vector3d v = vector(in, 16 * i + 8);
+            Vector3d expected = Brdf.of(vector(in, 16 * i), in[16 * i + 3], in[16 * i + 7], n.dot(v))
+                    .reflected(n, v, vector(in, 16 * i + 12));
+            double roughness = Math.max(in[16 * i + 3], Brdf.MIN_ROUGHNESS);
+            assertClose(expected, gpu, i, roughness < 0.2 ? 5e-2 : 2e-3, 1e-5);
+        }
+    }
+
+    /** A white furnace: 1 for white metal and white insulators of every roughness, on the GPU too. */
+    @Test
+    void ambientReflectanceOfWhiteIsOne() {
+        float[] in = new float[8 * COUNT];
+        SplittableRandom random = new SplittableRandom(2);
+        for (int i = 0; i < COUNT; i++) {
+            fill(in, 8 * i, 1, 1, 1, random.nextDouble() * 1.4 - 0.2);
+            fill(in, 8 * i + 4, i % 2, random.nextDouble() * 2 - 1, 0, 0);
+        }
+        float[] gpu = TwinProgram.run("ambient-reflectance.frag", in, COUNT, uniforms -> {});
+        for (float reflected : gpu) {
+            assertEquals(1, reflected, 2e-6);
+        }
+    }
+
+    /** C.2 row 44: any distance, range and cone; relative 1e-5, since the window squares a difference. */
+    @Test
+    void lampFalloff() {
+        SplittableRandom random = new SplittableRandom(3);
+        double[] odd = {0, 1e-30, 1e-8, 1e-4, 1, 1e18, 1e30};
+        float[] in = new float[8 * COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            double d2 = i % 4 == 0 ? odd[random.nextInt(odd.length)] : random.nextDouble() * 100;
+            double range = i % 9 == 0 ? 1e9 : 0.001 + random.nextDouble() * 12;
+            fill(in, 8 * i, d2, 1 / (range * range), 0, 0);
+            fill(in, 8 * i + 4, random.nextDouble() * 2 - 1, random.nextDouble() * 100, -random.nextDouble() * 50, 0);
+        }
+        float[] gpu = TwinProgram.run("lamp-falloff.frag", in, COUNT, uniforms -> {});
+        for (int i = 0; i < COUNT; i++) {
+            Vector3d expected = new Vector3d(
+                    LampFalloff.windowedInverseSquare(in[8 * i], in[8 * i + 1]),
+                    LampFalloff.cone(in[8 * i + 4], in[8 * i + 5], in[8 * i + 6]),
+                    0);
+            assertClose(expected, gpu, i, 1e-3, 1e-5);
+        }
+    }
+
+    /** Equal unless a comparison falls within a float's rounding; those may differ by one texel's weight. */
+    @Test
+    void shadowFilter() {
+        SplittableRandom random = new SplittableRandom(4);
+        float[] in = new float[12 * COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            double x = random.nextInt(64) + 0.25 * random.nextInt(4) + 0.125;
+            double y = random.nextInt(64) + 0.25 * random.nextInt(4) + 0.125;
+            fill(in, 12 * i, x, y, random.nextInt(1, 20) / 16.0, 0);
+            fill(in, 12 * i + 4, (random.nextInt(9) - 4) / 64.0, (random.nextInt(9) - 4) / 64.0, 1 / 128.0, 0);
+            double[] depths = random.doubles(4).toArray();
+            fill(in, 12 * i + 8, depths[0], depths[1], depths[2], i % 5 == 0 ? 1 : depths[3]);
+        }
+        float[] gpu = TwinProgram.run("shadow-filter.frag", in, COUNT, uniforms -> {});
+        for (int i = 0; i < COUNT; i++) {
+            int at = 12 * i;
+            int column = (int) Math.floor(in[at] - 0.5);
+            int row = (int) Math.floor(in[at + 1] - 0.5);
+            // textureGather's order: upper left, upper right, lower right, lower left.
+            ShadowFilter.DepthMap map = (c, r) -> in[at + 8 + (r > row ? (c > column ? 1 : 0) : c > column ? 2 : 3)];
+            double tolerance = ShadowFilter.contactTolerance(in[at + 6], in[at + 4], in[at + 5]);
+            double share =
+                    ShadowFilter.litShare(map, in[at], in[at + 1], in[at + 2] - tolerance, in[at + 4], in[at + 5]);
+            assertClose(new Vector3d(share, tolerance, 0), gpu, i, 0, 1e-5);
+        }
+    }
+
+    /** Row 43: degenerate texels and opposite vectors included. */
+    @Test
+    void normalMap() {
+        SplittableRandom random = new SplittableRandom(5);
+        float[] in = new float[16 * COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            boolean black = i % 10 == 0;
+            fill(in, 16 * i, black ? 0 : random.nextDouble(), black ? 0 : random.nextDouble(), random.nextDouble(), 0);
+            for (int v = 1; v <= 3; v++) {
+                float[] u = unit(random);
+                fill(in, 16 * i + 4 * v, u[0], u[1], u[2], 0);
+            }
+        }
+        float[] gpu = TwinProgram.run("normal-map.frag", in, COUNT, uniforms -> {});
+        for (int i = 0; i < COUNT; i++) {
+            Vector3d expected = NormalMap.mapped(
+                    vector(in, 16 * i), vector(in, 16 * i + 4), vector(in, 16 * i + 8), vector(in, 16 * i + 12));
+            assertClose(expected, gpu, i, 1e-3, 1e-4);
+        }
+    }
+
+    @Test
+    void skyAmbient() {
+        SkyIrradiance sky = SkyIrradiance.of((x, y, z) -> new Vector3d(1 + x, Math.max(y, 0), 0.5 + 0.5 * z * z));
+        SplittableRandom random = new SplittableRandom(6);
+        float[] in = new float[4 * COUNT];
+        for (int i = 0; i < COUNT; i++) {
+            float[] n = unit(random);
+            fill(in, 4 * i, n[0], n[1], n[2], 0);
+        }
+        float[] gpu = TwinProgram.run("sky-ambient.frag", in, COUNT, uniforms -> {
+            double[] c = sky.coefficients();
+            for (int i = 0; i < SkyIrradiance.TERMS; i++) {
+                uniforms.vector3("skyCoefficients[" + i + "]")
+                        .set((float) c[3 * i], (float) c[3 * i + 1], (float) c[3 * i + 2]);
+            }
+        });
+        for (int i = 0; i < COUNT; i++) {
+            Vector3d n = vector(in, 4 * i);
+            assertClose(sky.ambient(n.x, n.y, n.z), gpu, i, 1e-5, 1e-6);
+        }
+    }
+
+    private static void assertClose(Vector3d expected, float[] gpu, int i, double relative, double absolute) {
+        for (int c = 0; c < 3; c++) {
+            double e = expected.get(c);
+            float g = gpu[3 * i + c];
+            assertTrue(
+                    Math.abs(g - e) <= absolute + relative * Math.abs(e),
+                    "input " + i + ", component " + c + ": GPU " + g + ", twin " + e);
+        }
+    }
+
+    private static void fill(float[] in, int at, double x, double y, double z, double w) {
+        in[at] = (float) x;
+        in[at + 1] = (float) y;
+        in[at + 2] = (float) z;
+        in[at + 3] = (float) w;
+    }
+
+    private static Vector3d vector(float[] in, int at) {
+        return new Vector3d(in[at], in[at + 1], in[at + 2]);
+    }
+
+    private static float[] unit(SplittableRandom random) {
+        double z = 2 * random.nextDouble() - 1;
+        double angle = 2 * Math.PI * random.nextDouble();
+        double r = Math.sqrt(1 - z * z);
+        return new float[] {(float) (r * Math.cos(angle)), (float) (r * Math.sin(angle)), (float) z};
+    }
+
+    /** On the normal's side. */
+    private static float[] towards(float[] n, float[] v) {
+        float d = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
+        return d >= 0 ? v : new float[] {-v[0], -v[1], -v[2]};
+    }
+
+    private static float[] mirrored(float[] v, float[] n) {
+        float d = 2 * (n[0] * v[0] + n[1] * v[1] + n[2] * v[2]);
+        return new float[] {d * n[0] - v[0], d * n[1] - v[1], d * n[2] - v[2]};
+    }
+}
