@@ -67,7 +67,7 @@ public record Brdf(
 
     /** GGX (Walter et al. 2007, equation 33). */
     double distribution(double nDotH) {
-        double d = Math.max(nDotH * nDotH * (alpha2 - 1) + 1, 1e-6);
+        double d = Math.max(1 - nDotH * nDotH * (1 - alpha2), 1e-6);
         return alpha2 / (Math.PI * d * d);
     }
 

@@ -54,7 +54,9 @@ vec3 reflectedLight(Brdf b, vec3 normal, vec3 toEye, vec3 toLight) {
     halfway *= inversesqrt(max(dot(halfway, halfway), 1e-8));
     float nDotH = clamp(dot(normal, halfway), 0.0, 1.0);
     float vDotH = clamp(dot(toEye, halfway), 0.0, 1.0);
-    float d = max(nDotH * nDotH * (b.alpha2 - 1.0) + 1.0, 1e-6);
+    // Lagrange's identity: 1 - (n.h)^2 without the cancellation at the lobe's peak.
+    vec3 sine = cross(normal, halfway);
+    float d = max(dot(sine, sine) + nDotH * nDotH * b.alpha2, 1e-6);
     float distribution = b.alpha2 / (PI * d * d);
     float towardsEye = nDotL * sqrt(b.nDotV * b.nDotV * (1.0 - b.alpha2) + b.alpha2);
     float towardsLight = b.nDotV * sqrt(nDotL * nDotL * (1.0 - b.alpha2) + b.alpha2);
