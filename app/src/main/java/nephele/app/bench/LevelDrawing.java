@@ -1,8 +1,10 @@
 package nephele.app.bench;
 
 import java.util.List;
+import nephele.engine.render.BareTwin;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 
@@ -34,6 +36,18 @@ public final class LevelDrawing implements Drawing {
 
     List<String> stepNames() {
         return renderer.stepNames();
+    }
+
+    /** The same frames by plain OpenGL calls, with the same counts of draws and triangles; this drawing has to stay open as long. */
+    public Drawing bareTwin(GlContext gl) {
+        long[] draws = new long[views.size()];
+        long[] triangles = new long[views.size()];
+        for (int frame = 0; frame < views.size(); frame++) {
+            draw(frame);
+            draws[frame] = draws();
+            triangles[frame] = triangles();
+        }
+        return new TwinDrawing(new BareTwin(gl, renderer, views, picture), draws, triangles);
     }
 
     @Override

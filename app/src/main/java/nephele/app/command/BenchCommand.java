@@ -99,11 +99,17 @@ final class BenchCommand implements Command {
     private void measure(LevelFile.Opened opened, Terminal terminal) {
         try (var gl = GlContext.offscreen();
                 var drawing = drawing(opened, gl)) {
-            print(new Bench(gl).measure(drawing), terminal);
+            print(bare ? bare(gl, drawing) : new Bench(gl).measure(drawing), terminal);
             gl.requireNoError("bench");
             if (perPass) {
                 new PerPass(gl, drawing).csv().forEach(terminal.out()::println);
             }
+        }
+    }
+
+    private static FrameTimes bare(GlContext gl, LevelDrawing engine) {
+        try (var twin = engine.bareTwin(gl)) {
+            return new Bench(gl).measure(twin);
         }
     }
 

@@ -7,17 +7,17 @@ import nephele.engine.level.LevelFile;
 import nephele.engine.scene.Scene;
 
 /** Reads a level and derives its scene on a thread of its own, while another one opens the window and its context. */
-final class Preparation {
+public final class Preparation {
     private final FutureTask<Prepared> task;
 
     /** A level that needs nothing but OpenGL to be drawn. */
-    record Prepared(LevelFile.Opened opened, Scene scene, long nanos) {}
+    public record Prepared(LevelFile.Opened opened, Scene scene, long nanos) {}
 
     private Preparation(FutureTask<Prepared> task) {
         this.task = task;
     }
 
-    static Preparation begin(LevelName level) {
+    public static Preparation begin(LevelName level) {
         var task = new FutureTask<>(() -> {
             long start = System.nanoTime();
             var opened = level.open();
@@ -31,7 +31,7 @@ final class Preparation {
     }
 
     /** Waits; a failure is thrown here as it was there. */
-    Prepared get() {
+    public Prepared get() {
         try {
             return task.get();
         } catch (ExecutionException failure) {

@@ -4,12 +4,12 @@ import nephele.engine.sim.PlayerInput;
 import nephele.engine.sim.Replay;
 
 /** A replay, tick by tick; afterwards the player stands still. */
-final class ReplayInput implements TickInput {
+public final class ReplayInput implements TickInput {
     private final Replay replay;
     private int run;
     private int tickOfRun;
 
-    ReplayInput(Replay replay) {
+    public ReplayInput(Replay replay) {
         this.replay = replay;
     }
 

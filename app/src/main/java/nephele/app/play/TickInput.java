@@ -3,7 +3,7 @@ package nephele.app.play;
 import nephele.engine.sim.PlayerInput;
 
 /** Who plays: hands and mouse, or a replay. */
-interface TickInput {
+public interface TickInput {
     /** What is done in the next tick. */
     PlayerInput next();
 

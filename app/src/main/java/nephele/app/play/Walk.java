@@ -12,7 +12,7 @@ import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 
 /** The simulated part of a game: two states to draw between, the clock that makes ticks and the record of all input. */
-final class Walk {
+public final class Walk {
     private final Simulation simulation;
     private final SimState start;
     private final TickInput input;
@@ -26,9 +26,9 @@ final class Walk {
      *
      * @param from null: where the level starts
      */
-    record Beginning(String levelFile, SimSettings settings, PlayerStart from) {}
+    public record Beginning(String levelFile, SimSettings settings, PlayerStart from) {}
 
-    Walk(Level level, Beginning beginning, TickInput input) {
+    public Walk(Level level, Beginning beginning, TickInput input) {
         this.input = input;
         simulation = new Simulation(level, beginning.settings);
         start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);
@@ -39,7 +39,7 @@ final class Walk {
     }
 
     /** Simulates the ticks that are due after a frame of this length. */
-    void advance(long elapsedNanos) {
+    public void advance(long elapsedNanos) {
         int due = clock.advance(elapsedNanos);
         for (int i = 0; i < due; i++) {
             tick();
@@ -47,27 +47,27 @@ final class Walk {
     }
 
     /** One tick. */
-    void tick() {
+    public void tick() {
         var done = input.next();
         recorder.record(done);
         before = after;
         after = simulation.step(after, done);
     }
 
-    boolean isFinished() {
+    public boolean isFinished() {
         return input.isFinished();
     }
 
-    SimState state() {
+    public SimState state() {
         return after;
     }
 
-    ReplayRecorder recorder() {
+    public ReplayRecorder recorder() {
         return recorder;
     }
 
     /** The player's view between the last two ticks. */
-    View view(double aspect) {
+    public View view(double aspect) {
         var pose = PlayerPose.between(before, after, clock.share());
         return Viewpoints.ofEye(pose.eye(), pose.yawRadians(), pose.pitchRadians(), aspect);
     }

@@ -19,7 +19,7 @@ public enum Control {
     HELP("F1", "this page", GLFW_KEY_F1),
     FIGURES("F3", "figures: time per pass, draws, memory", GLFW_KEY_F3),
     FULL_SCREEN("F11", "full screen", GLFW_KEY_F11),
-    SCREENSHOT("F12", "screenshot (with Shift: without overlay)", GLFW_KEY_F12);
+    SCREENSHOT("F12", "picture; with Shift without the overlay", GLFW_KEY_F12);
 
     private final String keys;
     private final String meaning;

@@ -5,12 +5,12 @@ import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /** The F1 page: every key and what it does. */
 final class HelpPanel {
-    private static final double WIDTH = 520;
+    private static final double WIDTH = 560;
     private static final double PADDING = 32;
     private static final double TITLE_EM = 32;
     private static final double ROW_HEIGHT = 29;
-    private static final double EM = 19;
-    private static final double KEY_COLUMN = 118;
+    private static final double EM = 18;
+    private static final double KEY_COLUMN = 112;
 
     private HelpPanel() {}
 
