@@ -10,7 +10,9 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * UTF-8 bytes to a tree. Gson's strict mode still lets duplicate keys, byte-order marks, unpaired surrogates and endless
@@ -21,9 +23,11 @@ final class JsonTree {
 
     private static final int MAX_DEPTH = 32;
     private static final int MAX_VALUES = 2_000_000;
+    private static final int MAX_SHARED_NAMES = 1_000;
 
     private final JsonReader reader;
     private final Problems problems;
+    private final Map<String, String> names = new HashMap<>();
     private int values;
     private int depth;
 
@@ -79,11 +83,13 @@ final class JsonTree {
             reader.peek();
             return root;
         } catch (EOFException end) {
-            problems.error(values == 0 ? "the file is empty" : "the file ends too early" + where());
+            problems.error(values <= 1 ? "the file is empty" : "the file ends too early" + where());
         } catch (CharacterCodingException notUtf8) {
             problems.error("the file is not UTF-8 text" + where());
         } catch (IOException | IllegalStateException syntax) {
             problems.error(plain(syntax.getMessage()) + where());
+        } catch (OutOfMemoryError tooLarge) {
+            problems.error("the file does not fit into memory: split the level");
         } catch (Abandoned reported) {
             return null;
         }
@@ -113,7 +119,7 @@ final class JsonTree {
         var members = new JsonValue.Members();
         reader.beginObject();
         while (reader.hasNext()) {
-            String name = reader.nextName();
+            String name = shared(reader.nextName());
             int mark = problems.enter(printable(name));
             if (members.size() == JsonValue.Members.MOST) {
                 throw abandon("more than " + JsonValue.Members.MOST + " keys in one object");
@@ -129,6 +135,15 @@ final class JsonTree {
         reader.endObject();
         depth--;
         return members;
+    }
+
+    /** The same few names occur in every record: one copy of each is enough. */
+    private String shared(String name) {
+        String known = names.get(name);
+        if (known == null && names.size() < MAX_SHARED_NAMES) {
+            names.put(name, name);
+        }
+        return known == null ? name : known;
     }
 
     private JsonValue array() throws IOException {

@@ -10,13 +10,13 @@ final class ModelRules {
     static final LevelRule PARENTS = (level, assets, report) -> {
         Map<String, String> parents = new HashMap<>();
         level.models().forEach(model -> parents.put(model.id(), model.parent()));
-        Set<String> rooted = new HashSet<>();
+        Map<String, Boolean> circular = new HashMap<>();
         for (int i = 0; i < level.models().size(); i++) {
             ModelPlacement model = level.models().get(i);
             String path = "models[" + i + "].parent";
             if (model.parent() != null && !parents.containsKey(model.parent())) {
                 report.accept(Problem.error(path, "there is no model '" + model.parent() + "'"));
-            } else if (circles(model.id(), parents, rooted)) {
+            } else if (circles(model.id(), parents, circular)) {
                 report.accept(Problem.error(path, "'" + model.id() + "' hangs below itself: break the circle"));
             }
         }
@@ -24,17 +24,15 @@ final class ModelRules {
 
     private ModelRules() {}
 
-    /** @param rooted ids known to lead to a root; grows, so that a chain is walked once */
-    private static boolean circles(String start, Map<String, String> parents, Set<String> rooted) {
+    /** @param verdicts of the ids walked so far; grows, so that a chain is walked once */
+    private static boolean circles(String start, Map<String, String> parents, Map<String, Boolean> verdicts) {
         Set<String> walked = new HashSet<>();
         String id = start;
-        while (id != null && !rooted.contains(id)) {
-            if (!walked.add(id)) {
-                return true;
-            }
+        while (id != null && !verdicts.containsKey(id) && walked.add(id)) {
             id = parents.get(id);
         }
-        rooted.addAll(walked);
-        return false;
+        boolean circular = id != null && verdicts.getOrDefault(id, true);
+        walked.forEach(each -> verdicts.put(each, circular));
+        return circular;
     }
 }

@@ -1,5 +1,6 @@
 package nephele.engine.level;
 
+import java.util.List;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
@@ -34,31 +35,54 @@ final class PlayerRules {
 
     private PlayerRules() {}
 
-    /** Boxes, of which there may be very many, are told apart without making their shape. */
+    /** Most solids are told apart without making their shape. */
     private static boolean mayReach(Solid solid, Vec3 feet) {
-        return !(solid instanceof Solid.Box box)
-                || Math.abs(feet.x() - box.centre().x()) < box.size().x() / 2
-                        && Math.abs(feet.z() - box.centre().z()) < box.size().z() / 2;
+        if (solid instanceof Solid.Box box) {
+            return within(feet, box.centre(), box.size().x() / 2, box.size().z() / 2);
+        } else if (solid instanceof Solid.Wedge wedge) {
+            return within(
+                    feet, wedge.centre(), wedge.size().x() / 2, wedge.size().z() / 2);
+        } else if (solid instanceof Solid.Prism prism) {
+            return within(feet, prism.centre(), prism.radiusMetres(), prism.radiusMetres());
+        }
+        return true;
+    }
+
+    private static boolean within(Vec3 feet, Vec3 centre, double halfX, double halfZ) {
+        return Math.abs(feet.x() - centre.x()) < halfX && Math.abs(feet.z() - centre.z()) < halfZ;
+    }
+
+    private static boolean holdsAxis(Solid solid, Vec3 feet) {
+        try {
+            return holdsAxis(planes(solid), feet);
+        } catch (IllegalArgumentException toldByAnotherRule) {
+            return false;
+        }
+    }
+
+    private static List<Plane> planes(Solid solid) {
+        return solid instanceof Solid.Planes given
+                ? given.planes().stream()
+                        .map(plane -> Plane.of(plane.normal(), plane.distanceMetres()))
+                        .toList()
+                : Brush.of(solid).shape().faces().stream()
+                        .map(ConvexPolyhedron.Face::plane)
+                        .toList();
     }
 
     /** Clips the upright segment by every plane (Cyrus and Beck 1978); what remains lies inside. */
-    private static boolean holdsAxis(Solid solid, Vec3 feet) {
+    private static boolean holdsAxis(List<Plane> planes, Vec3 feet) {
         double low = AXIS_LOW_METRES;
         double high = AXIS_HIGH_METRES;
-        try {
-            for (ConvexPolyhedron.Face face : Brush.of(solid).shape().faces()) {
-                Plane plane = face.plane();
-                double atFeet = plane.signedDistance(feet);
-                if (plane.ny() > 0) {
-                    high = Math.min(high, -atFeet / plane.ny());
-                } else if (plane.ny() < 0) {
-                    low = Math.max(low, -atFeet / plane.ny());
-                } else if (atFeet >= 0) {
-                    return false;
-                }
+        for (Plane plane : planes) {
+            double atFeet = plane.signedDistance(feet);
+            if (plane.ny() > 0) {
+                high = Math.min(high, -atFeet / plane.ny());
+            } else if (plane.ny() < 0) {
+                low = Math.max(low, -atFeet / plane.ny());
+            } else if (atFeet >= 0) {
+                return false;
             }
-        } catch (IllegalArgumentException toldByAnotherRule) {
-            return false;
         }
         return low < high;
     }

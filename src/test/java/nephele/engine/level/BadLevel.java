@@ -1,0 +1,40 @@
+package nephele.engine.level;
+
+import java.nio.charset.StandardCharsets;
+import java.util.function.Supplier;
+
+/**
+ * One kind of bad input.
+ *
+ * @param path where the message must point
+ * @param words what it must contain
+ */
+record BadLevel(String name, String path, String words, Supplier<byte[]> content) {
+    /** A whole file. */
+    static BadLevel file(String name, String path, String words, String text) {
+        return new BadLevel(name, path, words, () -> text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** A level with these sections. */
+    static BadLevel level(String path, String words, String sections) {
+        return file(path + " " + words, path, words, wrap(sections));
+    }
+
+    static String wrap(String sections) {
+        return "{\"format\": \"nephele-level\", \"version\": 1, " + sections + "}";
+    }
+
+    /** {@code element}, separated by commas. */
+    static String repeated(String element, int count) {
+        StringBuilder text = new StringBuilder(count * (element.length() + 1)).append(element);
+        for (int i = 1; i < count; i++) {
+            text.append(',').append(element);
+        }
+        return text.toString();
+    }
+
+    @Override
+    public String toString() {
+        return name;
+    }
+}

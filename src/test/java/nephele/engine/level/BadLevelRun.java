@@ -1,0 +1,95 @@
+package nephele.engine.level;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.SamplePictures;
+
+/** What {@code check} does with each bad level; also a process of its own, to bound its memory. */
+final class BadLevelRun {
+    private static final double MOST_CPU_SECONDS = 1;
+
+    private BadLevelRun() {}
+
+    static List<BadLevel> all() {
+        List<BadLevel> all = new ArrayList<>(BadDocuments.ALL);
+        all.addAll(BadValues.ALL);
+        all.addAll(BadRelations.ALL);
+        return all;
+    }
+
+    /** The assets that some levels name. */
+    static void prepare(Path folder) throws IOException {
+        byte[] good = SamplePictures.png(4, 4, 8, 2, 1);
+        Path inside = Files.createDirectories(folder.resolve("levels"));
+        Files.write(folder.resolve("real.png"), good);
+        Files.write(inside.resolve("real.png"), good);
+        Files.createDirectories(inside.resolve("folder"));
+        Files.createSymbolicLink(inside.resolve("loop.png"), inside.resolve("loop.png"));
+        Files.createSymbolicLink(inside.resolve("outside.png"), folder.resolve("real.png"));
+        Files.write(inside.resolve("bomb.png"), SamplePictures.png(SamplePictures.header(100_000, 100_000, 8, 6, 0)));
+        Files.write(inside.resolve("thin.png"), SamplePictures.png(SamplePictures.header(8192, 8192, 8, 6, 0)));
+        Files.write(inside.resolve("zero.png"), SamplePictures.png(SamplePictures.header(0, 4, 8, 6, 0)));
+        byte[] sum = good.clone();
+        sum[30] ^= 1;
+        Files.write(inside.resolve("sum.png"), sum);
+        Files.write(inside.resolve("cut.png"), Arrays.copyOf(good, good.length - 20));
+        Files.writeString(inside.resolve("text.png"), "no picture");
+        Files.write(inside.resolve("empty.png"), new byte[0]);
+        Files.write(inside.resolve("cut.tga"), new byte[10]);
+        Files.write(inside.resolve("wide.tga"), SamplePictures.tga(2, 65535, 65535, 24, new byte[9]));
+    }
+
+    /** The lines that {@code check} prints; the file is called after nothing in particular. */
+    static List<String> lines(Path folder, BadLevel bad) throws IOException {
+        Path file = folder.resolve("levels/bad.json");
+        byte[] content = bad.content().get();
+        Files.write(file, content);
+        List<Problem> problems;
+        try {
+            problems = LevelRules.check(LevelFile.read(file), LevelAssets.beside(file));
+        } catch (LevelFormatException told) {
+            problems = told.problems();
+        }
+        if (!Arrays.equals(content, Files.readAllBytes(file))) {
+            throw new IllegalStateException("the file has changed");
+        }
+        return problems.stream()
+                .filter(Problem::isError)
+                .map(problem -> problem.line("bad.json"))
+                .toList();
+    }
+
+    /** What is wrong with the answer to {@code bad}, or {@code null}. */
+    static String objection(Path folder, BadLevel bad) throws IOException {
+        long before = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+        List<String> lines = lines(folder, bad);
+        double seconds = (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - before) / 1e9;
+        if (lines.isEmpty()) {
+            return bad + ": was accepted";
+        }
+        if (lines.stream()
+                .noneMatch(line -> line.startsWith("bad.json: " + bad.path()) && line.contains(bad.words()))) {
+            return bad + ": no line has path '" + bad.path() + "' and '" + bad.words() + "': " + lines;
+        }
+        if (lines.stream().anyMatch(line -> line.length() > 1000)) {
+            return bad + ": a line is too long to read";
+        }
+        return seconds <= MOST_CPU_SECONDS ? null : bad + ": took " + seconds + " s";
+    }
+
+    /** @param arguments the folder that was prepared */
+    public static void main(String[] arguments) throws IOException {
+        for (BadLevel bad : all()) {
+            String objection = objection(Path.of(arguments[0]), bad);
+            if (objection != null) {
+                System.out.println(objection);
+            }
+        }
+    }
+}

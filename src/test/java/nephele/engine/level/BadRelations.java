@@ -1,0 +1,208 @@
+package nephele.engine.level;
+
+import static nephele.engine.level.BadLevel.level;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+
+/** Values that are fine alone and wrong together, geometry that encloses nothing, and assets that are none. */
+final class BadRelations {
+    private static final String BOX = "\"kind\": \"box\", \"centre\": [0, 0, 0], \"size\": [4, 4, 4]";
+
+    static final List<BadLevel> ALL = List.of(
+            level(
+                    "solids[1].id",
+                    "already the id",
+                    "\"solids\": [{\"id\": \"a\", " + BOX + "}, {\"id\": \"a\", " + BOX + "}]"),
+            level("materials[1].id", "already the id", "\"materials\": [{\"id\": \"m\"}, {\"id\": \"m\"}]"),
+            level(
+                    "solids[0].material",
+                    "no material",
+                    "\"solids\": [{\"id\": \"a\", \"material\": \"m\", " + BOX + "}]"),
+            level(
+                    "solids[0].faces.+y.material",
+                    "no material",
+                    "\"solids\": [{\"id\": \"a\", " + BOX + ", \"faces\": {\"+y\": {\"material\": \"m\"}}}]"),
+            level(
+                    "solids[0].planes[3].material",
+                    "no material",
+                    planes(tetrahedron().replace("[1, 1, 1]}", "[1, 1, 1], \"material\": \"m\"}"))),
+            level(
+                    "player.feet",
+                    "starts inside",
+                    "\"player\": {\"feet\": [0, 0, 0]}, \"solids\": [{\"id\": \"a\", " + BOX + "}]"),
+            level("player.feet", "starts inside", "\"player\": {\"feet\": [0, -0.5, 0]}, " + planes(tetrahedron())),
+            level("solids[0]", "4 to 64 planes", planes(plane(1, 0, 0, 1))),
+            level(
+                    "solids[0]",
+                    "enclose no volume",
+                    planes(String.join(
+                            ",",
+                            plane(1, 0, 0, 1),
+                            plane(-1, 0, 0, 1),
+                            plane(0, 1, 0, 1),
+                            plane(0, -1, 0, 1),
+                            plane(0, 0, 1, 1)))),
+            level(
+                    "solids[0]",
+                    "enclose no volume",
+                    planes(String.join(
+                            ",",
+                            plane(1, 0, 0, -1),
+                            plane(-1, 0, 0, -1),
+                            plane(0, 1, 0, 1),
+                            plane(0, -1, 0, 1),
+                            plane(0, 0, 1, 1),
+                            plane(0, 0, -1, 1)))),
+            level("solids[0].planes", "at most 64", planes(BadLevel.repeated(plane(1, 0, 0, 1), 65))),
+            level("solids[0].planes[0].normal", "no length", planes(plane(0, 0, 0, 1) + "," + tetrahedron())),
+            level("solids[0]", "horizontal side", wedge("+y", "{}")),
+            level("solids[0].faces.+y", "no such face", wedge("+x", "{\"+y\": {}}")),
+            level("lights[0].innerConeDegrees", "outerConeDegrees", spot("[0, -1, 0]", ", \"innerConeDegrees\": 50")),
+            level("lights[0].direction", "no length", spot("[0, 0, 0]", "")),
+            level(
+                    "environment.sun.directionTowardsSun",
+                    "no length",
+                    "\"environment\": {\"sun\": {\"directionTowardsSun\": [0, 0, 0], \"irradiance\": [1, 1, 1]}}"),
+            camera("target", "[0, 0, 0]", "equals position"),
+            camera("up", "[0, 0, 0]", "no length"),
+            camera("farMetres", "0.01", "larger than nearMetres"),
+            camera("verticalFovDegrees", "30, \"horizontalFovDegrees\": 30", "given already"),
+            level(
+                    "cameras[0].path[0].target",
+                    "equals position",
+                    "\"cameras\": [{\"id\": \"c\", \"position\": [0, 0, 0], \"target\": [0, 0, 1], \"path\":"
+                            + " [{\"position\": [1, 1, 1], \"target\": [1, 1, 1]}]}]"),
+            level("portals[0].linkedTo", "no portal", "\"portals\": [" + portal("a", "b", 1) + "]"),
+            level("portals[0].linkedTo", "to itself", "\"portals\": [" + portal("a", "a", 1) + "]"),
+            level(
+                    "portals[0].linkedTo",
+                    "name each other",
+                    "\"portals\": [" + portal("a", "b", 1) + "," + portal("b", "c", 1) + "," + portal("c", "a", 1)
+                            + "]"),
+            level(
+                    "portals[0].widthMetres",
+                    "do not scale",
+                    "\"portals\": [" + portal("a", "b", 1) + "," + portal("b", "a", 2) + "]"),
+            level(
+                    "portals[0].up",
+                    "along the normal",
+                    "\"portals\": [" + portal("a", "b", 1).replace("[0, 0, 1]", "[0, 1, 0]") + "," + portal("b", "a", 1)
+                            + "]"),
+            level("models[0].parent", "no model", "\"models\": [" + model("a", "b", "") + "]"),
+            level("models[0].parent", "below itself", "\"models\": [" + model("a", "a", "") + "]"),
+            level("models[0].parent", "below itself", "\"models\": [" + chain() + "]"),
+            level(
+                    "models[0].transform[0].axis",
+                    "no length",
+                    "\"models\": ["
+                            + model("a", null, "{\"kind\": \"rotate\", \"axis\": [0, 0, 0], \"angleDegrees\": 90}")
+                            + "]"),
+            level(
+                    "models[0].transform[0].by",
+                    "scale of zero",
+                    "\"models\": [" + model("a", null, "{\"kind\": \"scale\", \"by\": [1, 0, 1]}") + "]"),
+            level(
+                    "models[0].transform[0].by",
+                    "scale of zero",
+                    "\"models\": [" + model("a", null, "{\"kind\": \"scale\", \"by\": [1, 1e-30, 1]}") + "]"),
+            level("models[0].file", "no such file", "\"models\": [" + model("a", null, "") + "]"),
+            level(
+                    "environment.sky.files",
+                    "needs 6 files",
+                    "\"environment\": {\"sky\": {\"kind\": \"skybox\", \"files\": [\"real.png\"]}}"),
+            level(
+                    "environment.sky.files",
+                    "needs 1 files",
+                    "\"environment\": {\"sky\": {\"kind\": \"skybox\", \"layout\": \"cross\", \"files\": []}}"),
+            level(
+                    "environment.clouds[0].density.file",
+                    "no such file",
+                    "\"environment\": {\"clouds\": [{\"id\": \"c\", \"kind\": \"layer\", \"baseAltitudeMetres\": 1,"
+                            + " \"thicknessMetres\": 1, \"density\": {\"kind\": \"grid\", \"file\": \"no.vol\"}}]}"),
+            texture("../real.png", "'..'"),
+            texture("/etc/passwd", "starts"),
+            texture("a/../../x", "'..'"),
+            texture("..\\\\..\\\\x", "U+005C"),
+            texture("C:/x", "U+003A"),
+            texture("con", "device name"),
+            texture("%2e%2e/x", "U+0025"),
+            texture("http://x/y", "U+003A"),
+            texture("missing.png", "no such file"),
+            texture("folder", "no such file"),
+            texture("loop.png", "loop.png: "),
+            texture("outside.png", "leads out of"),
+            texture("bomb.png", "claims 100000"),
+            texture("thin.png", "pixels in"),
+            texture("zero.png", "has no pixels"),
+            texture("sum.png", "damaged"),
+            texture("cut.png", "damaged"),
+            texture("text.png", "is not a picture"),
+            texture("empty.png", "is not a picture"),
+            texture("cut.tga", "cut off"),
+            texture("wide.tga", "claims 65535"));
+
+    private BadRelations() {}
+
+    private static String plane(int x, int y, int z, int distance) {
+        return "{\"normal\": [" + x + ", " + y + ", " + z + "], \"distanceMetres\": " + distance + "}";
+    }
+
+    private static String tetrahedron() {
+        return String.join(
+                ",",
+                plane(-1, 0, 0, 1),
+                plane(0, -1, 0, 1),
+                plane(0, 0, -1, 1),
+                "{\"distanceMetres\": 1, \"normal\": [1, 1, 1]}");
+    }
+
+    private static String planes(String planes) {
+        return "\"solids\": [{\"id\": \"a\", \"kind\": \"planes\", \"planes\": [" + planes + "]}]";
+    }
+
+    private static String wedge(String rising, String faces) {
+        return "\"solids\": [{\"id\": \"w\", \"kind\": \"wedge\", \"centre\": [0, 0, 0], \"size\": [1, 1, 1],"
+                + " \"rising\": \""
+                + rising + "\", \"faces\": " + faces + "}]";
+    }
+
+    private static String spot(String direction, String more) {
+        return "\"lights\": [{\"id\": \"l\", \"kind\": \"spot\", \"position\": [0, 0, 0], \"radiantIntensity\": [1, 1,"
+                + " 1], \"direction\": " + direction + more + "}]";
+    }
+
+    private static BadLevel camera(String key, String value, String words) {
+        String target = key.equals("target") ? "" : "\"target\": [0, 0, 1], ";
+        return level(
+                "cameras[0]." + key,
+                words,
+                "\"cameras\": [{\"id\": \"c\", \"position\": [0, 0, 0], " + target + "\"" + key + "\": " + value
+                        + "}]");
+    }
+
+    private static String portal(String id, String linkedTo, int width) {
+        return "{\"id\": \"" + id + "\", \"linkedTo\": \"" + linkedTo
+                + "\", \"centre\": [0, 0, 0], \"normal\": [0, 0, 1]," + " \"widthMetres\": " + width
+                + ", \"heightMetres\": 2}";
+    }
+
+    private static String model(String id, String parent, String step) {
+        return "{\"id\": \"" + id + "\", \"file\": \"no.3d\", "
+                + (parent == null ? "" : "\"parent\": \"" + parent + "\", ") + "\"transform\": [" + step + "]}";
+    }
+
+    /** Ten thousand models, each below the next one, the last below the first. */
+    private static String chain() {
+        return IntStream.range(0, 10_000)
+                .mapToObj(i -> model("m" + i, "m" + (i + 1) % 10_000, ""))
+                .collect(Collectors.joining(","));
+    }
+
+    private static BadLevel texture(String id, String words) {
+        BadLevel bad =
+                level("materials[0].texture", words, "\"materials\": [{\"id\": \"m\", \"texture\": \"" + id + "\"}]");
+        return new BadLevel("texture " + id, bad.path(), words, bad.content());
+    }
+}

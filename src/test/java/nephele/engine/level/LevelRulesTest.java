@@ -1,0 +1,103 @@
+package nephele.engine.level;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import nephele.engine.asset.LevelAssets;
+import org.junit.jupiter.api.Test;
+
+/** What the rules let through; what they refuse is in {@link BadRelations}. */
+class LevelRulesTest {
+    private static List<Problem> structure(String sections) {
+        return LevelRules.check(
+                LevelRules.STRUCTURE, LevelJsonTest.sections(sections), LevelAssets.beside(Path.of("x.json")));
+    }
+
+    @Test
+    void everyShippedLevelIsCanonicalAndFreeOfErrors() throws IOException {
+        List<Path> files;
+        try (var levels = Files.walk(Path.of("levels"))) {
+            files = levels.filter(file -> file.toString().endsWith(".json"))
+                    .filter(file -> !file.toString().contains("replays"))
+                    .toList();
+        }
+        for (Path file : files) {
+            LevelFile.Opened opened = LevelFile.load(file);
+            assertEquals(
+                    List.of(),
+                    LevelRules.check(LevelRules.STRUCTURE, opened.level(), opened.assets()).stream()
+                            .filter(Problem::isError)
+                            .map(problem -> problem.line(file.toString()))
+                            .toList());
+            assertEquals(Files.readString(file), LevelJson.write(opened.level()), file + " is not as it is written");
+        }
+        assertTrue(files.size() > 4);
+    }
+
+    @Test
+    void whatHasNoEffectYetIsSaid() {
+        List<Problem> problems = LevelRules.check(
+                LevelRules.STRUCTURE,
+                LevelJsonTest.read(LevelJsonTest.PUFF),
+                LevelAssets.beside(Path.of("x.json")));
+        assertEquals(
+                List.of("f: environment.clouds: warning: is not drawn by this version yet"),
+                problems.stream().map(problem -> problem.line("f")).toList());
+    }
+
+    @Test
+    void standingOnTheFloorAndTouchingAWallIsFree() {
+        String room = "\"solids\": [{\"id\": \"floor\", \"kind\": \"box\", \"centre\": [0, -0.5, 0], \"size\": [9, 1, 9]},"
+                + " {\"id\": \"low\", \"kind\": \"box\", \"centre\": [0, 2.3, 0], \"size\": [9, 1, 9]},"
+                + " {\"id\": \"ramp\", \"kind\": \"wedge\", \"centre\": [2, 1, 0], \"size\": [2, 2, 2], \"rising\": \"+x\"},"
+                + " {\"id\": \"column\", \"kind\": \"prism\", \"centre\": [-2, 1, 0], \"radiusMetres\": 1, \"heightMetres\": 2}]";
+        assertEquals(List.of(), structure("\"player\": {\"feet\": [0, 0, 0]}, " + room));
+        assertEquals(1, structure("\"player\": {\"feet\": [-2, 0, 0]}, " + room).size());
+        assertEquals(1, structure("\"player\": {\"feet\": [2.5, 0, 0]}, " + room).size());
+    }
+
+    @Test
+    void aPairOfPortalsIsFine() {
+        String portal = "\"centre\": [0, 0, 0], \"normal\": [0, 0, 1], \"widthMetres\": 1, \"heightMetres\": 2, \"shape\": \"arch\"";
+        List<Problem> problems = structure("\"player\": {\"feet\": [0, 0, 0]}, \"portals\": [{\"id\": \"a\","
+                + " \"linkedTo\": \"b\", " + portal + "}, {\"id\": \"b\", \"linkedTo\": \"a\", " + portal + "}]");
+        assertEquals(List.of("portals"), problems.stream().map(Problem::path).toList());
+    }
+
+    /** A chain of parents is walked once, however long it is. */
+    @Test
+    void aLongChainOfParentsIsFine() {
+        StringBuilder models = new StringBuilder();
+        for (int i = 9_999; i >= 0; i--) {
+            models.append("{\"id\": \"m").append(i).append("\", \"file\": \"a.3d\"");
+            models.append(i == 0 ? "}" : ", \"parent\": \"m" + (i - 1) + "\"},");
+        }
+        assertTrue(structure("\"models\": [" + models + "]").stream().noneMatch(Problem::isError));
+    }
+
+    @Test
+    void endlessPlanesAreNotWorkedThrough() {
+        StringBuilder planes = new StringBuilder("{\"normal\": [0, 1, 0], \"distanceMetres\": 1},"
+                + "{\"normal\": [0, -1, 0], \"distanceMetres\": 1}");
+        for (int i = 0; i < 62; i++) {
+            double angle = i * Math.PI / 31;
+            planes.append(",{\"normal\": [")
+                    .append(NumberText.of(StrictMath.cos(angle)))
+                    .append(", 0, ")
+                    .append(NumberText.of(StrictMath.sin(angle)))
+                    .append("], \"distanceMetres\": 1}");
+        }
+        StringBuilder solids = new StringBuilder();
+        for (int i = 0; i < 400; i++) {
+            solids.append(i == 0 ? "" : ",").append("{\"id\": \"s").append(i).append("\", \"kind\": \"planes\", \"planes\": [");
+            solids.append(planes).append("]}");
+        }
+        List<Problem> problems = structure("\"player\": {\"feet\": [9, 0, 9]}, \"solids\": [" + solids + "]");
+        assertEquals(1, problems.size());
+        assertTrue(problems.get(0).message().contains("are not checked"));
+    }
+}
