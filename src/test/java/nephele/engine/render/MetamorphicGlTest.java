@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import nephele.engine.level.Level;
+import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings.Culling;
@@ -86,13 +87,24 @@ class MetamorphicGlTest {
 
     @Test
     void cullingChangesNoPixel() {
-        Level level = level(boxes(300, 1), 0);
+        assertCullingChangesNoPixel(level(boxes(300, 1), 0), 60);
+    }
+
+    /** Under a lamp depth is laid down before the light is computed. */
+    @Test
+    void cullingUnderALampChangesNoPixel() {
+        TestLevel lit = furniture().light(new Light.Point("lamp", new Vec3(1, 6, 2), TestLevel.grey(90), 40, false));
+        boxes(300, 1).forEach(b -> lit.box(b.material, b.centre, b.size));
+        assertCullingChangesNoPixel(lit.level(), 20);
+    }
+
+    private static void assertCullingChangesNoPixel(Level level, int views) {
         RenderSettings on = RenderSettings.of(Output.DIRECT);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE);
                 Renderer culled = Renderer.load(offscreen.gl, level, tiles(), on);
                 Renderer whole = Renderer.load(offscreen.gl, level, tiles(), on.with(Culling.OFF))) {
             long culledTriangles = 0;
-            for (View view : views(offscreen, 60)) {
+            for (View view : views(offscreen, views)) {
                 whole.draw(view, offscreen.picture);
                 int[] expected = offscreen.pixels();
                 long all = whole.triangles();
@@ -100,7 +112,7 @@ class MetamorphicGlTest {
                 culledTriangles += all - culled.triangles();
                 assertArrayEquals(expected, offscreen.pixels(), view.toString());
             }
-            assertTrue(culledTriangles > 60 * 100, "culling left out " + culledTriangles + " triangles in 60 views");
+            assertTrue(culledTriangles > views * 100L, "culling left out " + culledTriangles + " triangles");
         }
     }
 

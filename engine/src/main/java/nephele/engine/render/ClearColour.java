@@ -8,6 +8,8 @@ import nephele.engine.render.frame.Output;
 
 /** What lies behind everything, computed once on the CPU: a constant sky requires no pass. */
 record ClearColour(float red, float green, float blue) {
+    private static final double LARGEST_HALF = 65504;
+
     static ClearColour of(Environment environment, Output output) {
         Vec3 radiance = environment.sky() instanceof Sky.Constant constant ? constant.radiance() : Vec3.ZERO;
         return new ClearColour(
@@ -18,7 +20,8 @@ record ClearColour(float red, float green, float blue) {
 
     private static float value(double radiance, Environment environment, Output output) {
         return switch (output) {
-            case PLAIN, HDR -> (float) radiance;
+            case PLAIN -> (float) radiance;
+            case HDR -> (float) Math.min(radiance, LARGEST_HALF);
             case DIRECT -> (float) Development.develop(radiance, exposure(environment), environment.toneCurve());
         };
     }

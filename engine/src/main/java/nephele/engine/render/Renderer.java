@@ -91,7 +91,7 @@ public final class Renderer implements AutoCloseable {
         void submitted(int step);
     }
 
-    /** Draws one view over the whole of {@code picture}. */
+    /** Draws one view over the whole of {@code picture}; nothing when that has no pixels, as a minimised window. */
     public void draw(View view, RenderTarget picture) {
         draw(view, picture, StepListener.NONE);
     }
@@ -99,6 +99,9 @@ public final class Renderer implements AutoCloseable {
     /** As {@link #draw(View, RenderTarget)}, telling {@code listener} after each step. */
     public void draw(View view, RenderTarget picture, StepListener listener) {
         gl.state().resetCounts();
+        if (picture.width() == 0 || picture.height() == 0) {
+            return;
+        }
         RenderTarget surface = settings.output() == Output.HDR ? linear(picture) : picture;
         surface.clear(clearColour.red(), clearColour.green(), clearColour.blue());
         listener.submitted(0);

@@ -2,6 +2,7 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -68,6 +69,8 @@ record BoundState(List<Step> steps) {
         add(steps, "depth function", () -> glDepthFunc(depthFunction), depthFunction);
         boolean depthMask = glGetBoolean(GL_DEPTH_WRITEMASK);
         add(steps, "depth mask", () -> glDepthMask(depthMask), depthMask ? 1 : 0);
+        boolean colour = colourMask();
+        add(steps, "colour mask", () -> glColorMask(colour, colour, colour, colour), colour ? 1 : 0);
         int source = glGetInteger(GL_BLEND_SRC_RGB);
         int destination = glGetInteger(GL_BLEND_DST_RGB);
         add(
@@ -76,6 +79,12 @@ record BoundState(List<Step> steps) {
                 () -> glBlendFuncSeparate(source, destination, GL_ZERO, GL_ONE),
                 source,
                 destination);
+    }
+
+    private static boolean colourMask() {
+        ByteBuffer mask = BufferUtils.createByteBuffer(4);
+        glGetBooleanv(GL_COLOR_WRITEMASK, mask);
+        return mask.get(0) != 0;
     }
 
     private static void readTextures(List<Step> steps) {

@@ -10,6 +10,8 @@ public final class DrawState {
     public enum Depth {
         OFF,
         LESS_AND_WRITE,
+        /** Lays down depth for later passes and keeps the colour. */
+        LESS_AND_WRITE_ONLY_DEPTH,
         /** Passes at equal depth, writes nothing: what lies at the far plane. */
         LESS_OR_EQUAL
     }
@@ -60,7 +62,9 @@ public final class DrawState {
 
     private void setDepth(Depth newDepth) {
         toggle(GL_DEPTH_TEST, newDepth != Depth.OFF);
-        glDepthMask(newDepth == Depth.LESS_AND_WRITE);
+        boolean depthOnly = newDepth == Depth.LESS_AND_WRITE_ONLY_DEPTH;
+        glDepthMask(newDepth == Depth.LESS_AND_WRITE || depthOnly);
+        glColorMask(!depthOnly, !depthOnly, !depthOnly, !depthOnly);
         glDepthFunc(newDepth == Depth.LESS_OR_EQUAL ? GL_LEQUAL : GL_LESS);
         depth = newDepth;
     }

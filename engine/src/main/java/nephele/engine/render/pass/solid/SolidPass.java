@@ -39,6 +39,7 @@ public final class SolidPass implements Pass {
     private PictureArrays normals;
     private SharedResources shared;
     private SurfaceLight light;
+    private DepthFirst depthFirst;
 
     private SolidPass(GlContext gl, Set<Target> reads) {
         this.gl = gl;
@@ -70,6 +71,9 @@ public final class SolidPass implements Pass {
         normals = context.shared().normalPictures(context);
         shared = context.shared();
         light = shared.surfaceLight(context);
+        if (light.variesOverFaces()) {
+            depthFirst = new DepthFirst(gl);
+        }
         materials = new MaterialBlocks(gl, context.scene().materials());
         for (SolidBatch batch : mesh.batches()) {
             SolidVariant variant = SolidVariant.of(batch.kind(), context.scene().level());
@@ -81,7 +85,12 @@ public final class SolidPass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         frame.surface().bind();
-        gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.BACK);
+        if (depthFirst == null) {
+            gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.BACK);
+        } else {
+            depthFirst.draw(frame, mesh);
+            gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.BACK);
+        }
         light.bind(shared);
         for (int i = 0; i < programOfBatch.size(); i++) {
             if (frame.visible().size(i) > 0) {
@@ -111,6 +120,9 @@ public final class SolidPass implements Pass {
     @Override
     public void close() {
         programs.values().forEach(GlProgram::close);
+        if (depthFirst != null) {
+            depthFirst.close();
+        }
         if (materials != null) {
             materials.close();
         }

@@ -1,4 +1,4 @@
-#include "frame.glsl"
+#include "relative-position.glsl"
 #include "materials.glsl"
 // Each file is taken in once, so the one that both branches need comes first.
 #ifdef SKY_VISIBILITY
@@ -8,16 +8,11 @@
 #include "surface-light.glsl"
 #endif
 
-layout(location = 0) in vec3 position; // in its cell
 layout(location = 1) in vec4 normalAndMaterial;
 layout(location = 2) in vec2 textureCoordinates;
 #ifdef SKY_VISIBILITY
 layout(location = 3) in vec2 lightMapSixteenths;
 #endif
-
-// The eye in the cell as two floats a component: the difference to a near vertex is exact.
-uniform vec3 eyeHigh;
-uniform vec3 eyeLow;
 
 #if defined(TEXTURED) || defined(NORMAL_MAP)
 out vec2 st;
@@ -44,8 +39,7 @@ flat out vec3 emission;
 #endif
 
 void main() {
-    vec3 relative = (position - eyeHigh) - eyeLow;
-    gl_Position = clipFromRelative * vec4(relative, 1.0);
+    vec3 relative = placeVertex();
     vec3 normal = normalize(normalAndMaterial.xyz);
     Material material = materialAt(normalAndMaterial.w);
 #if defined(TEXTURED) || defined(NORMAL_MAP)

@@ -1,0 +1,17 @@
+// Where a solid's vertex is seen. Invariant: the depth that is laid down first must be met to the last bit.
+#include "frame.glsl"
+
+layout(location = 0) in vec3 position; // in its cell
+
+// The eye in the cell as two floats a component: the difference to a near vertex is exact.
+uniform vec3 eyeHigh;
+uniform vec3 eyeLow;
+
+invariant gl_Position;
+
+// Sets gl_Position; returns the vertex relative to the eye.
+vec3 placeVertex() {
+    vec3 relative = (position - eyeHigh) - eyeLow;
+    gl_Position = clipFromRelative * vec4(relative, 1.0);
+    return relative;
+}

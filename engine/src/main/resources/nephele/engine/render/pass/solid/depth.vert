@@ -1,0 +1,5 @@
+#include "relative-position.glsl"
+
+void main() {
+    placeVertex();
+}
