@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
+import nephele.app.prove.BruteForce;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;

@@ -31,16 +31,20 @@ final class Course {
         start = new PlayerStart(origin, 0, 0);
     }
 
+    /** A place that stands already. */
+    Course(CollisionWorld ready, Vec3 origin) {
+        this(origin);
+        for (int i = 0; i < ready.size(); i++) {
+            colliders.add(ready.collider(i));
+        }
+    }
+
     private Vec3 at(double x, double y, double z) {
         return new Vec3(origin.x() + x, origin.y() + y, origin.z() + z);
     }
 
     static Course onFloor() {
-        return onFloor(Vec3.ZERO);
-    }
-
-    static Course onFloor(Vec3 origin) {
-        return new Course(origin).box(-50, -1, -50, 50, 0, 50);
+        return new Course().box(-50, -1, -50, 50, 0, 50);
     }
 
     Course solid(Solid solid) {

@@ -8,8 +8,8 @@ import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import nephele.engine.collision.BruteForce;
-import nephele.engine.collision.CollisionWorld;
+import nephele.app.prove.BruteForce;
+import nephele.app.prove.Parcours;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -18,76 +18,16 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class RobustTest {
-    private static PlayerInput random(SplittableRandom random) {
-        return new PlayerInput(
-                random.nextInt(-1, 2) * 100,
-                random.nextInt(-1, 2) * 100,
-                random.nextInt(-4000, 4001),
-                0,
-                random.nextInt(4) == 0 ? random.nextInt(8) : random.nextInt(2));
-    }
-
-    /** A floor with stairs, a slot, slopes, needles and an acute wedge. */
-    private static Course parcours(Vec3 origin) {
-        Course course = Course.onFloor(origin).slope(-9, -5, 35).slope(-14, -9, 70);
-        course.box(-7, 0, -3, -6, 3, 3).box(-5.39, 0, -3, -4.39, 3, 3);
-        for (int i = 0; i < 6; i++) {
-            course.box(2 + 0.3 * i, 0, -2, 6, 0.35 * (i + 1), 2);
-        }
-        for (int i = 0; i < 12; i++) {
-            double x = -3 + 0.71 * (i % 4);
-            double z = 2 + 0.83 * (i / 4);
-            course.box(x, 0, z, x + 0.01, 0.25 + 0.3 * (i % 3), z + 0.01);
-        }
-        return course.box(-8, 0, -15, 7, 4, -14)
-                .box(-8, 0, 6, 7, 4, 7)
-                .box(-9, 0, -15, -8, 4, 7)
-                .box(7, 0, -15, 8, 4, 7);
-    }
-
-    /** C.2 row 28: 0 to 1 skin away after every tick in slot, wedge, stairs and needles, by brute force. */
-    @Test
-    void theSkinHoldsInSlotWedgeStairsAndNeedles() {
-        Course course = parcours(Vec3.ZERO);
-        CollisionWorld world = course.world();
-        var random = new SplittableRandom(9);
-        double[] least = {1};
-        boolean[] touched = {false};
-        for (int i = 0; i < 400; i++) {
-            course.hold(random(random), 0.2, player -> {
-                double gap = gap(player, world);
-                least[0] = Math.min(least[0], gap);
-                touched[0] |= gap < 0.0011;
-            });
-        }
-        assertTrue(touched[0]);
-        assertTrue(least[0] >= 0.001 - 1e-6, "only " + least[0] + " m left of the skin");
-    }
-
-    private static double gap(PlayerState player, CollisionWorld world) {
-        Vec3 feet = player.feet();
-        double half = player.stance().heightMetres() / 2 - PlayerBody.RADIUS;
-        double centre = feet.y() + player.stance().centreAboveFeet();
-        Vector3d low = new Vector3d(feet.x(), centre - half, feet.z());
-        Vector3d high = new Vector3d(feet.x(), centre + half, feet.z());
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < world.size(); i++) {
-            least = Math.min(
-                    least, BruteForce.distance(low, high, world.collider(i).shape()));
-        }
-        return least - PlayerBody.RADIUS;
-    }
-
     /** C.2 row 2: the same steps a thousand kilometres out end within a micrometre. */
     @ParameterizedTest
     @CsvSource({"1048576, 0, -1048576", "-1000000, 1000, 1000000", "1000000.3, 0.7, 999999.9"})
     void farOutIsAsNearTheOrigin(double x, double y, double z) {
-        Course near = parcours(Vec3.ZERO);
-        Course far = parcours(new Vec3(x, y, z));
+        Course near = new Course(Parcours.at(Vec3.ZERO), Vec3.ZERO);
+        Course far = new Course(Parcours.at(new Vec3(x, y, z)), new Vec3(x, y, z));
         var random = new SplittableRandom(4);
         double worst = 0;
         for (int i = 0; i < 60; i++) {
-            PlayerInput input = random(random);
+            PlayerInput input = Parcours.anything(random);
             near.hold(input, 0.25);
             far.hold(input, 0.25);
             worst = Math.max(worst, Math.abs(far.feet().x() - x - near.feet().x()));
@@ -108,7 +48,7 @@ class RobustTest {
             assertTrue(step.length() < 0.1, () -> "jumped by " + step.length());
             way.add(player.feet());
         });
-        assertTrue(gap(course.state().player(), course.world()) >= 0);
+        assertTrue(BruteForce.gap(course.state().player(), course.world()) >= 0);
         assertTrue(course.state().player().isGrounded());
     }
 
@@ -119,7 +59,7 @@ class RobustTest {
                 .box(-0.1, 0, -2, 1, 3, 2)
                 .box(-3, 0, -0.2, 3, 3, 0.2);
         course.startAt(0, 0.1, 0).hold(PlayerInput.NONE, 4);
-        assertTrue(gap(course.state().player(), course.world()) >= 0);
+        assertTrue(BruteForce.gap(course.state().player(), course.world()) >= 0);
         course.hold(PlayerInput.FORWARD, 0.2);
         assertEquals(0, course.state().faults());
     }
@@ -195,9 +135,10 @@ class RobustTest {
     /** Issue 2: the simulation allocates at most 4 KiB a tick. */
     @Test
     void aTickAllocatesLittle() {
-        Course course = parcours(Vec3.ZERO);
+        Course course = new Course(Parcours.at(Vec3.ZERO), Vec3.ZERO);
         var random = new SplittableRandom(11);
-        PlayerInput[] inputs = random.ints(100).mapToObj(i -> random(random)).toArray(PlayerInput[]::new);
+        PlayerInput[] inputs =
+                random.ints(100).mapToObj(i -> Parcours.anything(random)).toArray(PlayerInput[]::new);
         Simulation simulation = course.simulation();
         var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         SimState state = run(simulation, course.state(), inputs, 5000);

@@ -184,14 +184,18 @@ final class GjkSimplex {
         // Projected on the plane: the weighted sum of far corners would cancel.
         double scale = dot(nX, nY, nZ, a) / (nX * nX + nY * nY + nZ * nZ);
         if (offer(nX * scale, nY * scale, nZ * scale)) {
-            kept = 3;
-            keep[0] = a;
-            keep[1] = b;
-            keep[2] = c;
+            keepThree(a, b, c);
             weight[0] = areaA / sum;
             weight[1] = areaB / sum;
             weight[2] = areaC / sum;
         }
+    }
+
+    private void keepThree(int a, int b, int c) {
+        kept = 3;
+        keep[0] = a;
+        keep[1] = b;
+        keep[2] = c;
     }
 
     private double dot(double x, double y, double z, int i) {

@@ -66,7 +66,7 @@ public final class RayCast {
                 return Double.POSITIVE_INFINITY;
             }
         }
-        boolean hits = entered >= 0 && entry < leave && leave > 0;
+        boolean hits = entered >= 0 && entry < leave;
         return hits && solid.inFrontOf(entered, x, y, z) >= -ON_SURFACE_METRES
                 ? Math.max(0, entry)
                 : Double.POSITIVE_INFINITY;

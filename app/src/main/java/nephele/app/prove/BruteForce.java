@@ -1,13 +1,31 @@
-package nephele.engine.collision;
+package nephele.app.prove;
 
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import nephele.engine.collision.CollisionWorld;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.PlayerBody;
+import nephele.engine.sim.PlayerState;
 import org.joml.Vector3d;
 
 /** Distances by trying every corner, edge and face: slow, iterating nothing, sharing no code with what it checks. */
 public final class BruteForce {
     private BruteForce() {}
+
+    /** Between the player's capsule and the nearest solid; negative when it reaches into one. */
+    public static double gap(PlayerState player, CollisionWorld world) {
+        Vec3 feet = player.feet();
+        double half = player.stance().heightMetres() / 2 - PlayerBody.RADIUS;
+        double centre = feet.y() + player.stance().centreAboveFeet();
+        Vector3d low = new Vector3d(feet.x(), centre - half, feet.z());
+        Vector3d high = new Vector3d(feet.x(), centre + half, feet.z());
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < world.size(); i++) {
+            least = Math.min(least, distance(low, high, world.collider(i).shape()));
+        }
+        return least - PlayerBody.RADIUS;
+    }
 
     /** Between the segment a–b and the solid; 0 when they meet. */
     public static double distance(Vector3d a, Vector3d b, ConvexPolyhedron solid) {
@@ -84,33 +102,40 @@ public final class BruteForce {
         return u.mul(Math.max(0, Math.min(1, t))).add(a).distance(p);
     }
 
-    /** The first fraction of the way at which the capsule is {@code gap} from the solid, by bisection; 1 for none. */
-    static double fraction(Vector3d halfAxis, Vector3d from, Vector3d way, double gap, ConvexPolyhedron solid) {
-        java.util.function.DoubleUnaryOperator distance = t -> {
+    /**
+     * The first fraction of the way at which a capsule is {@code gap} from the solid, 1 for none: the distance is convex
+     * along the way, so thirds find the nearest place and halves the first near enough.
+     */
+    public static double fraction(Vector3d halfAxis, Vector3d from, Vector3d way, double gap, ConvexPolyhedron solid) {
+        DoubleUnaryOperator excess = t -> {
             Vector3d centre = new Vector3d(way).mul(t).add(from);
             return distance(new Vector3d(centre).sub(halfAxis), new Vector3d(centre).add(halfAxis), solid) - gap;
         };
+        double nearest = leastBetweenZeroAndOne(excess);
+        if (excess.applyAsDouble(nearest) > 0) {
+            return 1;
+        }
+        double low = 0;
+        for (int i = 0; i < 50; i++) {
+            double middle = (low + nearest) / 2;
+            if (excess.applyAsDouble(middle) > 0) {
+                low = middle;
+            } else {
+                nearest = middle;
+            }
+        }
+        return low;
+    }
+
+    private static double leastBetweenZeroAndOne(DoubleUnaryOperator convex) {
         double low = 0;
         double high = 1;
         for (int i = 0; i < 60; i++) {
             double third = (high - low) / 3;
-            if (distance.applyAsDouble(low + third) < distance.applyAsDouble(high - third)) {
+            if (convex.applyAsDouble(low + third) < convex.applyAsDouble(high - third)) {
                 high -= third;
             } else {
                 low += third;
-            }
-        }
-        double nearest = low;
-        if (distance.applyAsDouble(nearest) > 0) {
-            return 1;
-        }
-        low = 0;
-        for (int i = 0; i < 50; i++) {
-            double middle = (low + nearest) / 2;
-            if (distance.applyAsDouble(middle) > 0) {
-                low = middle;
-            } else {
-                nearest = middle;
             }
         }
         return low;
