@@ -5,19 +5,25 @@ import nephele.engine.render.gl.GlContext;
 
 /** Draws round after round: first until the JIT is warm, then until there are seconds enough to measure. */
 public final class Bench {
-    private static final double WARM_UP_SECONDS = 3;
-    private static final double MEASURED_SECONDS = 3;
+    private static final double SECONDS = 3;
     private static final int LEAST_WARM_UP_FRAMES = 20;
 
     private final GlContext gl;
+    private final double seconds;
     private final Stopwatch stopwatch = new Stopwatch();
     private long[] wallNanos = new long[1 << 12];
 
     public Bench(GlContext gl) {
-        this.gl = gl;
+        this(gl, SECONDS);
     }
 
-    /** Whole rounds over at least three seconds of CPU and of wall time. */
+    /** @param seconds of warming up, and of CPU and wall time that are measured */
+    Bench(GlContext gl, double seconds) {
+        this.gl = gl;
+        this.seconds = seconds;
+    }
+
+    /** Whole rounds over at least as many seconds of CPU and of wall time. */
     public FrameTimes measure(Drawing drawing) {
         warmUp(drawing);
         int frames = 0;
@@ -48,7 +54,7 @@ public final class Bench {
 
     private void warmUp(Drawing drawing) {
         long start = System.nanoTime();
-        for (int frame = 0; frame < LEAST_WARM_UP_FRAMES || secondsSince(start) < WARM_UP_SECONDS; frame++) {
+        for (int frame = 0; frame < LEAST_WARM_UP_FRAMES || secondsSince(start) < seconds; frame++) {
             timed(drawing, frame % drawing.roundLength());
         }
     }
@@ -62,9 +68,8 @@ public final class Bench {
 
     /** Both clocks: a frame that waits uses no CPU, and one on two cores uses it twice as fast. */
     private boolean isFull(long cpuStart, long wallStart) {
-        return secondsSince(wallStart) >= MEASURED_SECONDS
-                        && (stopwatch.processCpuNanos() - cpuStart) / 1e9 >= MEASURED_SECONDS
-                || secondsSince(wallStart) >= 10 * MEASURED_SECONDS;
+        return secondsSince(wallStart) >= seconds && (stopwatch.processCpuNanos() - cpuStart) / 1e9 >= seconds
+                || secondsSince(wallStart) >= 10 * seconds;
     }
 
     private long makeRoom(int frames) {

@@ -23,6 +23,8 @@ import picocli.CommandLine.Parameters;
 /** The game; without a display the level's recorded walk, drawn offscreen. */
 @picocli.CommandLine.Command
 final class PlayCommand implements Command {
+    private static final Path PICTURES = Path.of("build", "pictures");
+
     /** Begins to count as soon as the command exists, before its options are read. */
     private final StartProfile profile = new StartProfile();
 
@@ -83,9 +85,9 @@ final class PlayCommand implements Command {
         } else if (windowed) {
             new WindowedGame(request).run();
         } else if (profileStart) {
-            new OffscreenWalk(request, terminal.out()).profileStart(profile);
+            new OffscreenWalk(request, terminal.out(), PICTURES).profileStart(profile);
         } else {
-            new OffscreenWalk(request, terminal.out()).run();
+            new OffscreenWalk(request, terminal.out(), PICTURES).run();
         }
         return ExitCode.DONE;
     }

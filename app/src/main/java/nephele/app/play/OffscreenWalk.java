@@ -19,8 +19,6 @@ import nephele.engine.sim.Replay;
 
 /** What `play` does without a display: the recorded walk drawn offscreen, three pictures and figures. */
 public final class OffscreenWalk {
-    private static final Path PICTURES = Path.of("build", "pictures");
-
     /** A software rasteriser draws some ten frames a second: enough to see the walk, not to wait for it. */
     private static final int MOST_FRAMES = 240;
 
@@ -28,9 +26,12 @@ public final class OffscreenWalk {
 
     private final PlayRequest request;
     private final PrintStream out;
+    private final Path pictures;
     private final Stopwatch stopwatch = new Stopwatch();
 
-    public OffscreenWalk(PlayRequest request, PrintStream out) {
+    /** @param pictures the folder for three pictures of the walk */
+    public OffscreenWalk(PlayRequest request, PrintStream out, Path pictures) {
+        this.pictures = pictures;
         this.request = request;
         this.out = out;
     }
@@ -100,10 +101,10 @@ public final class OffscreenWalk {
     }
 
     private void savePicture(RenderTarget target, int number) throws IOException {
-        Files.createDirectories(PICTURES);
+        Files.createDirectories(pictures);
         var name = request.level().fileName().replaceFirst("\\.json$", "") + "-" + number + ".png";
-        Capture.png(target, PICTURES.resolve(name));
-        out.println("picture: " + PICTURES.resolve(name));
+        Capture.png(target, pictures.resolve(name));
+        out.println("picture: " + pictures.resolve(name));
     }
 
     private void save(Walk walk) {

@@ -150,11 +150,6 @@ public final class GameWindow implements AutoCloseable {
         restoredBounds[3] = b[0];
     }
 
-    /** GLFW's handle, for tests that resize, minimise or focus the window. */
-    long handle() {
-        return handle;
-    }
-
     @Override
     public void close() {
         Callbacks.glfwFreeCallbacks(handle);

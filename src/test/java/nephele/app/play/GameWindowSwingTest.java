@@ -1,0 +1,89 @@
+package nephele.app.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import nephele.app.ChildJvm;
+import nephele.app.Main;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The window on a display of its own: Xvfb is started here, whatever display there may be. */
+class GameWindowSwingTest {
+    private static Process xvfb;
+    private static String display;
+
+    @TempDir
+    Path folder;
+
+    @BeforeAll
+    static void startXvfb() throws IOException {
+        try {
+            xvfb = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1024x600x24", "-nolisten", "tcp")
+                    .redirectError(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+        } catch (IOException missing) {
+            fail("Xvfb is not installed; this test needs it: apt-get install xvfb (./nephele test does it)");
+        }
+        var reader = new BufferedReader(new InputStreamReader(xvfb.getInputStream()));
+        display = ":" + reader.readLine();
+    }
+
+    @AfterAll
+    static void stopXvfb() {
+        if (xvfb != null) {
+            xvfb.destroy();
+        }
+    }
+
+    @Test
+    void theGameSurvivesWhatHappensToItsWindow() throws Exception {
+        var level = Path.of("levels", "samples", "walking.json").toAbsolutePath();
+        var run = ChildJvm.run(
+                folder,
+                Map.of("DISPLAY", display, "WAYLAND_DISPLAY", ""),
+                "-Duser.home=" + folder,
+                WindowScenarios.class.getName(),
+                level.toString());
+        var wrong = run.out().lines().filter(line -> !line.endsWith(": ok")).toList();
+        assertEquals(List.of(), wrong, run.err());
+        assertEquals(19, run.out().lines().count(), run.out() + run.err());
+        assertEquals(0, run.exitCode());
+    }
+
+    @Test
+    void aDisplayThatCannotBeOpenedIsExplained() throws Exception {
+        var run = ChildJvm.run(
+                folder, Map.of("DISPLAY", ":4242", "WAYLAND_DISPLAY", ""), Main.class.getName(), "play", sample());
+        assertEquals(3, run.exitCode(), run.err());
+        assertTrue(run.err().contains("no display can be opened"), run.err());
+        assertFalse(run.err().contains("\tat "), run.err());
+    }
+
+    @Test
+    void anOldOpenGlIsExplained() throws Exception {
+        var old = Map.of(
+                "DISPLAY", display,
+                "WAYLAND_DISPLAY", "",
+                "MESA_GL_VERSION_OVERRIDE", "3.2",
+                "MESA_GLSL_VERSION_OVERRIDE", "150");
+        var run = ChildJvm.run(folder, old, Main.class.getName(), "play", sample());
+        assertEquals(3, run.exitCode(), run.err());
+        assertTrue(run.err().contains("4.1"), run.err());
+        assertFalse(run.err().contains("\tat "), run.err());
+    }
+
+    private static String sample() {
+        return Path.of("levels", "samples", "walking.json").toAbsolutePath().toString();
+    }
+}

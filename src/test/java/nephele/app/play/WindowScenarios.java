@@ -1,0 +1,145 @@
+package nephele.app.play;
+
+import static org.lwjgl.glfw.GLFW.*;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+import nephele.app.draw.QualityChoice;
+import nephele.app.levels.LevelName;
+import nephele.app.window.Control;
+import nephele.app.window.GameWindow;
+import nephele.app.window.Input;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.sim.SimSettings;
+import org.lwjgl.system.MemoryUtil;
+
+/**
+ * The game in a real window, run by {@link GameWindowSwingTest} in a process that has a display. Prints a line a
+ * scenario: its name and "ok", or what was wrong.
+ */
+public final class WindowScenarios {
+    private static final int MOST_FRAMES = 400;
+
+    private final Input input = new Input();
+    private final GameWindow window = GameWindow.open(new GameWindow.Request("Nephele test", 320, 180), input);
+    private final long handle = glfwGetCurrentContext();
+    private final GlContext gl = GlContext.ofCurrentWindow();
+    private final Map<?, Integer> baseline = gl.live().counts();
+    private final GameLoop loop;
+
+    private WindowScenarios(String level) {
+        var picture = new PlayRequest.Picture(320, 180, false);
+        var quality = new QualityChoice("low", Map.of());
+        loop = new GameLoop(
+                new PlayRequest(
+                        new LevelName(level), null, quality, null, Path.of("walk.json"), SimSettings.DEFAULT, picture),
+                window,
+                gl,
+                input);
+    }
+
+    /** What is done, then what must hold within a number of frames. */
+    private record Scenario(String name, Runnable act, BooleanSupplier holds) {}
+
+    public static void main(String[] args) {
+        var scenarios = new WindowScenarios(args[0]);
+        for (var scenario : scenarios.all()) {
+            System.out.println(scenario.name + ": " + scenarios.outcome(scenario));
+        }
+        scenarios.finish();
+    }
+
+    private List<Scenario> all() {
+        long[] other = new long[1];
+        return List.of(
+                new Scenario("starts", () -> {}, () -> loop.stage() == Stage.RUNNING && isSize(320, 180)),
+                new Scenario("captures the mouse", () -> {}, () -> cursor() == GLFW_CURSOR_DISABLED),
+                new Scenario("resizes", () -> glfwSetWindowSize(handle, 500, 260), () -> isSize(500, 260)),
+                new Scenario("shrinks to a line", () -> glfwSetWindowSize(handle, 300, 1), () -> isSize(300, 1)),
+                new Scenario("grows again", () -> glfwSetWindowSize(handle, 400, 200), () -> isSize(400, 200)),
+                new Scenario("is minimised", () -> minimise(true), () -> !window.isDrawable()),
+                new Scenario("comes back", () -> minimise(false), window::isDrawable),
+                new Scenario(
+                        "loses the focus",
+                        () -> {
+                            input.key(Control.FORWARD, true);
+                            other[0] = focusAnother();
+                        },
+                        () -> !input.holds(Control.FORWARD) && cursor() == GLFW_CURSOR_NORMAL),
+                new Scenario(
+                        "gets the focus back",
+                        () -> {
+                            glfwDestroyWindow(other[0]);
+                            glfwFocusWindow(handle);
+                        },
+                        () -> cursor() == GLFW_CURSOR_DISABLED && input.takeCountsRight() == 0),
+                new Scenario("fills the screen", () -> press(Control.FULL_SCREEN), () -> isSize(1024, 600)),
+                new Scenario("leaves the full screen", () -> press(Control.FULL_SCREEN), () -> isSize(400, 200)),
+                new Scenario("shows figures", () -> press(Control.FIGURES), () -> loop.stage() == Stage.RUNNING),
+                new Scenario("opens the menu", () -> press(Control.MENU), () -> loop.stage() == Stage.MENU),
+                new Scenario("frees the mouse in it", () -> {}, () -> cursor() == GLFW_CURSOR_NORMAL),
+                new Scenario("continues", () -> press(Control.CONFIRM), () -> loop.stage() == Stage.RUNNING),
+                new Scenario("restarts", () -> press(Control.RESTART), () -> loop.stage() == Stage.RUNNING),
+                new Scenario("takes a picture", () -> press(Control.SCREENSHOT), this::hasPicture),
+                new Scenario(
+                        "closes", () -> glfwSetWindowShouldClose(handle, true), () -> loop.stage() == Stage.LEAVING));
+    }
+
+    private String outcome(Scenario scenario) {
+        scenario.act.run();
+        for (int frame = 0; frame < MOST_FRAMES; frame++) {
+            if (loop.stage() != Stage.LEAVING) {
+                loop.frame();
+            }
+            gl.requireNoError(scenario.name);
+            if (scenario.holds.getAsBoolean()) {
+                return "ok";
+            }
+        }
+        return "not after " + MOST_FRAMES + " frames; size " + window.width() + "x" + window.height() + ", stage "
+                + loop.stage() + ", focus " + window.hasFocus();
+    }
+
+    private void finish() {
+        loop.close();
+        boolean nothingLeft = gl.live().counts().equals(baseline);
+        System.out.println(
+                "leaves nothing behind: " + (nothingLeft ? "ok" : gl.live().counts()));
+        gl.close();
+        window.close();
+    }
+
+    private void press(Control control) {
+        input.key(control, true);
+        input.key(control, false);
+    }
+
+    private boolean isSize(int width, int height) {
+        return window.width() == width && window.height() == height;
+    }
+
+    private int cursor() {
+        return glfwGetInputMode(handle, GLFW_CURSOR);
+    }
+
+    /** Without a window manager nobody minimises: the game is told as GLFW would tell it. */
+    private void minimise(boolean minimised) {
+        var listener = glfwSetWindowIconifyCallback(handle, null);
+        listener.invoke(handle, minimised);
+        glfwSetWindowIconifyCallback(handle, listener);
+    }
+
+    private static long focusAnother() {
+        glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+        long other = glfwCreateWindow(100, 100, "another", MemoryUtil.NULL, MemoryUtil.NULL);
+        glfwFocusWindow(other);
+        return other;
+    }
+
+    private boolean hasPicture() {
+        var pictures = Path.of("pictures").toFile().list();
+        return pictures != null && pictures.length == 1;
+    }
+}
