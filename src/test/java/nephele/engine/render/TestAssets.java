@@ -4,8 +4,10 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
 import nephele.engine.asset.AssetException;
@@ -45,5 +47,11 @@ final class TestAssets implements AssetSource {
     @Override
     public boolean exists(String assetId) {
         return files.containsKey(assetId);
+    }
+
+    /** Keeps bakes out of the user's own cache. */
+    @Override
+    public Optional<Path> cacheFolder() {
+        return Optional.of(Path.of("build", "test-cache"));
     }
 }

@@ -31,6 +31,17 @@ final class TestLevel {
         return this;
     }
 
+    TestLevel castingSun(Vec3 towards, double irradiance) {
+        sun = new Sun(towards, grey(irradiance), true);
+        return this;
+    }
+
+    /** Instead of an ambient constant, which is black unless given. */
+    TestLevel skyLight() {
+        ambient = null;
+        return this;
+    }
+
     TestLevel sky(Sky newSky) {
         sky = newSky;
         return this;

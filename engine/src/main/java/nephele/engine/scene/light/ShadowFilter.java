@@ -16,7 +16,7 @@ public final class ShadowFilter {
 
     /** Depth by which something must be nearer to the light before it shades. */
     public static double contactTolerance(double halfTexelDepth, double gradientX, double gradientY) {
-        return halfTexelDepth + Math.min(Math.abs(gradientX) + Math.abs(gradientY), 2 * halfTexelDepth);
+        return halfTexelDepth + Math.min(Math.abs(gradientX) + Math.abs(gradientY), 4 * halfTexelDepth);
     }
 
     /**

@@ -15,9 +15,9 @@ float litShare(vec4 depths, vec2 texelPosition, float receiverDepth, vec2 gradie
 }
 
 // A face that rises from another one reads texels of that other one at their joint: what lies this little nearer to the
-// light does not shade. Half a texel, and up to another one with the receiver's slope.
+// light does not shade. Half a texel, and up to two more with the receiver's slope.
 float contactTolerance(float halfTexelDepth, vec2 gradient) {
-    return halfTexelDepth + min(abs(gradient.x) + abs(gradient.y), 2.0 * halfTexelDepth);
+    return halfTexelDepth + min(abs(gradient.x) + abs(gradient.y), 4.0 * halfTexelDepth);
 }
 
 // Where textureGather reads the four texels around a position without doubt about rounding.
