@@ -4,7 +4,6 @@ import java.util.Optional;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Sky;
-import nephele.engine.level.SkyboxLayout;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -26,9 +25,8 @@ public interface SkyRadiance {
                 Vec3 end = y < 0 ? gradient.ground() : gradient.zenith();
                 return gradient.horizon().toVector().lerp(end.toVector(), Math.min(Math.abs(y), 1));
             });
-        } else if (sky instanceof Sky.Skybox box && box.layout() == SkyboxLayout.FACES) {
-            Picture[] faces = box.files().stream().map(pictureOf).toArray(Picture[]::new);
-            return Optional.of((x, y, z) -> SkyboxFaces.radiance(faces, x, y, z));
+        } else if (sky instanceof Sky.Skybox box) {
+            return Optional.of(SkyboxFaces.of(box, pictureOf)::radiance);
         }
         return Optional.empty();
     }
