@@ -72,6 +72,23 @@ class PictureDecoderTest {
         assertEquals(77, PictureDecoder.decode("i.png", interlaced).sample(0, 0, 0));
     }
 
+    /** The transparent entry of a palette, and the transparent grey. */
+    @Test
+    void transparencyIsKept() {
+        byte[] pixels = SamplePictures.chunk("IDAT", SamplePictures.deflated(new byte[] {0, 1, 0}));
+        byte[] palette = SamplePictures.chunk("PLTE", new byte[] {9, 8, 7, 6, 5, 4});
+        byte[] clear = SamplePictures.chunk("tRNS", new byte[] {0});
+        byte[] header = SamplePictures.header(2, 1, 8, 3, 0);
+        Picture indexed = PictureDecoder.decode("p.png", SamplePictures.png(header, palette, clear, pixels));
+        assertArrayEquals(new byte[] {6, 5, 4, -1, 9, 8, 7, 0}, indexed.samples());
+        byte[] clearGrey = SamplePictures.chunk("tRNS", new byte[] {0, 1});
+        byte[] greyHeader = SamplePictures.header(2, 1, 8, 0, 0);
+        Picture grey = PictureDecoder.decode("g.png", SamplePictures.png(greyHeader, clearGrey, pixels))
+                .toRgba8();
+        assertEquals(0, grey.sample(0, 0, 3));
+        assertEquals(255, grey.sample(1, 0, 3));
+    }
+
     /** The variants of the skybox text: 24 and 32 bits, 16 bits as 5-5-5, run lengths. */
     @Test
     void tgaVariantsAreRead() {

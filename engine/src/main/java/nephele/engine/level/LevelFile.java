@@ -76,9 +76,9 @@ public final class LevelFile {
         try {
             return LevelJson.read(file, files.read(path, JsonTree.MAX_FILE_BYTES));
         } catch (IOException problem) {
-            String reason = Files.isDirectory(path) ? "this is a folder" : LevelSaver.reason(problem);
-            throw LevelFormatException.damage(
-                    file, List.of(Problem.error("$", "cannot be read: " + reason + ": name a level file")));
+            String reason =
+                    Files.isDirectory(path) ? "this is a folder, name a level file in it" : LevelSaver.reason(problem);
+            throw LevelFormatException.damage(file, List.of(Problem.error("$", "cannot be read: " + reason)));
         }
     }
 
