@@ -1,0 +1,107 @@
+package nephele.app.command;
+
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The contract of `render`, and what `bench` and `play` refuse. */
+class DrawingCommandsGlTest {
+    private static final String SKY =
+            "{\"format\": \"nephele-level\", \"version\": 1, \"environment\": {\"sky\": {\"kind\": \"constant\","
+                    + " \"radiance\": [0.25, 0.5, 2]}, \"exposureStops\": 1}, \"player\": {\"feet\": [0, 0, 0]}}";
+
+    @TempDir
+    Path folder;
+
+    private String level() throws IOException {
+        return Files.writeString(folder.resolve("sky.json"), SKY).toString();
+    }
+
+    @Test
+    void aPngHasTheSizeAskedForAndShowsTheSkyDeveloped() throws IOException {
+        var file = folder.resolve("new/folder/picture.png");
+        var answer = Captured.run("render", level(), "--out", file.toString(), "--size", "40x30", "--frames", "2");
+        assertEquals(0, answer.exitCode(), answer.err());
+        var picture = ImageIO.read(file.toFile());
+        assertEquals(40, picture.getWidth());
+        assertEquals(30, picture.getHeight());
+        int rgb = picture.getRGB(20, 15);
+        assertEquals(188, rgb >> 16 & 255, 1);
+        assertEquals(255, rgb >> 8 & 255);
+    }
+
+    @Test
+    void aPfmHoldsRadianceBeforeExposureWithTheBottomRowFirst() throws IOException {
+        var file = folder.resolve("picture.pfm");
+        var answer = Captured.run("render", level(), "--out", file.toString(), "--size", "5x3");
+        assertEquals(0, answer.exitCode(), answer.err());
+        byte[] bytes = Files.readAllBytes(file);
+        var header = "PF\n5 3\n-1.0\n".getBytes(StandardCharsets.US_ASCII);
+        assertEquals(header.length + 5 * 3 * 12, bytes.length);
+        var pixels = ByteBuffer.wrap(bytes, header.length, 12).order(ByteOrder.LITTLE_ENDIAN);
+        assertEquals(0.25f, pixels.getFloat());
+        assertEquals(0.5f, pixels.getFloat());
+        assertEquals(2f, pixels.getFloat());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "render LEVEL|2|--out",
+                "render LEVEL --out a.jpg|2|.png or .pfm",
+                "render LEVEL --out a.png --size 0x5|2|--size",
+                "render LEVEL --out a.png --size big|2|--size",
+                "render LEVEL --out a.png --camera none|1|there is no camera `none`",
+                "render LEVEL --out a.png --eye 0,0,0|2|--target",
+                "render LEVEL --out a.png --eye 0,0,0 --target 0,0,0|2|same point",
+                "render LEVEL --out a.png --eye 0,0,NaN --target 0,0,0|2|--eye",
+                "render LEVEL --out a.png --fov 60|2|--eye",
+                "render LEVEL --out a.png --eye 0,0,0 --target 0,0,1 --fov 171|2|170",
+                "render LEVEL --out a.png --quality best|2|--quality",
+                "render LEVEL --out a.png --set colour=red|2|anisotropy",
+                "render LEVEL --out a.png --set anisotropy|2|key=value",
+                "render LEVEL --out a.png --set anisotropy=1 anisotropy=2|2|twice",
+                "render LEVEL --out a.pfm --output plain|2|linear radiance",
+                "render LEVEL --out a.png --frames 0|2|--frames",
+                "render LEVEL --out a.png --time -1|2|--time",
+                "render LEVEL --out a.png --reference|3|not built yet",
+                "render LEVEL --out /dev/null/a.png|3|a.png: can't be written",
+                "render nowhere.json --out a.png|1|nowhere.json",
+                "bench|2|--calibrate",
+                "bench LEVEL --calibrate|2|--calibrate",
+                "bench LEVEL --bare --per-pass|2|--per-pass",
+                "bench LEVEL --frames 0|2|--frames",
+                "play LEVEL --from 1,2,3|2|x,y,z,yawDeg,pitchDeg",
+                "play LEVEL --ticks-per-second 60|2|--record",
+                "play LEVEL --record r.json --ticks-per-second 5|2|ticks per second",
+                "play LEVEL --replay nowhere.json|1|nowhere.json"
+            })
+    void whatIsWrongIsNamed(String line, int exitCode, String named) throws IOException {
+        var answer = Captured.run(line.replace("LEVEL", level()).split(" "));
+        assertAll(
+                () -> assertEquals(exitCode, answer.exitCode(), answer.err()),
+                () -> assertTrue(answer.err().contains(named), answer.err()),
+                () -> assertEquals("", answer.out()));
+    }
+
+    @Test
+    void settingsMayStandBeforeTheLevel() throws IOException {
+        var file = folder.resolve("picture.png").toString();
+        var answer = Captured.run(
+                "render", "--set", "anisotropy=2", "shadowTexels=64", level(), "--out", file, "--size", "8x8");
+        assertEquals(0, answer.exitCode(), answer.err());
+    }
+}

@@ -1,0 +1,111 @@
+package nephele.app.command;
+
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import nephele.app.terminal.CrashReport;
+import nephele.engine.render.RenderFeatures;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The contract of the commands that read levels and draw nothing. */
+class LevelCommandsTest {
+    private static final String WALKING = "levels/samples/walking.json";
+    private static final String HEAD = "\"format\": \"nephele-level\", \"version\": 1";
+
+    @TempDir
+    Path folder;
+
+    private String level(String text) throws IOException {
+        return Files.writeString(folder.resolve("level.json"), text).toString();
+    }
+
+    @Test
+    void explainOfAnEmptyLevelRequiresNothing() throws IOException {
+        var explained = Captured.run("explain", level("{" + HEAD + "}"));
+        var expected = RenderFeatures.ALL.stream()
+                .map(feature -> feature.name() + ": not required")
+                .toList();
+        assertEquals(expected, explained.out().lines().toList());
+        assertEquals(0, explained.exitCode());
+    }
+
+    @Test
+    void explainNamesThePathAndTheReason() {
+        var lines = Captured.run("explain", WALKING).out().lines().toList();
+        assertTrue(
+                lines.stream().anyMatch(line -> line.matches("[a-z.-]+: required by [a-zA-Z.\\[\\]0-9]+: .+")),
+                lines.toString());
+        assertTrue(
+                lines.stream().allMatch(line -> line.matches("[a-z.-]+: (not required|required by [^:]+: .+)")),
+                lines.toString());
+    }
+
+    @Test
+    void checkPrintsFilePathAndMessageOfEveryLevel() throws IOException {
+        var bad = level("{" + HEAD + ", \"solids\": [{ \"id\": \"a\", \"kind\": \"box\", \"size\": [1, 1, 0] }]}");
+        var checked = Captured.run("check", WALKING, bad);
+        assertAll(
+                () -> assertEquals(1, checked.exitCode()),
+                () -> assertEquals("", checked.err()),
+                () -> assertTrue(
+                        checked.out().lines().allMatch(line -> line.startsWith(bad + ": solids[0].")), checked.out()),
+                () -> assertEquals(0, Captured.run("check", WALKING).exitCode()),
+                () -> assertEquals("", Captured.run("check", WALKING).out()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"explain", "simulate", "check"})
+    void aMissingLevelIsAnInputErrorWithItsName(String command) {
+        var answer = Captured.run(command, "no/such/level.json");
+        assertEquals(1, answer.exitCode());
+        assertTrue((answer.err() + answer.out()).contains("no/such/level.json: "), answer.err());
+    }
+
+    @Test
+    void simulatePrintsHashesAtTheRateAskedForAndAtTheLastTick() {
+        var lines = Captured.run("simulate", "levels/samples/empty.json", "--every", "70")
+                .out()
+                .lines()
+                .toList();
+        assertTrue(lines.stream().allMatch(line -> line.matches("[0-9]+ [0-9a-f]{16}")), lines.toString());
+        var ticks = lines.stream().map(line -> line.split(" ")[0]).toList();
+        assertEquals(List.of("70", "140", "210", "280", "300"), ticks);
+    }
+
+    @Test
+    void simulateTwiceGivesTheSameLinesAndDumpsTheLastState() throws IOException {
+        var dump = folder.resolve("deep/state.json");
+        var first = Captured.run("simulate", "levels/01-courtyard.json", "--every", "1000", "--dump", dump.toString());
+        var second = Captured.run("simulate", "levels/01-courtyard.json", "--every", "1000");
+        assertEquals(first.out(), second.out());
+        var lastHash = first.out().strip().substring(first.out().strip().lastIndexOf(' ') + 1);
+        assertTrue(Files.readString(dump).contains(lastHash));
+    }
+
+    @Test
+    void aReplayThatIsNoneIsAnInputError() throws IOException {
+        var replay = level("{}");
+        var answer = Captured.run("simulate", WALKING, "--replay", replay);
+        assertEquals(1, answer.exitCode());
+        assertTrue(answer.err().contains(replay + ": "), answer.err());
+    }
+
+    @Test
+    void aCrashWritesAReportWithoutHomePathsAndNoStackTraceToTheTerminal() throws IOException {
+        var home = System.getProperty("user.home");
+        var failure = new IllegalStateException("broken below " + home + "/secret");
+        var text = new CrashReport(List.of("play", home + "/level.json"), Instant.EPOCH, failure).text();
+        assertFalse(text.contains(home), text);
+        assertTrue(text.contains("~/secret") && text.contains("~/level.json"), text);
+    }
+}
