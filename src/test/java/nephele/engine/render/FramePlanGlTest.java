@@ -59,9 +59,13 @@ class FramePlanGlTest {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
             var before = offscreen.gl.live().counts();
             View view = offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO);
-            for (int i = 0; i < 100; i++) {
-                Output output = Output.values()[i % 3];
+            for (Output output : Output.values()) {
                 offscreen.pixels(everything().level(), tiles(), view, RenderSettings.of(output));
+            }
+            Level level = everything().level();
+            for (int i = 3; i < 100; i++) {
+                RenderSettings settings = RenderSettings.of(Output.values()[i % 3]);
+                Renderer.load(offscreen.gl, level, tiles(), settings).close();
             }
             assertEquals(before, offscreen.gl.live().counts());
         }

@@ -107,18 +107,23 @@ class SurfaceGlTest {
             Projection projection = new Projection(Math.toRadians(60), 1, 0.05, 1000);
             for (double distance : new double[] {1, 10, 100}) {
                 double gap = 2 * distance * distance / 0.05 * 0x1p-24;
-                for (int order = 0; order < 2; order++) {
-                    Level level = twoWalls(distance, gap, order == 0);
-                    for (int step = 0; step < 8; step++) {
-                        Vec3 eye = new Vec3(0.37 * step, 0.21 * step, 0.001 * step);
-                        View view = View.lookAt(
-                                eye, new Vec3(eye.x(), eye.y(), -1000), new Vec3(0.1 * step, 1, 0), projection);
-                        int[] pixels = offscreen.pixels(level, view, Output.PLAIN);
-                        assertTrue(
-                                Arrays.stream(pixels).allMatch(p -> p == 0xff0000),
-                                "at " + distance + " m, step " + step);
-                    }
+                for (boolean nearFirst : new boolean[] {true, false}) {
+                    assertOnlyTheNearWallIsSeen(offscreen, twoWalls(distance, gap, nearFirst), projection);
                 }
+            }
+        }
+    }
+
+    private static void assertOnlyTheNearWallIsSeen(Offscreen offscreen, Level walls, Projection projection) {
+        RenderSettings plain = RenderSettings.of(Output.PLAIN);
+        try (Renderer renderer = Renderer.load(offscreen.gl, walls, TestAssets.NONE, plain)) {
+            for (int step = 0; step < 12; step++) {
+                Vec3 eye = new Vec3(0.37 * step, 0.21 * step, 0.001 * step);
+                Vec3 up = new Vec3(0.1 * step, 1, 0);
+                renderer.draw(View.lookAt(eye, new Vec3(eye.x(), eye.y(), -1000), up, projection), offscreen.picture);
+                assertTrue(
+                        Arrays.stream(offscreen.pixels()).allMatch(p -> p == 0xff0000),
+                        walls.solids() + ", step " + step);
             }
         }
     }
