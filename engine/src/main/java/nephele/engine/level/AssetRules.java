@@ -1,8 +1,9 @@
 package nephele.engine.level;
 
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
@@ -11,7 +12,7 @@ import nephele.engine.asset.PictureDecoder;
 /** Every file that the level names is there, and every picture can be decoded. */
 final class AssetRules {
     static final LevelRule READABLE = (level, assets, report) -> {
-        Check check = new Check(assets, report, new HashSet<>());
+        Check check = new Check(assets, report, new HashMap<>());
         for (int i = 0; i < level.materials().size(); i++) {
             Material material = level.materials().get(i);
             check.picture("materials[" + i + "].texture", material.texture());
@@ -32,16 +33,20 @@ final class AssetRules {
 
     private AssetRules() {}
 
-    private record Check(AssetSource assets, Consumer<Problem> report, Set<String> good) {
+    private record Check(AssetSource assets, Consumer<Problem> report, Map<String, Optional<String>> verdicts) {
         void picture(String path, String id) {
-            if (id == null || good.contains(id)) {
-                return;
+            if (id != null) {
+                verdicts.computeIfAbsent(id, this::objection)
+                        .ifPresent(objection -> report.accept(Problem.error(path, objection)));
             }
+        }
+
+        private Optional<String> objection(String id) {
             try {
                 PictureDecoder.decode(id, assets.bytes(id));
-                good.add(id);
+                return Optional.empty();
             } catch (AssetException problem) {
-                report.accept(Problem.error(path, problem.getMessage()));
+                return Optional.of(problem.getMessage());
             }
         }
 
