@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.app.prove.BruteForce;
 import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -71,6 +73,43 @@ class WalkTest {
         course.hold(RUN, 2, WalkTest::assertGrounded);
         assertEquals(0, course.feet().y(), 1e-6);
         assertTrue(course.feet().z() < -8);
+    }
+
+    /** Feet jump from tread to tread; the eye rises by hardly more in a tick than a ramp of that slope would lift it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.15, 0.3, 0.4})
+    void theEyeGlidesOverStairs(double rise) {
+        Course course = stairs(rise, 8);
+        double rampPerTick = rise / 0.3 * 6 / 120;
+        double[] eye = {1.65};
+        course.hold(RUN, 3, player -> {
+            double now = player.feet().y() + player.eyeMetres();
+            double rose = now - eye[0];
+            assertTrue(rose > -1e-9 && rose < 1.5 * rampPerTick, () -> "the eye jumped by " + rose);
+            eye[0] = now;
+        });
+        assertEquals(8 * rise + 1.65, eye[0], 1e-6);
+    }
+
+    @Test
+    void theEyeStaysOutOfALowCeilingOnTheWayDown() {
+        Course course = Course.onFloor();
+        for (int i = 0; i < 6; i++) {
+            course.box(-2, 0, -2 - 0.3 * i, 2, 0.3 * (6 - i), 10);
+            course.box(-2, 0.3 * (6 - i) + 1.9, -2.9 - 0.3 * i, 2, 5, -2.6 - 0.3 * i);
+        }
+        var world = course.startAt(0, 1.8, 0).world();
+        double[] highest = {0};
+        course.hold(RUN, 2, player -> {
+            Vector3d eye = player.feet().toVector().add(0, player.eyeMetres(), 0);
+            for (int i = 0; i < world.size(); i++) {
+                double gap = BruteForce.distance(eye, eye, world.collider(i).shape());
+                assertTrue(gap > 0.09, () -> "eye at " + eye);
+            }
+            highest[0] = Math.max(highest[0], player.eyeMetres());
+        });
+        assertTrue(course.feet().z() < -5);
+        assertTrue(highest[0] > 1.8, "the eye did not lag");
     }
 
     @Test

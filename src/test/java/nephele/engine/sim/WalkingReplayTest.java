@@ -39,7 +39,7 @@ class WalkingReplayTest {
         assertEquals(
                 List.of(
                         "475 8cefbd4ba0294262",
-                        "950 c66aeef92d99c9a7",
+                        "950 2d29133cbb622dc2",
                         "1425 ef3fb3815d412e53",
                         "1900 87075596afeef977",
                         "2375 6a947f5a5a601ee8",

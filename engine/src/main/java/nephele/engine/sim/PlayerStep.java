@@ -5,6 +5,7 @@ import static nephele.engine.sim.PlayerBody.STEEPEST_GROUND_UP;
 
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.Recovery;
+import nephele.engine.collision.RoundedHull;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerBody.Stance;
 import org.joml.Vector3d;
@@ -13,6 +14,9 @@ import org.joml.Vector3d;
 final class PlayerStep {
     /** Slower than this is at rest: the exponential would go on for ever. */
     private static final double AT_REST_SPEED = 1e-4;
+
+    private static final double HEAD_RADIUS = 0.1;
+    private static final RoundedHull HEAD = RoundedHull.sphere(HEAD_RADIUS);
 
     private final CollisionWorld world;
     private final double seconds;
@@ -26,6 +30,7 @@ final class PlayerStep {
     private final Vector3d wish = new Vector3d();
     private final Vector3d way = new Vector3d();
     private final Vector3d ground = new Vector3d();
+    private final Vector3d head = new Vector3d();
     private boolean grounded;
     private double centreBefore;
     private double eye;
@@ -165,10 +170,16 @@ final class PlayerStep {
         smoothEye(place.y - height - slope);
     }
 
-    /** The eye stays behind where the feet jump up or down a step. */
+    /** The eye stays behind where the feet jump up or down a step, but in the body or, going down, in free air above. */
     private void smoothEye(double suddenRise) {
-        double rest = stance.eyeMetres();
-        eye = Math.max(rest - 0.4, Math.min(rest + 0.4, eye - suddenRise));
+        eye = Math.max(PlayerBody.RADIUS, eye - suddenRise);
+        double inHead = stance.heightMetres() - HEAD_RADIUS;
+        if (eye > inHead) {
+            way.set(0, eye - inHead, 0);
+            head.set(place.x, place.y - stance.centreAboveFeet() + inHead, place.z);
+            mover.isBlocked(HEAD, head, way);
+            eye = inHead + mover.lastSweep().fraction() * way.y;
+        }
     }
 
     /** The exact ballistic way of the tick: v t − g t² / 2 (velocity Verlet under constant acceleration). */
