@@ -52,12 +52,6 @@ final class TestLevel {
         return this;
     }
 
-    /** Sky light through baked visibility instead of a constant. */
-    TestLevel skyLight() {
-        ambient = null;
-        return this;
-    }
-
     /** As {@link #sun}, with a shadow. */
     TestLevel shadowingSun(Vec3 towards, double irradiance) {
         sun = new Sun(towards, grey(irradiance), true);
