@@ -43,15 +43,16 @@ class SpatialIndexTest {
     void cullingThroughTheTreeEqualsTestingEveryBox() {
         var random = new SplittableRandom(1);
         List<Aabb> boxes = randomBoxes(random, 1000);
-        SpatialIndex index = SpatialIndex.of(boxes, 1);
+        SpatialIndex[] indices = {SpatialIndex.of(boxes, 1), SpatialIndex.of(boxes), SpatialIndex.of(boxes, 16)};
         for (int view = 0; view < 200; view++) {
+
             Matrix4d clip = FrustumTest.randomView(random, 0.05, view % 2 == 0 ? INF : 40);
             Frustum frustum = Frustum.of(clip, new Vec3(random.nextDouble(-20, 20), 0, 3));
             BitSet expected = new BitSet();
             for (int i = 0; i < boxes.size(); i++) {
                 expected.set(i, frustum.maySee(boxes.get(i)));
             }
-            assertEquals(expected, culled(index, frustum));
+            assertEquals(expected, culled(indices[view % 3], frustum));
         }
     }
 

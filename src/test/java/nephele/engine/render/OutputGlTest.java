@@ -61,7 +61,7 @@ class OutputGlTest {
             View view = offscreen.view(new Vec3(0, 2, 0), Vec3.ZERO);
             for (ToneCurve curve : ToneCurve.values()) {
                 for (double radiance :
-                        new double[] {0, 1e-4, 0.002, 0.0031308, 0.004, 0.2140, 0.5, 0.97, 1, 3, 60000}) {
+                        new double[] {0, 1e-4, 0.002, 0.0031308, 0.004, 0.01, 0.03, 0.2140, 0.5, 0.97, 1, 3, 60000}) {
                     Level level = new TestLevel()
                             .develop(curve, -0.5)
                             .ambient(1)

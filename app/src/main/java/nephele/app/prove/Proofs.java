@@ -4,8 +4,13 @@ import java.util.List;
 
 /** Every proof, in the order in which `prove` without a name runs them; the only registration. */
 public final class Proofs {
-    public static final List<Proof> ALL =
-            List.of(new ClosedRoomProof(), new SkinProof(), new JitMatrixProof(), new SaveKillProof(), new SoakProof());
+    public static final List<Proof> ALL = List.of(
+            new ClosedRoomProof(),
+            new SkinProof(),
+            new JitMatrixProof(),
+            new SaveKillProof(),
+            new MutantsProof(),
+            new SoakProof());
 
     private Proofs() {}
 }

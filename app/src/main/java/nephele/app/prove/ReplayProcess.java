@@ -6,10 +6,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.app.Main;
 
 /** {@code simulate} in a process of its own. */
 public record ReplayProcess(JvmVariant variant, String level, Path replay, int every) {
+    /** By name: the command line stands above the proofs. */
+    private static final String MAIN = "nephele.app.Main";
+
     /**
      * The lines {@code tick hash} that it prints.
      *
@@ -18,7 +20,7 @@ public record ReplayProcess(JvmVariant variant, String level, Path replay, int e
     public List<String> lines() throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(variant.java().toString(), "-Xmx256m"));
         command.addAll(variant.flags());
-        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Main.class.getName()));
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), MAIN));
         command.addAll(List.of("simulate", level, "--replay", replay.toString(), "--every", Integer.toString(every)));
         Path said = Files.createTempFile("nephele-simulate", ".txt");
         try {

@@ -79,8 +79,9 @@ public final class Ray {
     }
 
     /**
-     * Slab test that never misses a box which exact arithmetic hits at a ray parameter that a double holds. A direction component of ±0 or so small that its
-     * inverse overflows gives 0 · ∞ = NaN on a face of the box, and every comparison below lets NaN pass.
+     * Slab test that never misses a box which exact arithmetic hits at a ray parameter that a double holds. A direction
+     * component of ±0, or so small that its inverse overflows, gives 0 · ∞ = NaN on a face of the box, and every
+     * comparison below lets NaN pass.
      *
      * @param bounds minima and maxima from {@code at} on
      * @return ray parameter at which the ray enters, 0 from inside, infinity for a miss

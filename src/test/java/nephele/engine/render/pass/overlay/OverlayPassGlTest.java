@@ -67,6 +67,16 @@ class OverlayPassGlTest {
         assertEquals(64, picture.readBytes().get(0) & 255, 1);
     }
 
+    @Test
+    void whatIsCoveredShinesThroughByTheRest() {
+        picture.clear(1, 1, 1);
+        var canvas = new OverlayCanvas(lettering);
+        canvas.begin(1);
+        canvas.rectangle(0, 0, 200, 100, Colour.opaque(0).withAlpha(0.25));
+        pass.draw(canvas, picture);
+        assertEquals(191, picture.readBytes().get(0) & 255, 1);
+    }
+
     /** The stem of an l is a rectangle with round ends: its inked area is known. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1.5, 2})

@@ -1,0 +1,42 @@
+package nephele.mutants;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * One planted fault.
+ *
+ * @param file a Java source or shader, relative to the repository
+ * @param text what is replaced; stands in the file exactly once
+ * @param killer simple name of the test class that must fail
+ */
+record Mutant(Area area, String name, String file, String text, String replacement, String killer) {
+    enum Area {
+        CULLING,
+        DEPTH,
+        BLENDING,
+        SHADOW,
+        SRGB
+    }
+
+    /** The file with the fault in it. */
+    String mutated() throws IOException {
+        String source = Files.readString(Path.of(file));
+        int at = source.indexOf(text);
+        if (at < 0 || source.indexOf(text, at + 1) >= 0) {
+            String found = at < 0 ? "not" : "more than once";
+            throw new IOException(name + ": `" + text + "` stands " + found + " in " + file + "; adapt the mutant");
+        }
+        return source.substring(0, at) + replacement + source.substring(at + text.length());
+    }
+
+    boolean isJava() {
+        return file.endsWith(".java");
+    }
+
+    /** The file's place on a class path. */
+    String resource() {
+        return file.substring(file.indexOf("/nephele/") + 1);
+    }
+}

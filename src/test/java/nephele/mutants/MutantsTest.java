@@ -1,0 +1,52 @@
+package nephele.mutants;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class MutantsTest {
+    @TempDir
+    private Path folder;
+
+    @Test
+    void everyFaultStillHasItsPlace() throws IOException {
+        for (Mutant mutant : Mutants.ALL) {
+            assertFalse(mutant.mutated().isEmpty());
+        }
+        assertEquals(
+                Mutants.ALL.size(),
+                Mutants.ALL.stream().map(Mutant::name).distinct().count());
+        assertTrue(Mutants.ALL.size() >= 20);
+    }
+
+    /** All of them are judged by {@code ./nephele prove mutants}. */
+    @ParameterizedTest
+    @ValueSource(strings = {"a leaf drops the item after a hidden one", "light is added where it should be covered"})
+    void aPlantedFaultIsFound(String name) throws IOException, InterruptedException {
+        Mutant mutant = Mutants.ALL.stream()
+                .filter(m -> m.name().equals(name))
+                .findFirst()
+                .orElseThrow();
+        MutantRun.Verdict verdict = new MutantRun(folder).judge(mutant);
+        assertTrue(verdict.killed(), verdict::toString);
+    }
+
+    @Test
+    void aChangeWithoutConsequenceSurvives() throws IOException, InterruptedException {
+        Mutant harmless = new Mutant(
+                Mutant.Area.CULLING,
+                "harmless",
+                "engine/src/main/java/nephele/engine/math/Vec3.java",
+                "return new Vector3d(x, y, z);",
+                "return new Vector3d(x + 0, y, z);",
+                "Vec3Test");
+        assertFalse(new MutantRun(folder).judge(harmless).killed());
+    }
+}
