@@ -14,11 +14,19 @@ public final class Main {
 
     public static void main(String[] args) {
         Locale.setDefault(Locale.ROOT);
+        trustExtractedLibraries();
         var terminal = new Terminal(utf8(FileDescriptor.out), utf8(FileDescriptor.err));
         var exitCode = new CommandLineFront(terminal).run(args);
         terminal.out().flush();
         terminal.err().flush();
         System.exit(exitCode.number());
+    }
+
+    /** LWJGL keeps its libraries under their version; hashing them again costs 20 ms of every start. */
+    private static void trustExtractedLibraries() {
+        if (System.getProperty("org.lwjgl.util.NoHashChecks") == null) {
+            System.setProperty("org.lwjgl.util.NoHashChecks", "true");
+        }
     }
 
     private static PrintStream utf8(FileDescriptor descriptor) {

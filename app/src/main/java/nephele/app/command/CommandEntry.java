@@ -2,5 +2,13 @@ package nephele.app.command;
 
 import java.util.function.Supplier;
 
-/** A command by name; it is built, and its classes loaded, only when it is asked for. */
-public record CommandEntry(String name, String summary, Supplier<Command> build) {}
+/**
+ * A command by name; it is built, and its classes loaded, only when it is asked for.
+ *
+ * @param preload what is begun before its options are read
+ */
+public record CommandEntry(String name, String summary, Supplier<Command> build, Supplier<Preload> preload) {
+    CommandEntry(String name, String summary, Supplier<Command> build) {
+        this(name, summary, build, Preload::nothing);
+    }
+}

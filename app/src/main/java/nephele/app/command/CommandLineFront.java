@@ -31,7 +31,15 @@ public final class CommandLineFront {
     }
 
     private ExitCode run(CommandEntry entry, String[] arguments) {
-        var command = entry.build().get();
+        var preload = entry.preload().get();
+        try {
+            return run(entry, entry.build().get(), arguments);
+        } finally {
+            preload.finish();
+        }
+    }
+
+    private ExitCode run(CommandEntry entry, Command command, String[] arguments) {
         var commandLine = new CommandLine(command);
         commandLine.setExpandAtFiles(false).setCaseInsensitiveEnumValuesAllowed(true);
         commandLine

@@ -6,8 +6,8 @@ import java.util.Optional;
 /** Every command in the order of the help text; the only registration. */
 public final class Commands {
     public static final List<CommandEntry> ALL = List.of(
-            new CommandEntry("play", "Play the game", PlayCommand::new),
-            new CommandEntry("render", "Draw one picture offscreen", RenderCommand::new),
+            new CommandEntry("play", "Play the game", PlayCommand::new, PlayCommand::preload),
+            new CommandEntry("render", "Draw one picture offscreen", RenderCommand::new, Preload::offscreenGraphics),
             new CommandEntry("check", "Print the problems of levels", CheckCommand::new),
             new CommandEntry("explain", "Say which features a level requires, and why", ExplainCommand::new),
             new CommandEntry("simulate", "Play a replay without graphics and print hashes", SimulateCommand::new),

@@ -71,6 +71,10 @@ final class PlayCommand implements Command {
     @Mixin
     private CommonOptions common;
 
+    static Preload preload() {
+        return hasDisplay() ? Preload.nothing() : Preload.offscreenGraphics();
+    }
+
     @Override
     public CommonOptions common() {
         return common;

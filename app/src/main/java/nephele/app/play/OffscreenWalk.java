@@ -27,7 +27,6 @@ public final class OffscreenWalk {
     private final PlayRequest request;
     private final PrintStream out;
     private final Path pictures;
-    private final Stopwatch stopwatch = new Stopwatch();
 
     /** @param pictures the folder for three pictures of the walk */
     public OffscreenWalk(PlayRequest request, PrintStream out, Path pictures) {
@@ -76,21 +75,22 @@ public final class OffscreenWalk {
     private void drawAll(GlContext gl, Renderer renderer, RenderTarget target, Walk walk) throws IOException {
         long ticks = Math.max(1, replay().ticks());
         int ticksPerFrame = (int) Math.max(1, (ticks + MOST_FRAMES - 1) / MOST_FRAMES);
+        var stopwatch = new Stopwatch();
         var figures = new Figures((int) (ticks / ticksPerFrame) + 1);
         int nextPicture = 0;
-        long drawingCpuNanos = stopwatch.processCpuNanos();
+        long cpuStartNanos = stopwatch.processCpuNanos();
         for (long tick = 0; tick <= ticks; tick += ticksPerFrame) {
             figures.add(drawOne(gl, renderer, target, walk), renderer);
             if (nextPicture < PICTURES_AT.length && tick >= PICTURES_AT[nextPicture] * (ticks - ticksPerFrame)) {
                 long before = stopwatch.processCpuNanos();
                 savePicture(target, ++nextPicture);
-                drawingCpuNanos += stopwatch.processCpuNanos() - before;
+                cpuStartNanos += stopwatch.processCpuNanos() - before;
             }
             for (int i = 0; i < ticksPerFrame && !walk.isFinished(); i++) {
                 walk.tick();
             }
         }
-        out.println(figures.text((stopwatch.processCpuNanos() - drawingCpuNanos) / 1e6));
+        out.println(figures.text((stopwatch.processCpuNanos() - cpuStartNanos) / 1e6));
     }
 
     private long drawOne(GlContext gl, Renderer renderer, RenderTarget target, Walk walk) {

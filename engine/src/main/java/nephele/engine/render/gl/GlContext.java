@@ -32,6 +32,18 @@ public final class GlContext implements AutoCloseable {
         return new GlContext(egl::destroy);
     }
 
+    /**
+     * Loads what {@link #offscreen} needs by making a context and throwing it away: on another thread it costs nothing
+     * while the level is read. Nothing fails here; the real context will say what is missing.
+     */
+    public static void preloadOffscreen() {
+        try {
+            offscreen().close();
+        } catch (GlUnavailableException | LinkageError missing) {
+            GL.setCapabilities(null);
+        }
+    }
+
     /** Wraps the context that the caller, a window, has made current and will destroy after this is closed. */
     public static GlContext ofCurrentWindow() {
         GL.createCapabilities(true);
