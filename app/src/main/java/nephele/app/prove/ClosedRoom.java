@@ -22,6 +22,8 @@ final class ClosedRoom {
     private static final double OVERLAP_METRES = 0.02;
 
     private static final int FURNITURE_TRIES = 3;
+
+    private static final int DRAWS = 100;
     /** Kept free, so that every room has at least one start. */
     private static final Aabb MIDDLE = Aabb.around(Vec3.ZERO, new Vec3(0.61, 1.82, 0.61));
 
@@ -33,7 +35,19 @@ final class ClosedRoom {
         this.world = world;
     }
 
+    /** Tilted planes may leave a side open, once in some thousand draws: then the next draw counts. */
     static ClosedRoom of(SplittableRandom random) {
+        for (int i = 0; i < DRAWS; i++) {
+            try {
+                return drawn(random);
+            } catch (IllegalArgumentException open) {
+                continue;
+            }
+        }
+        throw new IllegalStateException("no closed room in " + DRAWS + " draws");
+    }
+
+    private static ClosedRoom drawn(SplittableRandom random) {
         List<Plane> inner = planes(random);
         double thickness = random.nextInt(4) > 0 ? 0.01 : StrictMath.pow(10, -3 + 2 * random.nextDouble());
         List<Collider> solids = new ArrayList<>();
