@@ -22,7 +22,7 @@ final class SkyPainter {
     private static final Colour BRIGHT = Colour.of(0xFFFFFF);
     private static final Colour CLOUD_SHADE = Colour.of(0xB4C2D3);
     private static final Colour SEA_NEAR = Colour.of(0x2C5F7C);
-    /** Straight below lies a sunlit beach; it is seldom seen, but lights from below as a bright floor would. */
+    /** Dry sunlit land below the eye, away from the bay: it lights from below as a bright floor would. */
     private static final Colour SAND = Colour.of(0xD8C7A6);
 
     private static final Colour SEA_FAR = Colour.of(0x9FBCCB);
@@ -138,20 +138,26 @@ final class SkyPainter {
                 .stretched(direction.x * reach / 128 + 0.5, direction.z * reach / 128 + 0.5, 256, 256, 3);
         Colour water =
                 SEA_FAR.mix(SEA_NEAR, Shapes.ramp(0, 0.2, down)).times(1 + 0.05 * swell * Shapes.ramp(0, 0.1, down));
-        return water.mix(SAND, Shapes.ramp(0.45, 0.8, down));
+        double land = Shapes.ramp(0.1, 0.25, Math.abs(turn(direction) - 0.47)) * Shapes.ramp(0.004, 0.05, down);
+        return water.mix(SAND, Math.max(land, Shapes.ramp(0.45, 0.8, down)));
     }
 
     /** Sine of the altitude of a ridge; negative where there is only sea. */
     private static double crest(Vector3d direction, int layer) {
-        double turn = StrictMath.atan2(direction.x, -direction.z) / (2 * Math.PI) + 0.5;
+        double turn = turn(direction);
         TileNoise noise = new TileNoise(331 + 7 * layer);
         double ridge = 0.5 + 0.5 * noise.cloud(turn, 0.3, 6 + 4 * layer, 6);
         double bay = Shapes.ramp(0.04 + 0.05 * layer, 0.16 + 0.06 * layer, Math.abs(turn - 0.47));
         return bay * ridge * (0.27 - 0.075 * layer) - 0.004;
     }
 
+    /** Azimuth as a share of a whole turn, 0.5 at −z. */
+    private static double turn(Vector3d direction) {
+        return StrictMath.atan2(direction.x, -direction.z) / (2 * Math.PI) + 0.5;
+    }
+
     private static double relief(Vector3d direction, int layer) {
-        double turn = StrictMath.atan2(direction.x, -direction.z) / (2 * Math.PI) + 0.5;
+        double turn = turn(direction);
         return new TileNoise(349 + layer).cloud(turn, direction.y * 0.6 + 0.5, 48, 4);
     }
 }
