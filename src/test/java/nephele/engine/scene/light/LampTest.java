@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -66,7 +67,7 @@ class LampTest {
                 new Light.Point("short", Vec3.ZERO, WHITE, 1e-3, true),
                 new Light.Spot("needle", Vec3.ZERO, new Vec3(0, 1e-200, 0), WHITE, 9, 1e-9, 1e-9, true),
                 new Light.Spot("all-around", Vec3.ZERO, new Vec3(0, -1, 0), WHITE, 9, 500, 900, true));
-        LampTable table = LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1));
+        LampTable table = LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1), List.of());
         for (float f : table.packed(Vec3.ZERO)) {
             assertTrue(Float.isFinite(f), Arrays.toString(table.packed(Vec3.ZERO)));
         }
@@ -92,7 +93,7 @@ class LampTest {
     void gridListsEveryLampThatArrives() {
         SplittableRandom random = new SplittableRandom(44);
         List<Light> lights = randomLights(random, 1000);
-        LampTable table = LampTable.of(lights, new Aabb(-30, -2, -20, 30, 8, 20));
+        LampTable table = LampTable.of(lights, new Aabb(-30, -2, -20, 30, 8, 20), List.of());
         long listed = 0;
         for (int i = 0; i < 2000; i++) {
             double spread = i % 4 == 0 ? 90 : 32;
@@ -100,11 +101,12 @@ class LampTest {
                     (random.nextDouble() - 0.5) * 2 * spread,
                     random.nextDouble() * 12 - 3,
                     (random.nextDouble() - 0.5) * 2 * spread);
-            int cell = table.grid().cellAt(p);
-            int from = table.grid().firstOfCell()[cell];
-            int to = table.grid().firstOfCell()[cell + 1];
+            Vec3 normal = normal(random, i);
+            int list = LampGrid.FACINGS * table.grid().cellAt(p) + LampGrid.facingOf(normal);
+            int from = table.grid().firstOfList()[list];
+            int to = table.grid().firstOfList()[list + 1];
             listed += to - from;
-            assertSame(brute(table, p), fromList(table, p, from, to), p);
+            assertSame(brute(table, p, normal), fromList(table, p, normal, from, to), p);
         }
         assertTrue(listed < 2000 * 300, "lists are short: " + listed / 2000 + " of 1000 lamps on average");
     }
@@ -113,16 +115,35 @@ class LampTest {
         assertEquals(0, all.distance(listed), 1e-12, "light at " + p + " is missing lamps");
     }
 
-    private static Vector3d brute(LampTable table, Vec3 p) {
+    /** Along an axis or anywhere. */
+    private static Vec3 normal(SplittableRandom random, int i) {
+        double sign = (i & 1) == 0 ? 1 : -1;
+        return switch (i % 7) {
+            case 0 -> new Vec3(sign, 0, 0);
+            case 1 -> new Vec3(0, sign, 0);
+            case 2 -> new Vec3(0, 0, sign);
+            default -> {
+                Vector3d n = new Vector3d(random.nextDouble() - 0.5, random.nextDouble() - 0.5, 0.5 * sign).normalize();
+                yield new Vec3(n.x, n.y, n.z);
+            }
+        };
+    }
+
+    private static Vector3d onFace(Lamp lamp, Vec3 p, Vec3 normal) {
+        double cosine = lamp.position().toVector().sub(p.toVector()).dot(normal.toVector());
+        return cosine > 0 ? lamp.irradianceAt(p) : new Vector3d();
+    }
+
+    private static Vector3d brute(LampTable table, Vec3 p, Vec3 normal) {
         Vector3d sum = new Vector3d();
-        table.lamps().forEach(lamp -> sum.add(lamp.irradianceAt(p)));
+        table.lamps().forEach(lamp -> sum.add(onFace(lamp, p, normal)));
         return sum;
     }
 
-    private static Vector3d fromList(LampTable table, Vec3 p, int from, int to) {
+    private static Vector3d fromList(LampTable table, Vec3 p, Vec3 normal, int from, int to) {
         Vector3d sum = new Vector3d();
         for (int i = from; i < to; i++) {
-            sum.add(table.lamps().get(table.grid().lamps()[i]).irradianceAt(p));
+            sum.add(onFace(table.lamps().get(table.grid().lamps()[i]), p, normal));
         }
         return sum;
     }
@@ -142,14 +163,49 @@ class LampTest {
         return lights;
     }
 
+    /** What a list leaves out is hidden: from every point of the cell a solid lies between it and the lamp. */
+    @Test
+    void hiddenLampsAreLeftOutAndNoOthers() {
+        List<Brush> walls = List.of(
+                ShadowTest.box(0, 1.5, 0, 0.3, 3, 10),
+                ShadowTest.box(4, 1.5, 2, 8, 3, 0.3),
+                ShadowTest.box(0, -0.2, 0, 20, 0.4, 20));
+        List<Light> lights = List.of(
+                new Light.Point("a", new Vec3(-2, 2, 1), WHITE, 30, true),
+                new Light.Point("b", new Vec3(3, 2, -1), WHITE, 30, true),
+                new Light.Point("through", new Vec3(3, 2, -1), WHITE, 30, false));
+        LampTable table = LampTable.of(lights, walls);
+        SplittableRandom random = new SplittableRandom(9);
+        OcclusionTree solids = new OcclusionTree(walls);
+        int leftOut = 0;
+        for (int i = 0; i < 5000; i++) {
+            Vec3 p = new Vec3(random.nextDouble() * 20 - 10, random.nextDouble() * 3, random.nextDouble() * 20 - 10);
+            int list = LampGrid.FACINGS * table.grid().cellAt(p) + LampGrid.FACINGS - 1;
+            int[] listed = Arrays.copyOfRange(
+                    table.grid().lamps(),
+                    table.grid().firstOfList()[list],
+                    table.grid().firstOfList()[list + 1]);
+            for (int lamp = 0; lamp < 3; lamp++) {
+                int wanted = lamp;
+                if (Arrays.stream(listed).noneMatch(l -> l == wanted)) {
+                    Vector3d d = lights.get(lamp).position().toVector().sub(p.toVector());
+                    double[] o = {p.x(), p.y(), p.z()};
+                    assertTrue(solids.isOccluded(o, new double[] {d.x, d.y, d.z}, -1), lamp + " is seen from " + p);
+                    leftOut++;
+                }
+            }
+        }
+        assertTrue(leftOut > 1000, "walls hide lamps: " + leftOut);
+    }
+
     @Test
     void shadowLayersKeepToTheirBudget() {
         List<Light> lights = randomLights(new SplittableRandom(1), 1000);
         LampShadows shadows =
-                LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1)).shadows();
+                LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1), List.of()).shadows();
         assertTrue((long) shadows.side() * shadows.side() * shadows.layers().size() <= 1 << 23);
         assertEquals(LampShadows.SMALLEST_SIDE, shadows.side());
-        LampShadows few = LampTable.of(lights.subList(0, 4), new Aabb(-1, -1, -1, 1, 1, 1))
+        LampShadows few = LampTable.of(lights.subList(0, 4), new Aabb(-1, -1, -1, 1, 1, 1), List.of())
                 .shadows();
         assertEquals(LampShadows.LARGEST_SIDE, few.side());
     }

@@ -93,7 +93,7 @@ class ShadowTest {
         Light.Spot spot =
                 new Light.Spot("s", new Vec3(0, 3, 0), new Vec3(1, -2, 0.5), new Vec3(1, 1, 1), 9, 20, 35, true);
         List<Lamp> lamps = List.of(Lamp.of(spot).orElseThrow());
-        LampTable table = LampTable.of(List.of(spot), new Aabb(-5, 0, -5, 5, 3, 5));
+        LampTable table = LampTable.of(List.of(spot), new Aabb(-5, 0, -5, 5, 3, 5), List.of());
         assertEquals(1, table.shadows().layers().size());
         Vector3d axis = lamps.get(0).axis().toVector();
         Vector3d side = LampShadows.right(lamps.get(0));

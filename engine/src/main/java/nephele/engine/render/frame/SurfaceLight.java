@@ -8,7 +8,6 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
@@ -51,7 +50,7 @@ public final class SurfaceLight implements AutoCloseable {
         List<Brush> brushes =
                 sunShadow || hasLamps ? level.solids().stream().map(Brush::of).toList() : List.of();
         sunFrame = sunShadow ? sunFrame(brushes, quality) : null;
-        lamps = hasLamps ? LampTable.of(level.lights(), bounds(brushes)) : null;
+        lamps = hasLamps ? LampTable.of(level.lights(), brushes) : null;
         lampTexels = hasLamps ? BufferTexture.ofFloats(gl, "lamps", lamps.packed(anchor())) : null;
         lampGrid = hasLamps ? BufferTexture.ofIntegers(gl, "lamp grid", lamps.packedGrid()) : null;
     }
@@ -77,10 +76,6 @@ public final class SurfaceLight implements AutoCloseable {
                 .flatMap(brush -> brush.shape().vertices().stream())
                 .toList();
         return ShadowFrame.fit(corners, towardsSun, anchor(), quality.shadowTexels());
-    }
-
-    private static Aabb bounds(List<Brush> brushes) {
-        return brushes.stream().map(brush -> brush.shape().bounds()).reduce(Aabb.EMPTY, Aabb::union);
     }
 
     /** World position that positions in light shaders are relative to. */

@@ -6,14 +6,18 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /**
- * Which lamps can reach which cell of a regular grid over the level, so that a pixel asks few of a thousand lamps. Lists
- * are complete: where many lamps have a long range the cells grow, no lamp is left out. Places beyond the grid belong
- * to its outermost cells.
+ * Which lamps can light which faces in which cell of a regular grid over the level, so that a pixel asks few of a
+ * thousand lamps. Lists are complete: where many lamps have a long range the cells grow, no lamp is left out but those
+ * that lie behind the face or are hidden from the whole cell. Places beyond the grid belong to its outermost cells.
  *
- * @param firstOfCell start of each cell's list in {@code lamps}, and one entry more; x varies fastest
- * @param lamps indices into the list of lamps, ascending within a cell
+ * @param firstOfList start of each list in {@code lamps}, and one entry more; {@value #FACINGS} lists a cell, cells with
+ *     x varying fastest
+ * @param lamps indices into the list of lamps, ascending within a list
  */
-public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int rows, int[] firstOfCell, int[] lamps) {
+public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int rows, int[] firstOfList, int[] lamps) {
+    /** Faces that look along +x −x +y −y +z −z, and the rest. */
+    public static final int FACINGS = 7;
+
     private static final int MAX_CELLS = 1 << 13;
     private static final int MAX_ENTRIES = 1 << 17;
     private static final double FINEST_CELL_METRES = 1;
@@ -21,7 +25,8 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
     /** Float coordinates in the shader may fall into the neighbouring cell. */
     private static final double OVERLAP = 1e-3;
 
-    public static LampGrid of(List<Lamp> lamps, Aabb bounds) {
+    /** @param hiding solids whose shadow the lamps respect, and which lamps have one */
+    public static LampGrid of(List<Lamp> lamps, Aabb bounds, LampOcclusion hiding) {
         Aabb box = bounds.isEmpty() ? new Aabb(0, 0, 0, 1, 1, 1) : bounds;
         double side = FINEST_CELL_METRES;
         while (cells(box.maxX() - box.minX(), side)
@@ -31,8 +36,8 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
             side *= 1.25;
         }
         while (true) {
-            LampGrid grid = tryAt(lamps, box, side);
-            if (grid.lamps.length <= MAX_ENTRIES || grid.firstOfCell.length == 2) {
+            LampGrid grid = tryAt(lamps, box, side, hiding);
+            if (grid.lamps.length <= MAX_ENTRIES || grid.firstOfList.length == FACINGS + 1) {
                 return grid;
             }
             side *= 2;
@@ -43,7 +48,7 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
         return Math.max(1, Math.ceil(extent / side));
     }
 
-    private static LampGrid tryAt(List<Lamp> lamps, Aabb box, double side) {
+    private static LampGrid tryAt(List<Lamp> lamps, Aabb box, double side, LampOcclusion hiding) {
         int nx = (int) cells(box.maxX() - box.minX(), side);
         int ny = (int) cells(box.maxY() - box.minY(), side);
         int nz = (int) cells(box.maxZ() - box.minZ(), side);
@@ -52,30 +57,86 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
                 cellSide(box.maxX() - box.minX(), nx),
                 cellSide(box.maxY() - box.minY(), ny),
                 cellSide(box.maxZ() - box.minZ(), nz));
-        LampGrid empty = new LampGrid(min, cell, nx, ny, nz, new int[nx * ny * nz + 1], new int[0]);
-        return empty.filled(lamps);
+        LampGrid empty = new LampGrid(min, cell, nx, ny, nz, new int[FACINGS * nx * ny * nz + 1], new int[0]);
+        return empty.filled(lamps, hiding);
     }
 
     private static double cellSide(double extent, int cells) {
         return Math.max(extent, 1e-3) / cells;
     }
 
-    private LampGrid filled(List<Lamp> all) {
-        int[] first = new int[columns * floors * rows + 1];
+    private LampGrid filled(List<Lamp> all, LampOcclusion hiding) {
+        int[] first = new int[firstOfList.length];
         int[] entries = new int[64];
+        int[] near = new int[all.size()];
         int count = 0;
-        for (int cell = 0; cell < first.length - 1; cell++) {
-            first[cell] = count;
+        for (int cell = 0; cell < columns * floors * rows && count <= MAX_ENTRIES; cell++) {
+            int nearCount = near(all, cell, hiding, near);
             Aabb box = reachOf(cell);
-            for (int lamp = 0; lamp < all.size() && count <= MAX_ENTRIES; lamp++) {
-                if (LampReach.touches(all.get(lamp), box)) {
-                    entries = count == entries.length ? Arrays.copyOf(entries, 2 * count) : entries;
-                    entries[count++] = lamp;
+            for (int facing = 0; facing < FACINGS; facing++) {
+                first[FACINGS * cell + facing] = count;
+                entries = count + nearCount > entries.length ? Arrays.copyOf(entries, 2 * count + nearCount) : entries;
+                for (int i = 0; i < nearCount; i++) {
+                    if (isBefore(facing, box, all.get(near[i]).position())) {
+                        entries[count++] = near[i];
+                    }
                 }
             }
         }
         first[first.length - 1] = count;
         return new LampGrid(min, cellMetres, columns, floors, rows, first, Arrays.copyOf(entries, count));
+    }
+
+    private int near(List<Lamp> all, int cell, LampOcclusion hiding, int[] near) {
+        Aabb reach = reachOf(cell);
+        Aabb inside = boxOf(cell);
+        int count = 0;
+        for (int lamp = 0; lamp < all.size(); lamp++) {
+            if (LampReach.touches(all.get(lamp), reach) && !hiding.hides(lamp, inside)) {
+                near[count++] = lamp;
+            }
+        }
+        return count;
+    }
+
+    /** Whether a face in the box that looks along an axis can have the lamp before it. */
+    private static boolean isBefore(int facing, Aabb box, Vec3 lamp) {
+        return switch (facing) {
+            case 0 -> lamp.x() > box.minX();
+            case 1 -> lamp.x() < box.maxX();
+            case 2 -> lamp.y() > box.minY();
+            case 3 -> lamp.y() < box.maxY();
+            case 4 -> lamp.z() > box.minZ();
+            case 5 -> lamp.z() < box.maxZ();
+            default -> true;
+        };
+    }
+
+    /** Which list of its cell a face asks, as the shader finds it. */
+    public static int facingOf(Vec3 normal) {
+        double limit = 0.9999;
+        double[] n = {normal.x(), normal.y(), normal.z()};
+        for (int axis = 0; axis < 3; axis++) {
+            if (Math.abs(n[axis]) > limit) {
+                return 2 * axis + (n[axis] < 0 ? 1 : 0);
+            }
+        }
+        return FACINGS - 1;
+    }
+
+    private Aabb boxOf(int cell) {
+        int x = cell % columns;
+        int y = cell / columns % floors;
+        int z = cell / columns / floors;
+        Vec3 c = cellMetres;
+        return new Aabb(
+                        min.x() + x * c.x(),
+                        min.y() + y * c.y(),
+                        min.z() + z * c.z(),
+                        min.x() + (x + 1) * c.x(),
+                        min.y() + (y + 1) * c.y(),
+                        min.z() + (z + 1) * c.z())
+                .grown(OVERLAP * Math.max(c.x(), Math.max(c.y(), c.z())));
     }
 
     /** The cell's box, a little grown; unbounded on the grid's outside. */

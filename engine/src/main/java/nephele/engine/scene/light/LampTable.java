@@ -1,6 +1,7 @@
 package nephele.engine.scene.light;
 
 import java.util.List;
+import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -15,11 +16,19 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows) {
     /** Texels of four floats that one lamp takes in {@link #packed}. */
     public static final int TEXELS_PER_LAMP = 4;
 
+    /** @param brushes what may be lit and what hides */
+    public static LampTable of(List<Light> lights, List<Brush> brushes) {
+        Aabb bounds = brushes.stream().map(brush -> brush.shape().bounds()).reduce(Aabb.EMPTY, Aabb::union);
+        return of(lights, bounds, brushes);
+    }
+
     /** @param bounds of what may be lit */
-    public static LampTable of(List<Light> lights, Aabb bounds) {
+    static LampTable of(List<Light> lights, Aabb bounds, List<Brush> brushes) {
         List<Lamp> lamps =
                 lights.stream().flatMap(light -> Lamp.of(light).stream()).toList();
-        return new LampTable(lamps, LampGrid.of(lamps, bounds), LampShadows.of(lamps));
+        LampShadows shadows = LampShadows.of(lamps);
+        LampOcclusion hiding = new LampOcclusion(brushes, lamps, shadows.firstLayer());
+        return new LampTable(lamps, LampGrid.of(lamps, bounds, hiding), shadows);
     }
 
     /**
@@ -62,9 +71,9 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows) {
         packed[at + 3] = (float) w;
     }
 
-    /** Start of each cell's list, then the lists: starts count from the first list. */
+    /** Start of each list, then the lists: starts count from the first list. */
     public int[] packedGrid() {
-        int[] first = grid.firstOfCell();
+        int[] first = grid.firstOfList();
         int[] packed = new int[first.length + grid.lamps().length];
         for (int i = 0; i < first.length; i++) {
             packed[i] = first.length + first[i];

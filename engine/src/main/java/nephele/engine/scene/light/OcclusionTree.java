@@ -123,7 +123,7 @@ final class OcclusionTree {
         stack[top++] = 0;
         while (top > 0) {
             int node = stack[--top];
-            if (!meetsBox(node, o, d)) {
+            if (!meetsBox(node, o, d, Double.POSITIVE_INFINITY)) {
                 continue;
             }
             int count = nodes[2 * node + 1];
@@ -139,16 +139,52 @@ final class OcclusionTree {
 
     private boolean meetsLeaf(int first, int count, int except, double[] o, double[] d) {
         for (int i = first; i < first + count; i++) {
-            if (order[i] != except && meetsSolid(planes[order[i]], o, d)) {
+            if (order[i] != except && meetsSolid(planes[order[i]], o, d, Double.POSITIVE_INFINITY)) {
                 return true;
             }
         }
         return false;
     }
 
-    private boolean meetsBox(int node, double[] o, double[] d) {
+    /** Whether a single solid meets every segment from {@code o} to {@code o + segments[i]}. */
+    boolean oneMeetsAllSegments(double[] o, double[][] segments) {
+        if (nodeCount == 0) {
+            return false;
+        }
+        int[] stack = new int[64];
+        int top = 0;
+        stack[top++] = 0;
+        while (top > 0) {
+            int node = stack[--top];
+            if (!meetsBox(node, o, segments[0], 1)) {
+                continue;
+            }
+            int count = nodes[2 * node + 1];
+            if (count == 0) {
+                stack[top++] = nodes[2 * node];
+                stack[top++] = node + 1;
+            }
+            for (int i = nodes[2 * node]; i < nodes[2 * node] + count; i++) {
+                if (meetsAll(planes[order[i]], o, segments)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private static boolean meetsAll(double[] solid, double[] o, double[][] segments) {
+        for (double[] segment : segments) {
+            if (!meetsSolid(solid, o, segment, 1)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean meetsBox(int node, double[] o, double[] d, double length) {
         double enter = 0;
-        double leave = Double.POSITIVE_INFINITY;
+        double leave = length;
         for (int axis = 0; axis < 3; axis++) {
             double low = boxes[6 * node + axis] - o[axis];
             double high = boxes[6 * node + 3 + axis] - o[axis];
@@ -165,10 +201,10 @@ final class OcclusionTree {
         return enter <= leave;
     }
 
-    /** Clips the half-line by every plane (Cyrus and Beck 1978); what is left lies inside. */
-    private static boolean meetsSolid(double[] solid, double[] o, double[] d) {
+    /** Clips o + t · d, 0 ≤ t ≤ length, by every plane (Cyrus and Beck 1978); what is left lies inside. */
+    private static boolean meetsSolid(double[] solid, double[] o, double[] d, double length) {
         double enter = 0;
-        double leave = Double.POSITIVE_INFINITY;
+        double leave = length;
         for (int i = 0; i < solid.length; i += 4) {
             double along = solid[i] * d[0] + solid[i + 1] * d[1] + solid[i + 2] * d[2];
             double distance = solid[i + 3] - solid[i] * o[0] - solid[i + 1] * o[1] - solid[i + 2] * o[2];

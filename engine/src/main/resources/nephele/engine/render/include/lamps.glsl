@@ -2,7 +2,7 @@
 // Needs lamp-falloff.glsl.
 
 uniform samplerBuffer lampTexels;      // four texels a lamp
-uniform usamplerBuffer lampGridCells;  // start of each cell's list, then the lists
+uniform usamplerBuffer lampGridCells;  // start of each list, seven a cell, then the lists
 uniform vec3 lampGridMin;              // metres from the anchor
 uniform vec3 lampGridCellsPerMetre;
 uniform vec3 lampGridSize;
@@ -23,12 +23,20 @@ Lamp lampAt(int index) {
             texelFetch(lampTexels, texel + 3));
 }
 
-// First and one past the last entry of a place's list.
-ivec2 lampListAt(vec3 anchorPosition) {
+// Faces that look along +x -x +y -y +z -z have lists of their own, without the lamps behind them; 6: the rest.
+int facingOf(vec3 faceNormal) {
+    vec3 along = step(0.9999, abs(faceNormal));
+    float axis = dot(along, vec3(1.0, 2.0, 3.0));
+    float side = dot(faceNormal, along) < 0.0 ? 1.0 : 0.0;
+    return axis > 0.0 ? int(2.0 * axis - 2.0 + side) : 6;
+}
+
+// First and one past the last entry of a face's list.
+ivec2 lampListAt(vec3 anchorPosition, vec3 faceNormal) {
     vec3 cell = (anchorPosition - lampGridMin) * lampGridCellsPerMetre;
     ivec3 c = ivec3(clamp(cell, vec3(0.0), lampGridSize - 0.5));
     ivec2 size = ivec2(lampGridSize.xy);
-    int at = c.x + size.x * (c.y + size.y * c.z);
+    int at = 7 * (c.x + size.x * (c.y + size.y * c.z)) + facingOf(faceNormal);
     return ivec2(int(texelFetch(lampGridCells, at).x), int(texelFetch(lampGridCells, at + 1).x));
 }
 

@@ -99,7 +99,7 @@ vec3 lampLight(REFLECTANCE r, Surface s, int index) {
 
 vec3 allLamps(REFLECTANCE r, Surface s) {
     vec3 sum = vec3(0.0);
-    ivec2 list = lampListAt(s.anchorPosition);
+    ivec2 list = lampListAt(s.anchorPosition, s.faceNormal);
     for (int entry = list.x; entry < list.y; entry++) {
         sum += lampLight(r, s, lampOfEntry(entry));
     }
