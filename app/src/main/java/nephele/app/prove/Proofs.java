@@ -10,6 +10,8 @@ public final class Proofs {
             new JitMatrixProof(),
             new SaveKillProof(),
             new MutantsProof(),
+            new RayProof(),
+            new RotationProof(),
             new SoakProof());
 
     private Proofs() {}

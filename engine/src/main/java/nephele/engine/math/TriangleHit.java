@@ -10,6 +10,13 @@ public final class TriangleHit {
     private double weightB;
     private double weightC;
 
+    /** The point of a triangle with these weights, as if a ray had met it. */
+    public static TriangleHit at(double weightA, double weightB, double weightC) {
+        TriangleHit hit = new TriangleHit();
+        hit.set(0, weightA, weightB, weightC);
+        return hit;
+    }
+
     void set(double rayParameter, double a, double b, double c) {
         distance = rayParameter;
         weightA = a;

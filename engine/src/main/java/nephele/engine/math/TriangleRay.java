@@ -84,7 +84,7 @@ public final class TriangleRay {
     }
 
     /** Unit normal, counter-clockwise seen from its tip; {@code null} for a triangle without area. */
-    static Vec3 normal(double[] corners, int at) {
+    public static Vec3 normal(double[] corners, int at) {
         double abX = corners[at + 3] - corners[at];
         double abY = corners[at + 4] - corners[at + 1];
         double abZ = corners[at + 5] - corners[at + 2];
