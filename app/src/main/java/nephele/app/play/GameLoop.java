@@ -2,11 +2,9 @@ package nephele.app.play;
 
 import java.util.List;
 import nephele.app.bench.StepTimer;
-import nephele.app.levels.LevelShelf;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
-import nephele.app.play.hud.MenuPanel;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
@@ -24,11 +22,12 @@ public final class GameLoop implements AutoCloseable {
     private final Input input;
     private final Display display;
     private final StageMachine stages = new StageMachine();
+    private final MenuControl menu = new MenuControl();
     private final Message message = new Message();
     private PlayRequest request;
     private Preparation preparation;
     private Session session;
-    private Menu menu;
+
     private Page page = Page.NONE;
     private FrameFigures figures;
     private List<HudContent.Figure> shownFigures = List.of();
@@ -93,21 +92,11 @@ public final class GameLoop implements AutoCloseable {
 
     private void obeyStageKey(Control key) {
         if (stages.in(Stage.MENU)) {
-            obeyMenuKey(key);
+            choose(menu.choiceOf(key));
         } else if (stages.in(Stage.RUNNING) && key == Control.RESTART) {
             stages.change(Stage.RESTARTING);
         } else if (stages.in(Stage.RUNNING) && key == Control.MENU) {
             openMenuOrClosePage();
-        }
-    }
-
-    private void obeyMenuKey(Control key) {
-        switch (key) {
-            case FORWARD -> menu = menu.moved(-1);
-            case BACK -> menu = menu.moved(1);
-            case CONFIRM, JUMP -> choose(menu.chosen());
-            case MENU -> choose(new Menu.Choice.Continue());
-            default -> {}
         }
     }
 
@@ -116,45 +105,33 @@ public final class GameLoop implements AutoCloseable {
             page = Page.NONE;
             return;
         }
-        menu = Menu.pause();
+        menu.open();
         input.forget();
         stages.change(Stage.MENU);
     }
 
     private void obeyPointer() {
-        if (!stages.in(Stage.MENU)) {
-            return;
-        }
-        double scale = window.scale();
-        int row = new MenuPanel(menu, display.area()).rowAt(input.pointerX() / scale, input.pointerY() / scale);
-        if (input.takePointerMoved()) {
-            menu = menu.pointedAt(row);
-        }
-        if (input.takeClick() && row >= 0) {
-            menu = menu.pointedAt(row);
-            choose(menu.chosen());
+        if (stages.in(Stage.MENU)) {
+            choose(menu.choiceOf(input, display.area(), window.scale()));
         }
     }
 
+    /** @param choice null when nothing was chosen */
     private void choose(Menu.Choice choice) {
-        if (choice instanceof Menu.Choice.SelectLevel) {
-            menu = Menu.levels(LevelShelf.numbered());
-        } else if (choice instanceof Menu.Choice.Back) {
-            menu = Menu.pause();
-        } else if (choice instanceof Menu.Choice.Continue) {
+        if (choice instanceof Menu.Choice.Continue) {
             resume(Stage.RUNNING);
         } else if (choice instanceof Menu.Choice.Restart) {
             resume(Stage.RESTARTING);
         } else if (choice instanceof Menu.Choice.Quit) {
             resume(Stage.LEAVING);
         } else if (choice instanceof Menu.Choice.Start next) {
-            menu = null;
+            menu.close();
             start(request.of(next.level()));
         }
     }
 
     private void resume(Stage stage) {
-        menu = null;
+        menu.close();
         input.forget();
         stages.change(stage);
     }
@@ -188,7 +165,7 @@ public final class GameLoop implements AutoCloseable {
                 throw problem;
             }
             message.say(problem.getMessage().lines().findFirst().orElse("the level can't be loaded"));
-            menu = Menu.pause();
+            menu.open();
             stages.change(Stage.MENU);
         }
     }
@@ -209,7 +186,7 @@ public final class GameLoop implements AutoCloseable {
         if (session == null || !window.isDrawable()) {
             return;
         }
-        var content = new HudContent(menu, page, shownFigures, message.text());
+        var content = new HudContent(menu.page(), page, shownFigures, message.text());
         var saved = display.draw(session, content, listener(), shot);
         shot = Display.Shot.NONE;
         if (saved != null) {
