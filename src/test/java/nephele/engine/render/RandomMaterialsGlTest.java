@@ -7,6 +7,10 @@ import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
 /** C.2 row 43: whatever the materials and lights say, every pixel is a number, not negative, and below the half's end. */
@@ -14,16 +18,40 @@ class RandomMaterialsGlTest {
     private static final double[] EXTREMES = {0, 1e-30, 1e-7, 0.5, 1, 1, 1e3, 1e9};
 
     @Test
-    void noPixelIsNotANumber() {
+    void noPixelOfTheLinearPictureIsNotANumber() {
         Random random = new Random(43);
         try (Offscreen offscreen = new Offscreen(48, 48)) {
-            for (int round = 0; round < 12; round++) {
-                float[] rgb = offscreen.radiance(
-                        level(random).level(), TestAssets.NONE, offscreen.view(new Vec3(0, 1.5, 3), Vec3.ZERO));
-                for (float value : rgb) {
-                    assertTrue(value >= 0 && value <= 65504, "round " + round + ": " + value);
+            for (int round = 0; round < 8; round++) {
+                float[] rgb = offscreen.radiance(level(random).level(), TestAssets.NONE, view(offscreen));
+                assertNumbers(rgb, 65504, round);
+            }
+        }
+    }
+
+    /** Output PLAIN into floats: nothing clamps what the surface shader has computed. */
+    @Test
+    void noSurfaceComputesWhatIsNotANumber() {
+        Random random = new Random(44);
+        try (Offscreen offscreen = new Offscreen(48, 48);
+                RenderTarget floats = RenderTarget.picture(offscreen.gl, "floats", PixelFormat.RGBA32F, 48, 48)) {
+            for (int round = 0; round < 8; round++) {
+                RenderSettings plain = RenderSettings.of(Output.PLAIN);
+                try (Renderer renderer =
+                        Renderer.load(offscreen.gl, level(random).level(), TestAssets.NONE, plain)) {
+                    renderer.draw(view(offscreen), floats);
+                    assertNumbers(floats.readFloats(), Float.MAX_VALUE, round);
                 }
             }
+        }
+    }
+
+    private static View view(Offscreen offscreen) {
+        return offscreen.view(new Vec3(0, 1.5, 3), Vec3.ZERO);
+    }
+
+    private static void assertNumbers(float[] rgb, float most, int round) {
+        for (float value : rgb) {
+            assertTrue(value >= 0 && value <= most, "round " + round + ": " + value);
         }
     }
 
