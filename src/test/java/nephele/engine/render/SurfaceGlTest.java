@@ -139,6 +139,20 @@ class SurfaceGlTest {
                 : level.box("green", far, size).box("red", near, size).level();
     }
 
+    /** Faces have one side: from inside a solid nothing of it is seen. */
+    @Test
+    void anEyeInsideASolidSeesThroughIt() {
+        try (Offscreen offscreen = new Offscreen(8, 8)) {
+            Level level = new TestLevel()
+                    .ambient(1)
+                    .sky(new Sky.Constant(new Vec3(0, 0, 1)))
+                    .box(null, Vec3.ZERO, TestLevel.grey(4))
+                    .level();
+            int[] pixels = offscreen.pixels(level, offscreen.view(Vec3.ZERO, new Vec3(1, 1, 0)), Output.PLAIN);
+            assertTrue(Arrays.stream(pixels).allMatch(p -> p == 0x0000ff));
+        }
+    }
+
     @Test
     void emissionIsAddedToReflection() {
         try (Offscreen offscreen = new Offscreen(4, 4)) {
