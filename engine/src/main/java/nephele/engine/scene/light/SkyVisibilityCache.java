@@ -13,13 +13,16 @@ import nephele.engine.level.Brush;
 import nephele.engine.scene.SkyVisibility;
 
 /**
- * Finds a baked sky visibility or bakes it. It is looked for as {@code cache/NAME} among the level's assets – beside the
- * level, or in the jar for the levels that come with the game – and then in the user's own cache folder; a new bake is
- * written to the first of the writable folders that takes it. A cache that cannot be written costs time, nothing else.
+ * Finds a baked sky visibility or bakes it. Levels that come with the game carry theirs in {@code baked/} beside them,
+ * in the checkout and in the jar; for others it is looked for in {@code cache/} beside the level and in the user's own
+ * cache folder, and a new bake is written to the first of these that takes it. A cache that cannot be written costs
+ * time, nothing else.
  *
  * @param writable in order of preference
  */
 public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
+    /** Beside a level that comes with the game. */
+    public static final String SHIPPED = "baked/";
 
     /** Beside a level where there is a folder, else in the user's cache. */
     public static SkyVisibilityCache of(AssetSource assets) {
@@ -51,8 +54,10 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
 
     private Optional<byte[]> stored(String name) {
         try {
-            if (assets.exists("cache/" + name)) {
-                return Optional.of(assets.bytes("cache/" + name));
+            for (String folder : List.of(SHIPPED, "cache/")) {
+                if (assets.exists(folder + name)) {
+                    return Optional.of(assets.bytes(folder + name));
+                }
             }
             for (Path folder : writable) {
                 Path file = folder.resolve(name);
