@@ -31,7 +31,7 @@ final class Mutants {
             new Mutant(
                     CULLING,
                     "a leaf drops the item after a hidden one",
-                    ENGINE + "math/SpatialIndex.java",
+                    ENGINE + "math/Culling.java",
                     "runStart = slot + 1;",
                     "runStart = slot + 2;",
                     "SpatialIndexTest"),

@@ -2,6 +2,7 @@ package nephele.engine.math;
 
 import java.util.Arrays;
 import org.joml.Matrix4dc;
+import org.joml.Vector4d;
 
 /**
  * The half spaces that a view can see, relative to its eye. Conservative: a box that clipping would leave a part of is
@@ -56,7 +57,7 @@ public final class Frustum {
                     continue;
                 }
                 double d = m.getRowColumn(3, 3) + sign * m.getRowColumn(row, 3);
-                put(planes, count++, a, b, c, d, eye);
+                put(planes, count++, new Vector4d(a, b, c, d), eye);
             }
         }
         return new Frustum(planes, count, eye.x(), eye.y(), eye.z());
@@ -66,20 +67,20 @@ public final class Frustum {
     public Frustum inFrontOf(Plane plane) {
         double[] more = Arrays.copyOf(planes, (count + 1) * STRIDE);
         double distance = plane.signedDistance(eyeX, eyeY, eyeZ);
-        put(more, count, plane.nx(), plane.ny(), plane.nz(), distance, new Vec3(eyeX, eyeY, eyeZ));
+        put(more, count, new Vector4d(plane.nx(), plane.ny(), plane.nz(), distance), new Vec3(eyeX, eyeY, eyeZ));
         return new Frustum(more, count + 1, eyeX, eyeY, eyeZ);
     }
 
-    private static void put(double[] planes, int index, double a, double b, double c, double d, Vec3 eye) {
+    private static void put(double[] planes, int index, Vector4d plane, Vec3 eye) {
         int at = index * STRIDE;
-        planes[at] = a;
-        planes[at + 1] = b;
-        planes[at + 2] = c;
-        planes[at + 3] = d;
+        planes[at] = plane.x;
+        planes[at + 1] = plane.y;
+        planes[at + 2] = plane.z;
+        planes[at + 3] = plane.w;
         double farthest = Math.max(Math.abs(eye.x()), Math.max(Math.abs(eye.y()), Math.abs(eye.z())));
         // Boxes and planes are rounded where the eye is before they become relative to it.
-        double rounding = 0x1p-50 * farthest * (Math.abs(a) + Math.abs(b) + Math.abs(c));
-        planes[at + 4] = Math.abs(d) * RELATIVE_SLACK + rounding;
+        double rounding = 0x1p-50 * farthest * (Math.abs(plane.x) + Math.abs(plane.y) + Math.abs(plane.z));
+        planes[at + 4] = Math.abs(plane.w) * RELATIVE_SLACK + rounding;
     }
 
     /** False only when no part of the box can be visible; an empty box never is, one with an infinite side always. */

@@ -11,9 +11,11 @@ public final class SpatialIndex {
     private static final int DEFAULT_LEAF_ITEMS = 4;
 
     private final SpatialTree tree;
+    private final Culling culling;
 
     private SpatialIndex(SpatialTree tree) {
         this.tree = tree;
+        this.culling = new Culling(tree);
     }
 
     public static SpatialIndex of(List<Aabb> boxes) {
@@ -58,56 +60,8 @@ public final class SpatialIndex {
             visible.range(0, tree.unbounded());
         }
         if (tree.nodes() > 0) {
-            cull(0, frustum.allPlanes(), frustum, visible);
+            culling.subtree(0, frustum.allPlanes(), frustum, visible);
         }
-    }
-
-    private void cull(int node, int mask, Frustum frustum, RangeVisitor visible) {
-        int cut = frustum.classify(tree.nodeBounds(), 6 * node, mask);
-        if (cut == Frustum.OUTSIDE) {
-            return;
-        }
-        int right = tree.right()[node];
-        if (cut == 0) {
-            visible.range(tree.first()[node], tree.end()[node]);
-        } else if (right < 0) {
-            cullLeaf(node, cut, frustum, visible);
-        } else if (rightIsNearer(node, right, frustum)) {
-            cull(right, cut, frustum, visible);
-            cull(node + 1, cut, frustum, visible);
-        } else {
-            cull(node + 1, cut, frustum, visible);
-            cull(right, cut, frustum, visible);
-        }
-    }
-
-    private void cullLeaf(int node, int mask, Frustum frustum, RangeVisitor visible) {
-        int end = tree.end()[node];
-        int runStart = tree.first()[node];
-        for (int slot = runStart; slot < end; slot++) {
-            if (frustum.classify(tree.slotBounds(), 6 * slot, mask) == Frustum.OUTSIDE) {
-                if (slot > runStart) {
-                    visible.range(runStart, slot);
-                }
-                runStart = slot + 1;
-            }
-        }
-        if (end > runStart) {
-            visible.range(runStart, end);
-        }
-    }
-
-    private boolean rightIsNearer(int node, int right, Frustum frustum) {
-        return squareDistance(right, frustum) < squareDistance(node + 1, frustum);
-    }
-
-    private double squareDistance(int node, Frustum frustum) {
-        double[] b = tree.nodeBounds();
-        int at = 6 * node;
-        double x = b[at] / 2 + b[at + 3] / 2 - frustum.eyeX();
-        double y = b[at + 1] / 2 + b[at + 4] / 2 - frustum.eyeY();
-        double z = b[at + 2] / 2 + b[at + 5] / 2 - frustum.eyeZ();
-        return x * x + y * y + z * z;
     }
 
     /** Every item whose box overlaps or touches {@code box}, in the order of the tree. */

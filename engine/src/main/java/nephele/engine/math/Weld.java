@@ -65,6 +65,11 @@ public final class Weld {
             }
             count++;
         }
+        return new TriangleSoup(Arrays.copyOf(kept, 3 * count), renumbered(vertices, renumbered));
+    }
+
+    /** Without those that have lost a corner. */
+    private static int[] renumbered(int[] vertices, int[] renumbered) {
         int[] triangles = new int[vertices.length];
         int size = 0;
         for (int at = 0; at < vertices.length; at += 3) {
@@ -77,7 +82,7 @@ public final class Weld {
                 triangles[size++] = c;
             }
         }
-        return new TriangleSoup(Arrays.copyOf(kept, 3 * count), Arrays.copyOf(triangles, size));
+        return Arrays.copyOf(triangles, size);
     }
 
     private Aabb around(int vertex) {
