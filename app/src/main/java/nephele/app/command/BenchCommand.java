@@ -6,7 +6,6 @@ import nephele.app.bench.CalibrationDrawing;
 import nephele.app.bench.FrameTimes;
 import nephele.app.bench.LevelDrawing;
 import nephele.app.bench.PerPass;
-import nephele.app.draw.Outputs;
 import nephele.app.draw.Viewpoints;
 import nephele.app.levels.LevelName;
 import nephele.app.terminal.CommandFailure;
@@ -118,10 +117,10 @@ final class BenchCommand implements Command {
         var views = IntStream.range(0, roundLength(opened))
                 .mapToObj(viewpoint::view)
                 .toList();
-        var chosen = output != null ? output : Outputs.requiredBy(opened.level());
+        var chosen = output != null ? output : quality.choice().output(opened.level());
         var settings =
                 new RenderSettings(chosen, quality.choice().on(gl.limits().software()), Culling.ON);
-        var renderer = Renderer.load(gl, opened.level(), opened.assets(), settings);
+        var renderer = Renderer.load(gl, quality.choice().shown(opened.level()), opened.assets(), settings);
         var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
         return new LevelDrawing(renderer, views, picture);
     }

@@ -18,7 +18,8 @@ final class QualityOptions {
             names = "--set",
             paramLabel = "KEY=VALUE",
             parameterConsumer = SettingConsumer.class,
-            description = "Change single settings: anisotropy, shadowTexels.")
+            description =
+                    "Change single settings: anisotropy, shadowTexels; debug=ids draws every solid in its own colour.")
     private Map<String, String> settings = new LinkedHashMap<>();
 
     QualityChoice choice() {

@@ -2,7 +2,6 @@ package nephele.app.command;
 
 import java.nio.file.Path;
 import java.util.Locale;
-import nephele.app.draw.Outputs;
 import nephele.app.draw.Viewpoints;
 import nephele.app.levels.LevelName;
 import nephele.app.terminal.CommandFailure;
@@ -92,7 +91,8 @@ final class RenderCommand implements Command {
         var viewpoint = view.in(opened, size);
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
-                var renderer = Renderer.load(gl, opened.level(), opened.assets(), settings(opened, gl))) {
+                var renderer = Renderer.load(
+                        gl, quality.choice().shown(opened.level()), opened.assets(), settings(opened, gl))) {
             for (int frame = 0; frame < frames; frame++) {
                 renderer.draw(viewpoint.view(0), picture);
             }
@@ -119,7 +119,7 @@ final class RenderCommand implements Command {
     }
 
     private RenderSettings settings(LevelFile.Opened opened, GlContext gl) {
-        var chosen = output != null ? output : Outputs.requiredBy(opened.level());
+        var chosen = output != null ? output : quality.choice().output(opened.level());
         return new RenderSettings(
                 isPfm() ? Output.HDR : chosen, quality.choice().on(gl.limits().software()), Culling.ON);
     }

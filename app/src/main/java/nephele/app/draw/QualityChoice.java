@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import nephele.app.terminal.CommandFailure;
+import nephele.engine.level.Level;
+import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 
 /**
@@ -19,12 +21,16 @@ public record QualityChoice(String preset, Map<String, String> settings) {
             new Field("anisotropy", (quality, value) -> new Quality(value, quality.shadowTexels())),
             new Field("shadowTexels", (quality, value) -> new Quality(quality.anisotropy(), value)));
 
+    private static final String DEBUG = "debug";
     private static final int GREATEST = 16384;
 
     private record Field(String key, BiFunction<Quality, Integer, Quality> change) {}
 
     /** Fails with wrong usage unless everything in here is known. */
     public void check() {
+        if (showsIds() && !settings.get(DEBUG).equals("ids")) {
+            throw CommandFailure.usage("--set debug is ids, not `" + settings.get(DEBUG) + "`");
+        }
         on(true);
     }
 
@@ -42,9 +48,25 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                                 "--quality is low, medium, high, ultra or auto, not `" + preset + "`");
                 };
         for (var setting : settings.entrySet()) {
-            quality = changed(quality, setting.getKey(), setting.getValue());
+            if (!setting.getKey().equals(DEBUG)) {
+                quality = changed(quality, setting.getKey(), setting.getValue());
+            }
         }
         return quality;
+    }
+
+    /** The level that is drawn: the author's, or one that shows something else about it. */
+    public Level shown(Level level) {
+        return showsIds() ? IdLevel.of(level) : level;
+    }
+
+    /** What the level requires, unless values have to be drawn as they are. */
+    public Output output(Level level) {
+        return showsIds() ? Output.PLAIN : Outputs.requiredBy(level);
+    }
+
+    private boolean showsIds() {
+        return settings.containsKey(DEBUG);
     }
 
     private static Quality changed(Quality quality, String key, String value) {

@@ -138,7 +138,7 @@ public final class GameLoop implements AutoCloseable {
 
     private void start(PlayRequest next) {
         request = next;
-        preparation = Preparation.begin(next.level());
+        preparation = Preparation.begin(next.level(), next.quality());
         stages.change(Stage.STARTING);
     }
 

@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.Locale;
 import nephele.app.bench.FrameTimes;
 import nephele.app.bench.Stopwatch;
-import nephele.app.draw.Outputs;
 import nephele.engine.render.Capture;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Culling;
@@ -20,7 +19,7 @@ import nephele.engine.sim.Replay;
 /** What `play` does without a display: the recorded walk drawn offscreen, three pictures and figures. */
 public final class OffscreenWalk {
     /** A software rasteriser draws some ten frames a second: enough to see the walk, not to wait for it. */
-    private static final int MOST_FRAMES = 240;
+    private static final int MOST_FRAMES = 160;
 
     private static final double[] PICTURES_AT = {0.05, 0.5, 0.95};
 
@@ -37,7 +36,7 @@ public final class OffscreenWalk {
 
     /** Walks to the end of the replay. */
     public void run() throws IOException {
-        var preparation = Preparation.begin(request.level());
+        var preparation = Preparation.begin(request.level(), request.quality());
         try (var gl = GlContext.offscreen();
                 var target = target(gl);
                 var renderer = renderer(gl, preparation.get())) {
@@ -55,7 +54,7 @@ public final class OffscreenWalk {
     /** Draws the first frame only and says where the time went. */
     public void profileStart(StartProfile profile) {
         profile.done("arguments");
-        var preparation = Preparation.begin(request.level());
+        var preparation = Preparation.begin(request.level(), request.quality());
         try (var gl = GlContext.offscreen();
                 var target = target(gl)) {
             profile.done("context");
@@ -124,7 +123,7 @@ public final class OffscreenWalk {
     }
 
     private Renderer renderer(GlContext gl, Preparation.Prepared prepared) {
-        var output = Outputs.requiredBy(prepared.opened().level());
+        var output = request.quality().output(prepared.opened().level());
         var quality = request.quality().on(gl.limits().software());
         return Renderer.load(gl, prepared.scene(), new RenderSettings(output, quality, Culling.ON));
     }

@@ -2,6 +2,7 @@ package nephele.app.play;
 
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import nephele.app.draw.QualityChoice;
 import nephele.app.levels.LevelName;
 import nephele.engine.level.LevelFile;
 import nephele.engine.scene.Scene;
@@ -17,11 +18,11 @@ public final class Preparation {
         this.task = task;
     }
 
-    public static Preparation begin(LevelName level) {
+    public static Preparation begin(LevelName level, QualityChoice quality) {
         var task = new FutureTask<>(() -> {
             long start = System.nanoTime();
             var opened = level.open();
-            var scene = Scene.of(opened.level(), opened.assets());
+            var scene = Scene.of(quality.shown(opened.level()), opened.assets());
             return new Prepared(opened, scene, System.nanoTime() - start);
         });
         var thread = new Thread(task, "level");

@@ -1,7 +1,6 @@
 package nephele.app.play;
 
 import java.util.Optional;
-import nephele.app.draw.Outputs;
 import nephele.app.window.Input;
 import nephele.engine.level.Level;
 import nephele.engine.render.RenderSettings;
@@ -31,7 +30,7 @@ final class Session implements AutoCloseable {
     /** Builds what the level requires; its problems are thrown before anything is kept. */
     static Session load(GlContext gl, PlayRequest request, Preparation preparation, Input input) {
         var prepared = preparation.get();
-        var output = Outputs.requiredBy(prepared.opened().level());
+        var output = request.quality().output(prepared.opened().level());
         var quality = request.quality().on(gl.limits().software());
         var settings = new RenderSettings(output, quality, Culling.ON);
         return new Session(request, prepared, Renderer.load(gl, prepared.scene(), settings), input);

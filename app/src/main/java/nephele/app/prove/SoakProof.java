@@ -1,6 +1,7 @@
 package nephele.app.prove;
 
-import nephele.app.draw.Outputs;
+import java.util.Map;
+import nephele.app.draw.QualityChoice;
 import nephele.app.levels.LevelName;
 import nephele.app.levels.LevelShelf;
 import nephele.app.play.Preparation;
@@ -14,6 +15,7 @@ import nephele.engine.render.gl.RenderTarget;
 
 /** Plays level 01 offscreen in real time, over and over, and watches the collector and what is allocated. */
 public final class SoakProof implements Proof {
+    private static final QualityChoice QUALITY = new QualityChoice("high", Map.of());
     private static final int WARM_UP_SECONDS = 3;
 
     private final int width;
@@ -57,8 +59,8 @@ public final class SoakProof implements Proof {
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         var level = LevelShelf.first();
-        var prepared = Preparation.begin(level).get();
-        var settings = RenderSettings.of(Outputs.requiredBy(prepared.opened().level()));
+        var prepared = Preparation.begin(level, QUALITY).get();
+        var settings = RenderSettings.of(QUALITY.output(prepared.opened().level()));
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);
                 var renderer = Renderer.load(gl, prepared.scene(), settings)) {

@@ -1,0 +1,88 @@
+package nephele.app.draw;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Material;
+import nephele.engine.level.Solid;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.math.Vec3;
+
+/** `--set debug=ids`: the same level with every solid in a flat colour of its own, for output plain. */
+public final class IdLevel {
+    /** Odd, so that no two of 2²⁴ numbers get the same colour; large, so that neighbours differ. */
+    private static final int SPREAD = 0x9e3779;
+
+    private static final Vec3 ONE = new Vec3(1, 1, 1);
+
+    private IdLevel() {}
+
+    public static Level of(Level level) {
+        var materials = new ArrayList<Material>();
+        var solids = new ArrayList<Solid>();
+        for (var solid : level.solids()) {
+            var material = flat("id-" + solids.size(), colour(solids.size()));
+            materials.add(material);
+            solids.add(painted(solid, material.id()));
+        }
+        var flatLight = new Environment(null, null, ONE, 0, ToneCurve.CLIP, null, List.of());
+        return new Level(
+                level.name(),
+                level.description(),
+                flatLight,
+                level.player(),
+                level.cameras(),
+                materials,
+                solids,
+                List.of(),
+                level.portals(),
+                level.models(),
+                level.bodies());
+    }
+
+    /** The 8-bit colour of the solid with this index, 0xRRGGBB; black is nothing. */
+    static int colour(int index) {
+        return (index + 1) * SPREAD & 0xffffff;
+    }
+
+    private static Material flat(String id, int rgb) {
+        var colour = new Vec3((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
+        return new Material(id, colour, null, null, null, null, Vec3.ZERO, 1);
+    }
+
+    private static Solid painted(Solid solid, String material) {
+        if (solid instanceof Solid.Box box) {
+            return new Solid.Box(box.id(), material, false, box.textureMapping(), box.centre(), box.size(), Map.of());
+        }
+        if (solid instanceof Solid.Wedge wedge) {
+            return new Solid.Wedge(
+                    wedge.id(),
+                    material,
+                    false,
+                    wedge.textureMapping(),
+                    wedge.centre(),
+                    wedge.size(),
+                    wedge.rising(),
+                    Map.of());
+        }
+        if (solid instanceof Solid.Prism prism) {
+            return new Solid.Prism(
+                    prism.id(),
+                    material,
+                    false,
+                    prism.textureMapping(),
+                    prism.centre(),
+                    prism.radiusMetres(),
+                    prism.heightMetres(),
+                    prism.sides());
+        }
+        var planes = (Solid.Planes) solid;
+        var bare = planes.planes().stream()
+                .map(plane -> new Solid.PlaneFace(plane.normal(), plane.distanceMetres(), null, null))
+                .collect(Collectors.toList());
+        return new Solid.Planes(planes.id(), material, false, planes.textureMapping(), bare);
+    }
+}
