@@ -107,7 +107,8 @@ class LampGlTest {
     private static float[] draw(List<Light> lights, double metalRoughness) {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             TestLevel level = new TestLevel().box("m", new Vec3(0, -0.5, 0), new Vec3(40, 1, 40));
-            level.box("m", new Vec3(15, 0.5, 15), new Vec3(1, 1, 1));
+            // A tower, so that the grid has cells above and below the floor.
+            level.box("m", new Vec3(15, 4, 15), new Vec3(1, 16, 1));
             if (metalRoughness < 0) {
                 level.material("m", grey(ALBEDO));
             } else {
