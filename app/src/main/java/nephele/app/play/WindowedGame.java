@@ -42,6 +42,7 @@ public final class WindowedGame {
     }
 
     private GameWindow open(Input input) {
+        System.setProperty("java.awt.headless", "true"); // pictures are written by ImageIO, which must open no display
         var picture = request.picture();
         var window = GameWindow.open(new GameWindow.Request(TITLE, picture.width(), picture.height()), input);
         if (picture.fullScreen()) {

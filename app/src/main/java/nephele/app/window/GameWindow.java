@@ -31,22 +31,18 @@ public final class GameWindow implements AutoCloseable {
     /** Opens the window; a failure says what the system said (exit code 3). */
     public static GameWindow open(Request request, Input input) {
         var complaints = new Complaints();
+        String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
+        if (system.contains("mac")) {
+            Configuration.GLFW_LIBRARY_NAME.set("glfw_async"); // works without -XstartOnFirstThread
+        }
         glfwSetErrorCallback(complaints);
-        boolean linuxWithX =
-                System.getProperty("os.name").toLowerCase(Locale.ROOT).contains("linux")
-                        && System.getenv("DISPLAY") != null;
-        if (linuxWithX) {
+        if (system.contains("linux") && System.getenv("DISPLAY") != null) {
             glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
         }
         if (!glfwInit()) {
             throw unavailable("no display can be opened", complaints);
         }
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
-        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-        glfwWindowHint(GLFW_DEPTH_BITS, 24);
+        askForCoreContext();
         long handle = glfwCreateWindow(request.width, request.height, request.title, NULL, NULL);
         if (handle == NULL) {
             glfwTerminate();
@@ -55,6 +51,15 @@ public final class GameWindow implements AutoCloseable {
         glfwMakeContextCurrent(handle);
         glfwSwapInterval(1);
         return new GameWindow(handle, input);
+    }
+
+    private static void askForCoreContext() {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+        glfwWindowHint(GLFW_DEPTH_BITS, 24);
     }
 
     private static CommandFailure unavailable(String what, Complaints complaints) {
