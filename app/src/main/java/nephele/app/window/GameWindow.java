@@ -7,6 +7,7 @@ import java.util.Locale;
 import nephele.app.terminal.CommandFailure;
 import org.lwjgl.glfw.Callbacks;
 import org.lwjgl.glfw.GLFWVidMode;
+import org.lwjgl.system.Configuration;
 
 /**
  * One window with an OpenGL 4.1 core context, current on the thread that opened it. Sizes are pixels of the picture,
