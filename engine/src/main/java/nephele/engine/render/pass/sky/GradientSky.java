@@ -2,12 +2,11 @@ package nephele.engine.render.pass.sky;
 
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
+import nephele.engine.scene.light.SkyRadiance;
 
 /** The Java twin of {@code gradient.frag}. */
 public final class GradientSky {
-    /** Stands in for computed scattering: a clear day, linear radiance. */
-    static final Sky.Gradient ATMOSPHERE_STAND_IN =
-            new Sky.Gradient(new Vec3(0.12, 0.28, 0.65), new Vec3(0.62, 0.74, 0.88), new Vec3(0.16, 0.15, 0.14));
+    static final Sky.Gradient ATMOSPHERE_STAND_IN = SkyRadiance.ATMOSPHERE_STAND_IN;
 
     private GradientSky() {}
 
