@@ -1,17 +1,20 @@
 package nephele.app.play;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
 /** Where the time from the process's start to the first frame went. */
 public final class StartProfile {
-    private final Instant began = Instant.now();
+    /** Field 22 of proc(5) stat, counted after the name. */
+    private static final int START_FIELD = 19;
+
+    private static final double CLOCK_TICKS_PER_SECOND = 100;
+
     private final long beganNanos = System.nanoTime();
     private final List<String> lines = new ArrayList<>();
     private long lastNanos = beganNanos;
@@ -30,17 +33,27 @@ public final class StartProfile {
 
     /** All parts, the total and the most memory that was resident. */
     public List<String> report() {
-        double jvmMs = ProcessHandle.current()
-                .info()
-                .startInstant()
-                .map(start -> Duration.between(start, began).toNanos() / 1e6)
-                .orElse(Double.NaN);
+        double jvmMs = sinceProcessStartMs() - (System.nanoTime() - beganNanos) / 1e6;
         var report = new ArrayList<String>();
         report.add(line("JVM", jvmMs));
         report.addAll(lines);
         report.add(line("total since JVM start", jvmMs + (lastNanos - beganNanos) / 1e6));
         report.add("peak RSS: " + peakResident());
         return report;
+    }
+
+    /** Linux counts clock ticks since it booted; elsewhere the JVM knows when it began. */
+    private static double sinceProcessStartMs() {
+        try {
+            String stat = Files.readString(Path.of("/proc/self/stat"));
+            String[] afterName = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
+            double startedSeconds = Long.parseLong(afterName[START_FIELD]) / CLOCK_TICKS_PER_SECOND;
+            String uptime = Files.readString(Path.of("/proc/uptime"));
+            return (Double.parseDouble(uptime.split(" ")[0]) - startedSeconds) * 1000;
+        } catch (IOException notLinux) {
+            return System.currentTimeMillis()
+                    - ManagementFactory.getRuntimeMXBean().getStartTime();
+        }
     }
 
     private static String line(String part, double ms) {
@@ -52,7 +65,7 @@ public final class StartProfile {
         try (var status = Files.lines(Path.of("/proc/self/status"))) {
             return status.filter(line -> line.startsWith("VmHWM:"))
                     .findFirst()
-                    .map(line -> Long.parseLong(line.replaceAll("[^0-9]", "")) / 1000 + " MB")
+                    .map(line -> Long.parseLong(line.replaceAll("[^0-9]", "")) * 1024 / 1_000_000 + " MB")
                     .orElse("unknown");
         } catch (IOException notLinux) {
             return "unknown";

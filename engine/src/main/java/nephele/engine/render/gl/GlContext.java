@@ -33,14 +33,14 @@ public final class GlContext implements AutoCloseable {
     }
 
     /**
-     * Loads what {@link #offscreen} needs by making a context and throwing it away: on another thread it costs nothing
-     * while the level is read. Nothing fails here; the real context will say what is missing.
+     * Loads the libraries that {@link #offscreen} needs by making a context and throwing it away: on another thread it
+     * costs nothing while the level is read. Nothing fails here; the real context will say what is missing.
      */
     public static void preloadOffscreen() {
         try {
-            offscreen().close();
+            OffscreenContext.makeCurrent().destroy();
         } catch (GlUnavailableException | LinkageError missing) {
-            GL.setCapabilities(null);
+            return;
         }
     }
 
