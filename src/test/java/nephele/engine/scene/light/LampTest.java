@@ -176,7 +176,7 @@ class LampTest {
                 new Light.Point("through", new Vec3(3, 2, -1), WHITE, 30, false));
         LampTable table = LampTable.of(lights, walls);
         SplittableRandom random = new SplittableRandom(9);
-        OcclusionTree solids = new OcclusionTree(walls);
+        Occluders solids = new Occluders(walls);
         int leftOut = 0;
         for (int i = 0; i < 5000; i++) {
             Vec3 p = new Vec3(random.nextDouble() * 20 - 10, random.nextDouble() * 3, random.nextDouble() * 20 - 10);

@@ -10,13 +10,13 @@ import nephele.engine.math.Vec3;
  * are hidden by the same solid is hidden whole. Never wrongly yes.
  */
 public final class LampOcclusion {
-    private final OcclusionTree solids;
+    private final Occluders solids;
     private final List<Lamp> lamps;
     private final int[] firstLayer;
 
     /** @param firstLayer negative for lamps whose light passes through everything */
     LampOcclusion(List<Brush> brushes, List<Lamp> lamps, int[] firstLayer) {
-        this.solids = new OcclusionTree(brushes);
+        this.solids = new Occluders(brushes);
         this.lamps = lamps;
         this.firstLayer = firstLayer;
     }

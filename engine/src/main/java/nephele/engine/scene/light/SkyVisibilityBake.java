@@ -16,12 +16,12 @@ public final class SkyVisibilityBake {
     private static final double LIFT_METRES = 1e-3;
 
     private final LightMapLayout layout;
-    private final OcclusionTree solids;
+    private final Occluders solids;
     private final double[] spiral = spiral();
 
     private SkyVisibilityBake(LightMapLayout layout, List<Brush> brushes) {
         this.layout = layout;
-        this.solids = new OcclusionTree(brushes);
+        this.solids = new Occluders(brushes);
     }
 
     public static short[] texels(LightMapLayout layout, List<Brush> brushes, DoubleConsumer progress) {
