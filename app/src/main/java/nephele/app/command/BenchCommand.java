@@ -8,6 +8,7 @@ import nephele.app.bench.LevelDrawing;
 import nephele.app.bench.PerPass;
 import nephele.app.draw.Viewpoints;
 import nephele.app.levels.LevelName;
+import nephele.app.levels.PrintedBake;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
@@ -19,6 +20,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Scene;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -120,7 +122,8 @@ final class BenchCommand implements Command {
         var chosen = output != null ? output : quality.choice().output(opened.level());
         var settings =
                 new RenderSettings(chosen, quality.choice().on(gl.limits().software()), Culling.ON);
-        var renderer = Renderer.load(gl, quality.choice().shown(opened.level()), opened.assets(), settings);
+        var scene = Scene.of(quality.choice().shown(opened.level()), opened.assets(), new PrintedBake(System.err));
+        var renderer = Renderer.load(gl, scene, settings);
         var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
         return new LevelDrawing(renderer, views, picture);
     }

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import nephele.app.draw.Viewpoints;
 import nephele.app.levels.LevelName;
+import nephele.app.levels.PrintedBake;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
@@ -18,6 +19,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Scene;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -89,10 +91,10 @@ final class RenderCommand implements Command {
         var opened = new LevelName(level).open();
         opened.notice().ifPresent(terminal.err()::println);
         var viewpoint = view.in(opened, size);
+        var scene = Scene.of(quality.choice().shown(opened.level()), opened.assets(), new PrintedBake(terminal.err()));
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
-                var renderer = Renderer.load(
-                        gl, quality.choice().shown(opened.level()), opened.assets(), settings(opened, gl))) {
+                var renderer = Renderer.load(gl, scene, settings(opened, gl))) {
             for (int frame = 0; frame < frames; frame++) {
                 renderer.draw(viewpoint.view(0), picture);
             }

@@ -1,7 +1,6 @@
 package nephele.app.play;
 
-import java.util.List;
-import nephele.app.bench.StepTimer;
+import java.util.concurrent.atomic.AtomicInteger;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
@@ -10,12 +9,13 @@ import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.LevelFormatException;
-import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 
 /** The game from its first level to its end: what happens in a frame, and how one stage leads to the next. */
 public final class GameLoop implements AutoCloseable {
     private static final double HIDDEN_WAIT_SECONDS = 0.1;
+    private static final double PREPARATION_WAIT_SECONDS = 0.02;
+    static final String TITLE = "Nephele";
 
     private final GameWindow window;
     private final GlContext gl;
@@ -24,13 +24,13 @@ public final class GameLoop implements AutoCloseable {
     private final StageMachine stages = new StageMachine();
     private final MenuControl menu = new MenuControl();
     private final Message message = new Message();
+    private final FiguresControl figures;
     private PlayRequest request;
     private Preparation preparation;
+    private final AtomicInteger bakedPercent = new AtomicInteger();
     private Session session;
 
     private Page page = Page.NONE;
-    private FrameFigures figures;
-    private List<HudContent.Figure> shownFigures = List.of();
     private Display.Shot shot = Display.Shot.NONE;
     private long lastNanos;
 
@@ -40,6 +40,7 @@ public final class GameLoop implements AutoCloseable {
         this.window = window;
         this.gl = gl;
         this.input = input;
+        figures = new FiguresControl(gl);
         display = new Display(window, gl, Screenshots.inUsualFolder());
         start(request);
     }
@@ -49,7 +50,9 @@ public final class GameLoop implements AutoCloseable {
         while (!stages.in(Stage.LEAVING)) {
             frame();
         }
-        session.keepRecording();
+        if (session != null) {
+            session.keepRecording();
+        }
     }
 
     /** One frame. */
@@ -87,6 +90,12 @@ public final class GameLoop implements AutoCloseable {
                 case HELP -> page = page == Page.HELP ? Page.NONE : Page.HELP;
                 default -> obeyStageKey(key);
             }
+        }
+    }
+
+    private void toggleFigures() {
+        if (session != null) {
+            figures.toggle(session.renderer());
         }
     }
 
@@ -138,16 +147,32 @@ public final class GameLoop implements AutoCloseable {
 
     private void start(PlayRequest next) {
         request = next;
-        preparation = Preparation.begin(next.level(), next.quality());
+        bakedPercent.set(0);
+        preparation = Preparation.begin(
+                next.level(), next.quality(), share -> bakedPercent.accumulateAndGet((int) (100 * share), Math::max));
         stages.change(Stage.STARTING);
     }
 
     private void changeLevel() {
         if (stages.in(Stage.STARTING)) {
-            load();
+            loadWhenPrepared();
         } else if (stages.in(Stage.RESTARTING)) {
             session.restart();
             stages.change(Stage.RUNNING);
+        }
+    }
+
+    private void loadWhenPrepared() {
+        if (preparation.isDone()) {
+            load();
+            window.title(TITLE);
+        } else {
+            if (bakedPercent.get() > 0) {
+                var baked = "baking the light: " + bakedPercent.get() + " %";
+                message.say(baked);
+                window.title(TITLE + " – " + baked);
+            }
+            window.waitForEvents(PREPARATION_WAIT_SECONDS);
         }
     }
 
@@ -186,45 +211,17 @@ public final class GameLoop implements AutoCloseable {
         if (session == null || !window.isDrawable()) {
             return;
         }
-        var content = new HudContent(menu.page(), page, shownFigures, message.text());
-        var saved = display.draw(session, content, listener(), shot);
+        var content = new HudContent(menu.page(), page, figures.lines(), message.text());
+        var saved = display.draw(session, content, figures.frameBegins(), shot);
         shot = Display.Shot.NONE;
         if (saved != null) {
             message.say(saved);
         }
-        if (figures != null) {
-            shownFigures = figures.afterFrame(session.walk());
-        }
-    }
-
-    private StepListener listener() {
-        if (figures == null) {
-            return StepListener.NONE;
-        }
-        figures.timer().frameBegins();
-        return figures.timer();
-    }
-
-    private void toggleFigures() {
-        boolean closes = figures != null;
-        closeFigures();
-        if (!closes && session != null) {
-            var renderer = session.renderer();
-            figures = new FrameFigures(
-                    renderer, StepTimer.of(gl, renderer.stepNames().size()));
-        }
-    }
-
-    private void closeFigures() {
-        if (figures != null) {
-            figures.close();
-            figures = null;
-            shownFigures = List.of();
-        }
+        figures.frameEnds(session.walk());
     }
 
     private void closeSession() {
-        closeFigures();
+        figures.close();
         if (session != null) {
             session.close();
             session = null;

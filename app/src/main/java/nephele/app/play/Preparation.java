@@ -2,6 +2,7 @@ package nephele.app.play;
 
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.function.DoubleConsumer;
 import nephele.app.draw.QualityChoice;
 import nephele.app.levels.LevelName;
 import nephele.engine.level.LevelFile;
@@ -18,17 +19,22 @@ public final class Preparation {
         this.task = task;
     }
 
-    public static Preparation begin(LevelName level, QualityChoice quality) {
+    /** @param bakeProgress hears 0–1 from several threads while light is baked, and nothing when it is not */
+    public static Preparation begin(LevelName level, QualityChoice quality, DoubleConsumer bakeProgress) {
         var task = new FutureTask<>(() -> {
             long start = System.nanoTime();
             var opened = level.open();
-            var scene = Scene.of(quality.shown(opened.level()), opened.assets());
+            var scene = Scene.of(quality.shown(opened.level()), opened.assets(), bakeProgress);
             return new Prepared(opened, scene, System.nanoTime() - start);
         });
         var thread = new Thread(task, "level");
         thread.setDaemon(true);
         thread.start();
         return new Preparation(task);
+    }
+
+    public boolean isDone() {
+        return task.isDone();
     }
 
     /** Waits; a failure is thrown here as it was there. */

@@ -7,7 +7,6 @@ import nephele.engine.render.gl.GlContext;
 
 /** The game in a window of its own. */
 public final class WindowedGame {
-    private static final String TITLE = "Nephele";
 
     private final PlayRequest request;
 
@@ -44,7 +43,7 @@ public final class WindowedGame {
     private GameWindow open(Input input) {
         System.setProperty("java.awt.headless", "true"); // pictures are written by ImageIO, which must open no display
         var picture = request.picture();
-        var window = GameWindow.open(new GameWindow.Request(TITLE, picture.width(), picture.height()), input);
+        var window = GameWindow.open(new GameWindow.Request(GameLoop.TITLE, picture.width(), picture.height()), input);
         if (picture.fullScreen()) {
             window.toggleFullScreen();
         }

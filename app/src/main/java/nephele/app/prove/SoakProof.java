@@ -59,7 +59,7 @@ public final class SoakProof implements Proof {
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         var level = LevelShelf.first();
-        var prepared = Preparation.begin(level, QUALITY).get();
+        var prepared = Preparation.begin(level, QUALITY, share -> {}).get();
         var settings = RenderSettings.of(QUALITY.output(prepared.opened().level()));
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);

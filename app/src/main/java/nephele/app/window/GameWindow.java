@@ -80,6 +80,11 @@ public final class GameWindow implements AutoCloseable {
         glfwWaitEventsTimeout(seconds);
     }
 
+    /** What stands in the window's title bar. */
+    public void title(String title) {
+        glfwSetWindowTitle(handle, title);
+    }
+
     /** Shows what was drawn. */
     public void show() {
         glfwSwapBuffers(handle);

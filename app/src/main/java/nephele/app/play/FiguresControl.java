@@ -1,0 +1,59 @@
+package nephele.app.play;
+
+import java.util.List;
+import nephele.app.bench.StepTimer;
+import nephele.app.play.hud.HudContent;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.gl.GlContext;
+
+/** The F3 panel: nothing is timed while it is closed. */
+final class FiguresControl implements AutoCloseable {
+    private final GlContext gl;
+
+    private FrameFigures figures;
+    private List<HudContent.Figure> lines = List.of();
+
+    FiguresControl(GlContext gl) {
+        this.gl = gl;
+    }
+
+    /** Opens it for what {@code renderer} draws, or closes it. */
+    void toggle(Renderer renderer) {
+        boolean closes = figures != null;
+        close();
+        if (!closes) {
+            figures = new FrameFigures(
+                    renderer, StepTimer.of(gl, renderer.stepNames().size()));
+        }
+    }
+
+    /** Of the last frames; empty when the panel is closed. */
+    List<HudContent.Figure> lines() {
+        return lines;
+    }
+
+    /** Begins to time a frame, if anybody looks. */
+    StepListener frameBegins() {
+        if (figures == null) {
+            return StepListener.NONE;
+        }
+        figures.timer().frameBegins();
+        return figures.timer();
+    }
+
+    void frameEnds(Walk walk) {
+        if (figures != null) {
+            lines = figures.afterFrame(walk);
+        }
+    }
+
+    @Override
+    public void close() {
+        if (figures != null) {
+            figures.close();
+            figures = null;
+            lines = List.of();
+        }
+    }
+}
