@@ -16,6 +16,7 @@ import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.light.FaceFragment;
+import nephele.engine.scene.light.FaceFragments;
 import nephele.engine.scene.light.LightMapLayout;
 
 /** Turns solids into {@link SolidGeometry}: faces in the order of the spatial index, sorted into batches. */
@@ -26,6 +27,7 @@ final class SolidMesher {
     private final SceneMaterials materials;
     private final LightMapLayout lightMap;
     private final List<Brush> brushes;
+    private final List<List<List<FaceFragment>>> fragments;
     private final SpatialIndex index;
     private final Vec3 origin;
     private final Map<BatchKey, Growing> batches = new LinkedHashMap<>();
@@ -58,6 +60,7 @@ final class SolidMesher {
         this.materials = materials;
         this.lightMap = lightMap;
         this.brushes = solids.stream().map(Brush::of).toList();
+        this.fragments = lightMap == null ? FaceFragments.uncut(brushes) : lightMap.fragments();
         List<Aabb> boxes = brushes.stream().map(b -> b.shape().bounds()).toList();
         this.index = SpatialIndex.of(boxes);
         this.origin = boxes.stream().reduce(Aabb.EMPTY, Aabb::union).centre();
@@ -68,7 +71,7 @@ final class SolidMesher {
         for (int brush = 0; brush < brushes.size(); brush++) {
             for (int face = 0; face < brushes.get(brush).faces().size(); face++) {
                 for (FaceFragment part : parts(brush, face)) {
-                    corners += part.corners().size();
+                    corners += part.isCovered() ? 0 : part.corners().size();
                 }
             }
         }
@@ -90,10 +93,7 @@ final class SolidMesher {
     }
 
     private List<FaceFragment> parts(int brush, int face) {
-        return lightMap == null
-                ? List.of(
-                        FaceFragment.whole(brushes.get(brush).faces().get(face).polygon()))
-                : lightMap.fragments().get(brush).get(face);
+        return fragments.get(brush).get(face);
     }
 
     private void add(int brush, int faceIndex) {
@@ -110,6 +110,10 @@ final class SolidMesher {
         Growing batch = batches.computeIfAbsent(new BatchKey(kind, cell), key -> new Growing(brushes.size()));
         List<FaceFragment> parts = parts(brush, faceIndex);
         for (int part = 0; part < parts.size(); part++) {
+            // Nobody sees it, but where its edge is a wall's seam too its dark pixels would win at equal depth.
+            if (parts.get(part).isCovered()) {
+                continue;
+            }
             int first = vertexCount;
             double[] st = FaceBasis.coordinates(
                     face, parts.get(part).corners(), surface.material().textureMetres());

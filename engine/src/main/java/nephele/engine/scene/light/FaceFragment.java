@@ -7,29 +7,25 @@ import nephele.engine.math.Vec3;
 /**
  * A convex part of a face, over which the sky visibility is continuous: no other solid stands on it.
  *
- * @param isCovered lies under another solid, where nobody sees it; it is still drawn, so that no crack opens
- * @param corners counter-clockwise from outside, with every neighbouring fragment's corner on this one's edges; when
+ * @param isCovered lies under another solid, where nobody sees it; it is not drawn
+ * @param outline counter-clockwise from outside
+ * @param corners the outline with every neighbouring fragment's corner on its edges; when
  *     there are such, the centroid follows as the last entry
  * @param triangles indices into {@code corners}
  */
-public record FaceFragment(boolean isCovered, List<Vec3> corners, int[] triangles) {
+public record FaceFragment(boolean isCovered, List<Vec3> outline, List<Vec3> corners, int[] triangles) {
     /** A face that is not cut. */
     public static FaceFragment whole(List<Vec3> polygon) {
-        return new FaceFragment(false, polygon, fan(polygon.size()));
+        return new FaceFragment(false, polygon, polygon, fan(polygon.size()));
     }
 
     static FaceFragment of(boolean isCovered, List<Vec3> outline, List<Vec3> outlineWithNeighbours) {
         if (outline.size() == outlineWithNeighbours.size()) {
-            return new FaceFragment(isCovered, List.copyOf(outline), fan(outline.size()));
+            return new FaceFragment(isCovered, outline, outline, fan(outline.size()));
         }
         List<Vec3> corners = new ArrayList<>(outlineWithNeighbours);
         corners.add(FacePolygon.centroid(outline));
-        return new FaceFragment(isCovered, List.copyOf(corners), wheel(outlineWithNeighbours.size()));
-    }
-
-    /** The corners without the centroid. */
-    public List<Vec3> outline() {
-        return triangles.length == 3 * (corners.size() - 1) ? corners.subList(0, corners.size() - 1) : corners;
+        return new FaceFragment(isCovered, outline, List.copyOf(corners), wheel(outlineWithNeighbours.size()));
     }
 
     private static int[] fan(int corners) {

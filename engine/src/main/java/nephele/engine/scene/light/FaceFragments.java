@@ -1,11 +1,14 @@
 package nephele.engine.scene.light;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.function.BiFunction;
 import nephele.engine.level.Brush;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
+import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
 
 /**
@@ -19,35 +22,64 @@ public final class FaceFragments {
     /** Smaller cuts are not worth a fragment. */
     private static final double MIN_AREA_SQUARE_METRES = 1e-6;
 
-    private static final double WELD_METRES = 1e-6;
-
     private record Piece(boolean isCovered, List<Vec3> outline) {}
 
     private final List<Brush> brushes;
+    private final SpatialIndex index;
+    private final CornerWeld weld = new CornerWeld();
 
     private FaceFragments(List<Brush> brushes) {
         this.brushes = brushes;
+        index = SpatialIndex.of(brushes.stream().map(b -> b.shape().bounds()).toList());
     }
 
     /** Fragments by brush, by face of its shape; together they cover each face exactly. */
     public static List<List<List<FaceFragment>>> of(List<Brush> brushes) {
-        FaceFragments cutter = new FaceFragments(brushes);
+        return new FaceFragments(brushes).fragments(FaceFragments::cut);
+    }
+
+    /** As {@link #of}, but every face stays whole: only its neighbours' corners are put on its edges. */
+    public static List<List<List<FaceFragment>>> uncut(List<Brush> brushes) {
+        return new FaceFragments(brushes).fragments((face, near) -> List.of(new Piece(false, face.polygon())));
+    }
+
+    private List<List<List<FaceFragment>>> fragments(
+            BiFunction<ConvexPolyhedron.Face, List<Brush>, List<Piece>> divide) {
+        List<List<Integer>> near = new ArrayList<>();
+        List<List<List<Piece>>> pieces = new ArrayList<>();
+        for (int brush = 0; brush < brushes.size(); brush++) {
+            List<Integer> neighbours = near(brush);
+            List<Brush> standing = neighbours.stream().map(brushes::get).toList();
+            near.add(neighbours);
+            pieces.add(brushes.get(brush).shape().faces().stream()
+                    .map(face -> divide.apply(face, standing))
+                    .map(parts -> neighbours.isEmpty() ? parts : welded(parts))
+                    .toList());
+        }
         List<List<List<FaceFragment>>> byBrush = new ArrayList<>();
-        for (Brush brush : brushes) {
-            List<Brush> near = cutter.near(brush);
-            List<List<FaceFragment>> byFace = new ArrayList<>();
-            for (ConvexPolyhedron.Face face : brush.shape().faces()) {
-                byFace.add(joined(cut(face, near)));
-            }
-            byBrush.add(byFace);
+        for (int brush = 0; brush < brushes.size(); brush++) {
+            byBrush.add(joined(brush, pieces, near.get(brush)));
         }
         return byBrush;
     }
 
-    private List<Brush> near(Brush brush) {
-        Aabb reach = brush.shape().bounds().grown(PROBE_METRES);
-        return brushes.stream()
-                .filter(other -> other != brush && other.shape().bounds().overlaps(reach))
+    /** Brushes that touch this one. */
+    private List<Integer> near(int brush) {
+        List<Integer> found = new ArrayList<>();
+        index.overlapping(brushes.get(brush).shape().bounds().grown(PROBE_METRES), other -> {
+            if (other != brush) {
+                found.add(other);
+            }
+        });
+        found.sort(null);
+        return found;
+    }
+
+    private List<Piece> welded(List<Piece> parts) {
+        return parts.stream()
+                .map(part -> new Piece(
+                        part.isCovered(),
+                        part.outline().stream().map(weld::welded).toList()))
                 .toList();
     }
 
@@ -102,29 +134,35 @@ public final class FaceFragments {
         out.add(new Piece(true, rest));
     }
 
-    /** Gives every fragment the corners that its neighbours have on its edges, bit by bit the same. */
-    private static List<FaceFragment> joined(List<Piece> pieces) {
-        List<Vec3> corners = new ArrayList<>();
-        List<List<Vec3>> outlines = new ArrayList<>();
-        for (Piece piece : pieces) {
-            outlines.add(piece.outline().stream().map(p -> welded(corners, p)).toList());
+    /** Gives every fragment the corners that its neighbours, on any face, have on its edges: bit by bit the same. */
+    private List<List<FaceFragment>> joined(int brush, List<List<List<Piece>>> pieces, List<Integer> near) {
+        List<ConvexPolyhedron.Face> faces = brushes.get(brush).shape().faces();
+        if (near.isEmpty()) {
+            return faces.stream()
+                    .map(face -> List.of(FaceFragment.whole(face.polygon())))
+                    .toList();
         }
-        List<FaceFragment> fragments = new ArrayList<>();
-        for (int i = 0; i < pieces.size(); i++) {
-            List<Vec3> outline = outlines.get(i);
-            fragments.add(FaceFragment.of(pieces.get(i).isCovered(), outline, withNeighbours(outline, corners)));
+        Set<Vec3> corners = new LinkedHashSet<>();
+        addCorners(pieces.get(brush), corners);
+        near.forEach(other -> addCorners(pieces.get(other), corners));
+        List<List<FaceFragment>> byFace = new ArrayList<>();
+        for (int face = 0; face < faces.size(); face++) {
+            List<Vec3> onPlane = onPlane(faces.get(face).plane(), corners);
+            byFace.add(pieces.get(brush).get(face).stream()
+                    .map(p -> FaceFragment.of(p.isCovered(), p.outline(), withNeighbours(p.outline(), onPlane)))
+                    .toList());
         }
-        return List.copyOf(fragments);
+        return byFace;
     }
 
-    private static Vec3 welded(List<Vec3> corners, Vec3 p) {
-        for (Vec3 known : corners) {
-            if (known.toVector().distance(p.x(), p.y(), p.z()) <= WELD_METRES) {
-                return known;
-            }
-        }
-        corners.add(p);
-        return p;
+    private static void addCorners(List<List<Piece>> ofBrush, Set<Vec3> corners) {
+        ofBrush.forEach(face -> face.forEach(piece -> corners.addAll(piece.outline())));
+    }
+
+    private static List<Vec3> onPlane(Plane plane, Set<Vec3> corners) {
+        return corners.stream()
+                .filter(p -> Math.abs(plane.signedDistance(p)) <= 2 * CornerWeld.WELD_METRES)
+                .toList();
     }
 
     private static List<Vec3> withNeighbours(List<Vec3> outline, List<Vec3> corners) {
@@ -134,7 +172,7 @@ public final class FaceFragments {
             Vec3 b = outline.get((i + 1) % outline.size());
             joined.add(a);
             corners.stream()
-                    .filter(p -> p != a && p != b && liesBetween(a, b, p))
+                    .filter(p -> !p.equals(a) && !p.equals(b) && liesBetween(a, b, p))
                     .sorted((p, q) -> Double.compare(squareDistance(a, p), squareDistance(a, q)))
                     .forEach(joined::add);
         }
@@ -143,9 +181,12 @@ public final class FaceFragments {
 
     private static boolean liesBetween(Vec3 a, Vec3 b, Vec3 p) {
         double whole = Math.sqrt(squareDistance(a, b));
+        if (whole <= 2 * CornerWeld.WELD_METRES) {
+            return false;
+        }
         double parts = Math.sqrt(squareDistance(a, p)) + Math.sqrt(squareDistance(p, b));
         // A corner h beside an edge of length L makes the way about 2h²/L longer.
-        return parts - whole <= 2 * WELD_METRES * WELD_METRES / whole + 1e-12 * whole;
+        return parts - whole <= 2 * CornerWeld.WELD_METRES * CornerWeld.WELD_METRES / whole + 1e-12 * whole;
     }
 
     private static double squareDistance(Vec3 a, Vec3 b) {

@@ -1,0 +1,58 @@
+package nephele.engine.scene.light;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import nephele.engine.level.Brush;
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+/** C.2 row 20: where solids meet, every edge has all the corners that lie on it, with the same bits. */
+class FaceFragmentsTest {
+    private static final int PLUS_X = 0;
+    private static final int PLUS_Z = 4;
+
+    /** A low wall continues a high one; at −0.7 their corners differ in the last bit, as authors' sums do. */
+    private static final List<Brush> WALLS =
+            List.of(ShadowTest.box(-1.75, 1.5, -0.85, 1.5, 3, 0.3), ShadowTest.box(-0.85, 1, -3, 0.3, 2, 4.6));
+
+    private static Set<Vec3> corners(List<FaceFragment> face) {
+        return face.stream().flatMap(part -> part.corners().stream()).collect(Collectors.toSet());
+    }
+
+    @Test
+    void theHighWallsEdgeHasTheLowWallsCorner() {
+        for (List<List<List<FaceFragment>>> fragments : List.of(FaceFragments.uncut(WALLS), FaceFragments.of(WALLS))) {
+            Set<Vec3> high = corners(fragments.get(0).get(PLUS_Z));
+            Set<Vec3> low = corners(fragments.get(1).get(PLUS_Z));
+            Vec3 junction = high.stream()
+                    .filter(p -> Math.abs(p.x() + 1) < 1e-9 && Math.abs(p.y() - 2) < 1e-9)
+                    .findFirst()
+                    .orElseThrow();
+            assertTrue(low.contains(junction), "the same bits on both sides of the seam");
+        }
+    }
+
+    @Test
+    void whatTheLowWallHidesOfTheHighOnesEndIsCovered() {
+        List<FaceFragment> end = FaceFragments.of(WALLS).get(0).get(PLUS_X);
+        double hidden = end.stream()
+                .filter(FaceFragment::isCovered)
+                .mapToDouble(part -> FacePolygon.area(part.outline()))
+                .sum();
+        assertEquals(2 * 0.3, hidden, 1e-3);
+    }
+
+    @Test
+    void aSolidThatTouchesNothingKeepsItsFaces() {
+        List<Brush> apart = List.of(ShadowTest.box(0, 0, 0, 1, 1, 1), ShadowTest.box(5, 0, 0, 1, 1, 1));
+        FaceFragments.of(apart)
+                .forEach(faces -> faces.forEach(face -> {
+                    assertEquals(1, face.size());
+                    assertEquals(4, face.get(0).corners().size());
+                }));
+    }
+}
