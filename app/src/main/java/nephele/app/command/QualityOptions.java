@@ -19,7 +19,8 @@ final class QualityOptions {
             paramLabel = "KEY=VALUE",
             parameterConsumer = SettingConsumer.class,
             description =
-                    "Change single settings: anisotropy, shadowTexels; debug=ids draws every solid in its own colour.")
+                    "Change single settings: anisotropy, shadowTexels, samples; debug=ids draws every solid in its own"
+                            + " colour.")
     private Map<String, String> settings = new LinkedHashMap<>();
 
     QualityChoice choice() {

@@ -18,8 +18,9 @@ import nephele.engine.render.frame.Quality;
 public record QualityChoice(String preset, Map<String, String> settings) {
     /** Every field of {@link Quality} that `--set` can change. */
     private static final List<Field> FIELDS = List.of(
-            new Field("anisotropy", (quality, value) -> new Quality(value, quality.shadowTexels())),
-            new Field("shadowTexels", (quality, value) -> new Quality(quality.anisotropy(), value)));
+            new Field("anisotropy", (quality, value) -> new Quality(value, quality.shadowTexels(), quality.samples())),
+            new Field("shadowTexels", (quality, value) -> new Quality(quality.anisotropy(), value, quality.samples())),
+            new Field("samples", (quality, value) -> quality.withSamples(value)));
 
     private static final String DEBUG = "debug";
     private static final int GREATEST = 16384;
@@ -34,7 +35,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
         on(true);
     }
 
-    /** The quality for a machine: auto is low where OpenGL runs in software. */
+    /** The quality for a machine: auto is low where OpenGL runs in software, else ultra. Ids are never blended. */
     public Quality on(boolean software) {
         var quality =
                 switch (preset.toLowerCase(Locale.ROOT)) {
@@ -42,7 +43,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     case "medium" -> Quality.MEDIUM;
                     case "high" -> Quality.HIGH;
                     case "ultra" -> Quality.ULTRA;
-                    case "auto" -> software ? Quality.LOW : Quality.HIGH;
+                    case "auto" -> software ? Quality.LOW : Quality.ULTRA;
                     default ->
                         throw CommandFailure.usage(
                                 "--quality is low, medium, high, ultra or auto, not `" + preset + "`");
@@ -52,7 +53,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                 quality = changed(quality, setting.getKey(), setting.getValue());
             }
         }
-        return quality;
+        return showsIds() ? quality.withSamples(1) : quality;
     }
 
     /** The level that is drawn: the author's, or one that shows something else about it. */

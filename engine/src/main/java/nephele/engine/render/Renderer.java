@@ -11,6 +11,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -28,13 +29,17 @@ public final class Renderer implements AutoCloseable {
     private final List<String> stepNames = new ArrayList<>(List.of("clear"));
     private final ClearColour clearColour;
     private final VisibleSet visible;
+    private final Multisampling multisampling;
     private RenderTarget linear;
+    /** So many passes come before the first one that reads the surface's pixels. */
+    private int surfacePasses;
 
     private Renderer(GlContext gl, Scene scene, RenderSettings settings) {
         this.gl = gl;
         this.scene = scene;
         this.settings = settings;
         this.shared = new SharedResources(gl, scene);
+        this.multisampling = new Multisampling(gl, settings.quality().samples());
         this.clearColour = ClearColour.of(scene.level().environment(), settings.output());
         this.visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
     }
@@ -71,6 +76,10 @@ public final class Renderer implements AutoCloseable {
                 pass.load(context);
             }
         }
+        while (surfacePasses < passes.size()
+                && !passes.get(surfacePasses).reads().contains(Target.SURFACE)) {
+            surfacePasses++;
+        }
     }
 
     public Scene scene() {
@@ -103,7 +112,11 @@ public final class Renderer implements AutoCloseable {
             return;
         }
         RenderTarget surface = settings.output() == Output.HDR ? linear(picture) : picture;
-        surface.clear(clearColour.red(), clearColour.green(), clearColour.blue());
+        RenderTarget drawn = multisampling.inPlaceOf(surface, surfaceFormat(picture));
+        drawn.clear(clearColour.red(), clearColour.green(), clearColour.blue());
+        if (surfacePasses == 0) {
+            multisampling.resolve(surface);
+        }
         listener.submitted(0);
         if (passes.isEmpty()) {
             return;
@@ -112,11 +125,27 @@ public final class Renderer implements AutoCloseable {
             see(view);
         }
         shared.frameUniforms().upload(view, ClearColour.exposure(scene.level().environment()));
-        FrameContext frame = new FrameContext(view, surface, picture, visible);
+        drawPasses(view, drawn, surface, picture, listener);
+    }
+
+    private void drawPasses(
+            View view, RenderTarget drawn, RenderTarget surface, RenderTarget picture, StepListener listener) {
+        FrameContext frame = new FrameContext(view, drawn, picture, visible);
+        FrameContext resolved = drawn == surface ? frame : new FrameContext(view, surface, picture, visible);
         for (int i = 0; i < passes.size(); i++) {
-            passes.get(i).draw(frame);
+            passes.get(i).draw(i < surfacePasses ? frame : resolved);
+            if (i + 1 == surfacePasses) {
+                multisampling.resolve(surface);
+            }
             listener.submitted(i + 1);
         }
+    }
+
+    private PixelFormat surfaceFormat(RenderTarget picture) {
+        if (settings.output() == Output.HDR) {
+            return PixelFormat.RGBA16F;
+        }
+        return picture.colour() == null ? PixelFormat.RGBA8 : picture.colour().format();
     }
 
     private void see(View view) {
@@ -164,6 +193,7 @@ public final class Renderer implements AutoCloseable {
     public void close() {
         passes.forEach(Pass::close);
         shared.close();
+        multisampling.close();
         closeLinear();
     }
 }

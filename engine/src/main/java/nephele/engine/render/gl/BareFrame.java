@@ -109,6 +109,12 @@ public final class BareFrame implements AutoCloseable {
             calls.add(() -> glDrawArrays(GL_TRIANGLES, 0, 3));
         }
 
+        @Override
+        public void copied(int from, int to, int width, int height) {
+            bindAll();
+            calls.add(() -> RenderTarget.copyColours(from, to, width, height));
+        }
+
         private void bindAll() {
             BoundState now = BoundState.read();
             now.changesFrom(last, calls);

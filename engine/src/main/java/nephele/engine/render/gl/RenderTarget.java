@@ -12,14 +12,27 @@ public final class RenderTarget implements AutoCloseable {
     private final GlHandle framebuffer;
     private final GlHandle depth;
     private final Texture colour;
+    private final GlHandle colourSamples;
     private final int width;
     private final int height;
 
     private RenderTarget(GlContext gl, GlHandle framebuffer, GlHandle depth, Texture colour, int width, int height) {
+        this(gl, framebuffer, depth, colour, null, width, height);
+    }
+
+    private RenderTarget(
+            GlContext gl,
+            GlHandle framebuffer,
+            GlHandle depth,
+            Texture colour,
+            GlHandle colourSamples,
+            int width,
+            int height) {
         this.gl = gl;
         this.framebuffer = framebuffer;
         this.depth = depth;
         this.colour = colour;
+        this.colourSamples = colourSamples;
         this.width = width;
         this.height = height;
     }
@@ -38,6 +51,34 @@ public final class RenderTarget implements AutoCloseable {
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
         requireComplete(name);
         return new RenderTarget(gl, framebuffer, depth, colour, width, height);
+    }
+
+    /**
+     * Colour and 24-bit depth with several samples a pixel, to be drawn into and then {@link #copyTo copied}.
+     *
+     * @return {@code null} where this OpenGL cannot draw into such a target
+     */
+    public static RenderTarget multisampled(GlContext gl, PixelFormat format, int width, int height, int samples) {
+        GlHandle colour = newSamples(gl, format, width, height, samples);
+        GlHandle depth = newSamples(gl, PixelFormat.DEPTH24, width, height, samples);
+        GlHandle framebuffer = newFramebuffer(gl, "multisampled surface");
+        gl.state().framebuffer(framebuffer.id(), width, height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+        RenderTarget target = new RenderTarget(gl, framebuffer, depth, null, colour, width, height);
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+            target.close();
+            return null;
+        }
+        return target;
+    }
+
+    private static GlHandle newSamples(GlContext gl, PixelFormat format, int width, int height, int samples) {
+        GlHandle handle =
+                new GlHandle(gl, GlKind.RENDERBUFFER, "samples", glGenRenderbuffers(), id -> glDeleteRenderbuffers(id));
+        glBindRenderbuffer(GL_RENDERBUFFER, handle.id());
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format.internal, width, height);
+        return handle;
     }
 
     /** Depth only, into one layer of a depth array that stays the caller's. */
@@ -107,6 +148,26 @@ public final class RenderTarget implements AutoCloseable {
         glClear(GL_DEPTH_BUFFER_BIT);
     }
 
+    /**
+     * Copies the colours to a target of the same size, averaging the samples of a pixel, and binds that. From samples
+     * only to a {@link #picture} of the same format: a window's own format is not known.
+     */
+    public void copyTo(RenderTarget target) {
+        target.bind();
+        int to = target.framebuffer == null ? 0 : target.framebuffer.id();
+        if (gl.state().listener() != null) {
+            gl.state().listener().copied(framebuffer.id(), to, width, height);
+        }
+        copyColours(framebuffer.id(), to, width, height);
+    }
+
+    /** Leaves {@code to} bound for reading too, as {@link #bind} does. */
+    static void copyColours(int from, int to, int width, int height) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, to);
+    }
+
     /** RGBA bytes, the bottom row first. */
     public ByteBuffer readBytes() {
         ByteBuffer bytes = BufferUtils.createByteBuffer(4 * width * height);
@@ -143,6 +204,9 @@ public final class RenderTarget implements AutoCloseable {
         }
         if (colour != null) {
             colour.close();
+        }
+        if (colourSamples != null) {
+            colourSamples.close();
         }
     }
 }

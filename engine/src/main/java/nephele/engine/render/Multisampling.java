@@ -1,0 +1,68 @@
+package nephele.engine.render;
+
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+
+/**
+ * Draws surfaces with several coverage samples a pixel and averages them. Where OpenGL cannot, or one sample is asked
+ * for, surfaces are drawn straight into their target.
+ */
+final class Multisampling implements AutoCloseable {
+    private final GlContext gl;
+    private final int samples;
+    private RenderTarget many;
+    private RenderTarget averaged;
+    private PixelFormat format;
+    private int width;
+    private int height;
+
+    Multisampling(GlContext gl, int samples) {
+        this.gl = gl;
+        this.samples = Math.min(samples, gl.limits().maxSamples());
+    }
+
+    /** What to draw into instead of {@code surface}: that itself when its pixels have one sample. */
+    RenderTarget inPlaceOf(RenderTarget surface, PixelFormat surfaceFormat) {
+        if (samples <= 1) {
+            return surface;
+        }
+        if (width != surface.width() || height != surface.height() || format != surfaceFormat) {
+            close();
+            width = surface.width();
+            height = surface.height();
+            format = surfaceFormat;
+            many = RenderTarget.multisampled(gl, format, width, height, samples);
+        }
+        return many == null ? surface : many;
+    }
+
+    /** Brings what was drawn to {@code surface}, if it is not there already. */
+    void resolve(RenderTarget surface) {
+        if (many == null) {
+            return;
+        }
+        if (surface.colour() != null) {
+            many.copyTo(surface);
+            return;
+        }
+        // Samples may only be averaged into the same format, and a window's is the system's choice.
+        if (averaged == null) {
+            averaged = RenderTarget.picture(gl, "averaged samples", format, width, height);
+        }
+        many.copyTo(averaged);
+        averaged.copyTo(surface);
+    }
+
+    @Override
+    public void close() {
+        if (many != null) {
+            many.close();
+            many = null;
+        }
+        if (averaged != null) {
+            averaged.close();
+            averaged = null;
+        }
+    }
+}

@@ -1,0 +1,144 @@
+package nephele.engine.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.View;
+import org.junit.jupiter.api.Test;
+
+/** Several samples a pixel: what edges become, and that nothing else changes. */
+class MultisamplingGlTest {
+    private static final int SIZE = 64;
+
+    /** A white square of side 1 seen from 1.5 before it, the view rolled so that all its edges slant. */
+    private static Level square() {
+        return new TestLevel()
+                .ambient(1)
+                .material("white", TestLevel.grey(1))
+                .box("white", new Vec3(0, 0, -0.5), new Vec3(1, 1, 1))
+                .level();
+    }
+
+    private static View slanted() {
+        return View.lookAt(
+                new Vec3(0, 0, 1.5),
+                Vec3.ZERO,
+                new Vec3(0.3, 1, 0),
+                new nephele.engine.scene.Projection(Math.PI / 2, 1, 0.05, 1000));
+    }
+
+    private static RenderSettings settings(Output output, int samples) {
+        return new RenderSettings(output, Quality.HIGH.withSamples(samples), Culling.ON);
+    }
+
+    private static int[] drawn(Offscreen offscreen, Output output, int samples) {
+        return offscreen.pixels(square(), TestAssets.NONE, slanted(), settings(output, samples));
+    }
+
+    private static boolean isBetween(int rgb) {
+        return Offscreen.red(rgb) > 8 && Offscreen.red(rgb) < 247;
+    }
+
+    /** Numerics A.1: the covered count is within a quarter of the perimeter; in plain, coverage is stored linearly. */
+    @Test
+    void slantedEdgesTakeTheirCoverage() {
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            int[] pixels = drawn(offscreen, Output.PLAIN, 4);
+            assertTrue(
+                    Arrays.stream(pixels).filter(MultisamplingGlTest::isBetween).count() > 40);
+            double count = Arrays.stream(pixels).map(Offscreen::red).sum() / 255.0;
+            // 90° of view: SIZE / 2 pixels a unit at distance 1.
+            double side = SIZE / 2.0 / 1.5;
+            assertEquals(side * side, count, 4 * side / 4);
+        }
+    }
+
+    @Test
+    void oneSampleIsThePictureWithoutTheSetting() {
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            for (Output output : Output.values()) {
+                int[] one = drawn(offscreen, output, 1);
+                assertArrayEquals(offscreen.pixels(square(), slanted(), output), one);
+                assertEquals(
+                        0,
+                        Arrays.stream(one)
+                                .filter(MultisamplingGlTest::isBetween)
+                                .count());
+            }
+        }
+    }
+
+    /** Off the edges nothing changes, and direct and hdr stay the same picture there. */
+    @Test
+    void insidesStayAsTheyAre() {
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            int[] direct = drawn(offscreen, Output.DIRECT, 4);
+            int[] hdr = drawn(offscreen, Output.HDR, 4);
+            int[] single = drawn(offscreen, Output.DIRECT, 1);
+            for (int i = 0; i < direct.length; i++) {
+                if (!isBetween(direct[i]) && !isBetween(hdr[i])) {
+                    assertEquals(Offscreen.red(direct[i]), Offscreen.red(hdr[i]), 1, "pixel " + i);
+                    assertEquals(Offscreen.red(single[i]), Offscreen.red(direct[i]), 1, "pixel " + i);
+                }
+            }
+        }
+    }
+
+    @Test
+    void theTwinAndAnotherSizeWorkAndNothingStays() {
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            var before = offscreen.gl.live().counts();
+            for (Output output : Output.values()) {
+                try (Renderer renderer = Renderer.load(offscreen.gl, square(), TestAssets.NONE, settings(output, 4));
+                        RenderTarget other = RenderTarget.picture(offscreen.gl, "other", PixelFormat.RGBA8, 32, 16)) {
+                    renderer.draw(slanted(), other);
+                    renderer.draw(slanted(), offscreen.picture);
+                    int[] expected = offscreen.pixels();
+                    try (BareTwin twin = new BareTwin(offscreen.gl, renderer, List.of(slanted()), offscreen.picture)) {
+                        offscreen.picture.clear(1, 0, 1);
+                        twin.draw(0);
+                        assertArrayEquals(expected, offscreen.pixels());
+                    }
+                    offscreen.gl.requireNoError("multisampled frames");
+                }
+            }
+            assertEquals(before, offscreen.gl.live().counts());
+        }
+    }
+
+    /** Depth cannot be a colour attachment: such a framebuffer is incomplete everywhere. */
+    @Test
+    void anIncompleteTargetFallsBackToOneSample() {
+        try (Offscreen offscreen = new Offscreen(8, 8)) {
+            var before = offscreen.gl.live().counts();
+            assertNull(RenderTarget.multisampled(offscreen.gl, PixelFormat.DEPTH24, 8, 8, 4));
+            try (Multisampling samples = new Multisampling(offscreen.gl, 4)) {
+                assertSame(offscreen.picture, samples.inPlaceOf(offscreen.picture, PixelFormat.DEPTH24));
+                samples.resolve(offscreen.picture);
+            }
+            assertEquals(before, offscreen.gl.live().counts());
+        }
+    }
+
+    @Test
+    void moreSamplesThanThereAreBecomeTheMost() {
+        try (Offscreen offscreen = new Offscreen(8, 8);
+                Multisampling samples = new Multisampling(offscreen.gl, 16384)) {
+            assertNotNull(samples.inPlaceOf(offscreen.picture, PixelFormat.RGBA8));
+            offscreen.gl.requireNoError("16384 samples");
+        }
+    }
+}
