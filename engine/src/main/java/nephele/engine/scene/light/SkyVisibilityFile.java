@@ -13,6 +13,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
+import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
 import nephele.engine.level.Brush;
@@ -22,9 +23,9 @@ import nephele.engine.math.Plane;
 /** A baked sky visibility as bytes, and the name that its geometry gives it. */
 public final class SkyVisibilityFile {
     /** Part of every name: raise it whenever the same solids would bake to other texels. */
-    private static final int VERSION = 1;
+    private static final int VERSION = 2;
 
-    private static final byte[] MAGIC = "NSKYVIS1".getBytes(StandardCharsets.US_ASCII);
+    private static final byte[] MAGIC = "NSKYVIS2".getBytes(StandardCharsets.US_ASCII);
 
     private SkyVisibilityFile() {}
 
@@ -66,6 +67,7 @@ public final class SkyVisibilityFile {
             head.write(MAGIC);
             head.writeInt(layout.width());
             head.writeInt(layout.height());
+            head.writeLong(placement(layout));
             try (DataOutputStream body = new DataOutputStream(new DeflaterOutputStream(bytes))) {
                 short previous = 0;
                 for (short texel : texels) {
@@ -79,13 +81,28 @@ public final class SkyVisibilityFile {
         return bytes.toByteArray();
     }
 
+    /** Where every chart lies: a map of the same size may be packed in another order. */
+    private static long placement(LightMapLayout layout) {
+        CRC32 crc = new CRC32();
+        ByteBuffer place = ByteBuffer.allocate(4 * Integer.BYTES);
+        for (int i = 0; i < layout.charts().size(); i++) {
+            LightMapChart chart = layout.charts().get(i);
+            place.clear();
+            place.putInt(layout.columnOf()[i]).putInt(layout.rowOf()[i]);
+            place.putInt(chart.columns()).putInt(chart.rows());
+            crc.update(place.array());
+        }
+        return crc.getValue();
+    }
+
     /** Empty when the bytes are no visibility for this layout: it is then baked anew. */
     public static Optional<short[]> decode(LightMapLayout layout, byte[] bytes) {
         try (DataInputStream head = new DataInputStream(new ByteArrayInputStream(bytes))) {
             byte[] magic = head.readNBytes(MAGIC.length);
             boolean fits = MessageDigest.isEqual(magic, MAGIC)
                     && head.readInt() == layout.width()
-                    && head.readInt() == layout.height();
+                    && head.readInt() == layout.height()
+                    && head.readLong() == placement(layout);
             return fits ? Optional.of(body(head, layout.width() * layout.height())) : Optional.empty();
         } catch (IOException e) {
             return Optional.empty();
