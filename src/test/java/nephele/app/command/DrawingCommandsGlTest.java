@@ -29,6 +29,11 @@ class DrawingCommandsGlTest {
         return Files.writeString(folder.resolve("sky.json"), SKY).toString();
     }
 
+    /** An empty folder with the name of a picture. */
+    private String taken() throws IOException {
+        return Files.createDirectories(folder.resolve("taken.png")).toString();
+    }
+
     @Test
     void aPngHasTheSizeAskedForAndShowsTheSkyDeveloped() throws IOException {
         var file = folder.resolve("new/folder/picture.png");
@@ -77,8 +82,13 @@ class DrawingCommandsGlTest {
                 "render LEVEL --out a.pfm --output plain|2|linear radiance",
                 "render LEVEL --out a.png --frames 0|2|--frames",
                 "render LEVEL --out a.png --time -1|2|--time",
+                "render LEVEL --out a.png --output bright|2|none of direct, hdr, plain",
+                "render LEVEL --out a.png --technique paint|2|none of auto, skybox,",
+                "render UNTEXTURED --out a.png|1|untextured.json: materials[0].texture: textures/none.png",
+                "bench UNTEXTURED --frames 1 --size 8x8|1|untextured.json: materials[0].texture: textures/none.png",
                 "render LEVEL --out a.png --reference|3|not built yet",
                 "render LEVEL --out /dev/null/a.png|3|a.png: can't be written",
+                "render LEVEL --out FOLDER --size 8x8|3|it is a folder",
                 "render nowhere.json --out a.png|1|nowhere.json",
                 "bench|2|--calibrate",
                 "bench LEVEL --calibrate|2|--calibrate",
@@ -90,11 +100,33 @@ class DrawingCommandsGlTest {
                 "play LEVEL --replay nowhere.json|1|nowhere.json"
             })
     void whatIsWrongIsNamed(String line, int exitCode, String named) throws IOException {
-        var answer = Captured.run(line.replace("LEVEL", level()).split(" "));
+        var answer = Captured.run(line.replace("LEVEL", level())
+                .replace("UNTEXTURED", untextured())
+                .replace("FOLDER", taken())
+                .split(" "));
         assertAll(
                 () -> assertEquals(exitCode, answer.exitCode(), answer.err()),
                 () -> assertTrue(answer.err().contains(named), answer.err()),
                 () -> assertEquals("", answer.out()));
+    }
+
+    private String untextured() throws IOException {
+        var text = SKY.substring(0, SKY.length() - 1)
+                + ", \"materials\": [{\"id\": \"m\", \"texture\": \"textures/none.png\"}],"
+                + " \"solids\": [{\"id\": \"s\", \"kind\": \"box\", \"material\": \"m\","
+                + " \"centre\": [0, -1, 0], \"size\": [4, 1, 4]}]}";
+        return Files.writeString(folder.resolve("untextured.json"), text).toString();
+    }
+
+    @Test
+    void anOptionWithoutEffectIsToldOnce() throws IOException {
+        var file = folder.resolve("picture.png").toString();
+        var answer =
+                Captured.run("render", level(), "--out", file, "--size", "8x8", "--time", "3", "--technique", "volume");
+        assertEquals(0, answer.exitCode());
+        assertEquals(
+                "nothing in this level follows --time or --technique",
+                answer.err().strip());
     }
 
     @Test

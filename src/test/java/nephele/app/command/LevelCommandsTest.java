@@ -72,6 +72,16 @@ class LevelCommandsTest {
     }
 
     @Test
+    void aPipeIsNotWaitedFor() throws Exception {
+        var pipe = folder.resolve("pipe.json").toString();
+        assertEquals(0, new ProcessBuilder("mkfifo", pipe).start().waitFor());
+        var answer = Captured.run("check", pipe);
+        assertEquals(1, answer.exitCode());
+        assertEquals(
+                pipe + ": $: cannot be read: it is not a file", answer.out().strip());
+    }
+
+    @Test
     void simulatePrintsHashesAtTheRateAskedForAndAtTheLastTick() {
         var lines = Captured.run("simulate", "levels/samples/empty.json", "--every", "70")
                 .out()

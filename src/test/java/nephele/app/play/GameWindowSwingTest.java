@@ -8,11 +8,13 @@ import static org.junit.jupiter.api.Assertions.fail;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import nephele.app.ChildJvm;
 import nephele.app.Main;
+import nephele.engine.sim.Replay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -57,8 +59,15 @@ class GameWindowSwingTest {
                 level.toString());
         var wrong = run.out().lines().filter(line -> !line.endsWith(": ok")).toList();
         assertEquals(List.of(), wrong, run.err());
-        assertEquals(19, run.out().lines().count(), run.out() + run.err());
+        assertEquals(20, run.out().lines().count(), run.out() + run.err());
         assertEquals(0, run.exitCode());
+        assertTrue(recordedTicks("walk.json") > 0);
+        assertTrue(recordedTicks("walk-2.json") >= 0);
+    }
+
+    /** The walk before the restart and the one after it. */
+    private long recordedTicks(String name) throws IOException {
+        return Replay.read(name, Files.readAllBytes(folder.resolve(name))).ticks();
     }
 
     @Test

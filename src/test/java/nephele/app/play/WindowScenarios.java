@@ -81,7 +81,8 @@ public final class WindowScenarios {
                 new Scenario("opens the menu", () -> press(Control.MENU), () -> loop.stage() == Stage.MENU),
                 new Scenario("frees the mouse in it", () -> {}, () -> cursor() == GLFW_CURSOR_NORMAL),
                 new Scenario("continues", () -> press(Control.CONFIRM), () -> loop.stage() == Stage.RUNNING),
-                new Scenario("restarts", () -> press(Control.RESTART), () -> loop.stage() == Stage.RUNNING),
+                new Scenario("captures it again", () -> {}, () -> cursor() == GLFW_CURSOR_DISABLED),
+                new Scenario("restarts", () -> press(Control.RESTART), this::hasRestarted),
                 new Scenario("takes a picture", () -> press(Control.SCREENSHOT), this::hasPicture),
                 new Scenario(
                         "closes", () -> glfwSetWindowShouldClose(handle, true), () -> loop.stage() == Stage.LEAVING));
@@ -136,6 +137,11 @@ public final class WindowScenarios {
         long other = glfwCreateWindow(100, 100, "another", MemoryUtil.NULL, MemoryUtil.NULL);
         glfwFocusWindow(other);
         return other;
+    }
+
+    /** The walk until then was recorded. */
+    private boolean hasRestarted() {
+        return loop.stage() == Stage.RUNNING && Path.of("walk.json").toFile().exists();
     }
 
     private boolean hasPicture() {

@@ -7,6 +7,7 @@ import nephele.app.bench.FrameTimes;
 import nephele.app.bench.LevelDrawing;
 import nephele.app.bench.PerPass;
 import nephele.app.draw.Viewpoints;
+import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
 import nephele.app.levels.PrintedBake;
 import nephele.app.terminal.CommandFailure;
@@ -99,7 +100,7 @@ final class BenchCommand implements Command {
 
     private void measure(LevelFile.Opened opened, Terminal terminal) {
         try (var gl = GlContext.offscreen();
-                var drawing = drawing(opened, gl)) {
+                var drawing = AssetComplaint.named(opened, () -> drawing(opened, gl))) {
             print(bare ? bare(gl, drawing) : new Bench(gl).measure(drawing), terminal);
             gl.requireNoError("bench");
             if (perPass) {

@@ -4,6 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
+import nephele.engine.level.CloudTechnique;
+import nephele.engine.render.frame.Output;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
@@ -41,7 +43,10 @@ public final class CommandLineFront {
 
     private ExitCode run(CommandEntry entry, Command command, String[] arguments) {
         var commandLine = new CommandLine(command);
-        commandLine.setExpandAtFiles(false).setCaseInsensitiveEnumValuesAllowed(true);
+        commandLine
+                .setExpandAtFiles(false)
+                .registerConverter(Output.class, new WordConverter<>(Output.class))
+                .registerConverter(CloudTechnique.class, new WordConverter<>(CloudTechnique.class));
         commandLine
                 .getCommandSpec()
                 .name("nephele " + entry.name())

@@ -1,6 +1,7 @@
 package nephele.app.command;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.time.Instant;
 import java.util.List;
@@ -10,6 +11,7 @@ import nephele.app.terminal.CrashReport;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
 import nephele.engine.asset.AssetException;
+import nephele.engine.asset.WholeFile;
 import nephele.engine.level.LevelFormatException;
 import nephele.engine.render.gl.GlUnavailableException;
 
@@ -30,6 +32,13 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
         }
         if (failure instanceof NoSuchFileException missing) {
             return new Explanation(ExitCode.INPUT, missing.getFile() + ": no such file", failure);
+        }
+        if (failure instanceof FileSystemException refused) {
+            var message = refused.getFile() + ": " + WholeFile.reason(refused);
+            return new Explanation(ExitCode.ENVIRONMENT, message, failure);
+        }
+        if (failure instanceof IOException failed) {
+            return new Explanation(ExitCode.ENVIRONMENT, WholeFile.reason(failed), failure);
         }
         if (failure instanceof UnsatisfiedLinkError) {
             return new Explanation(ExitCode.ENVIRONMENT, withoutLibrary(failure), failure);

@@ -1,8 +1,11 @@
 package nephele.app.command;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Locale;
+import java.util.Optional;
 import nephele.app.draw.Viewpoints;
+import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
 import nephele.app.levels.PrintedBake;
 import nephele.app.terminal.CommandFailure;
@@ -91,10 +94,10 @@ final class RenderCommand implements Command {
         var opened = new LevelName(level).open();
         opened.notice().ifPresent(terminal.err()::println);
         var viewpoint = view.in(opened, size);
-        var scene = Scene.of(quality.choice().shown(opened.level()), opened.assets(), new PrintedBake(terminal.err()));
+        ignored().ifPresent(terminal.err()::println);
         try (var gl = GlContext.offscreen();
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
-                var renderer = Renderer.load(gl, scene, settings(opened, gl))) {
+                var renderer = AssetComplaint.named(opened, () -> renderer(opened, gl, terminal))) {
             for (int frame = 0; frame < frames; frame++) {
                 renderer.draw(viewpoint.view(0), picture);
             }
@@ -102,6 +105,25 @@ final class RenderCommand implements Command {
             save(renderer, picture);
         }
         return ExitCode.DONE;
+    }
+
+    private Renderer renderer(LevelFile.Opened opened, GlContext gl, Terminal terminal) {
+        var scene = Scene.of(quality.choice().shown(opened.level()), opened.assets(), new PrintedBake(terminal.err()));
+        return Renderer.load(gl, scene, settings(opened, gl));
+    }
+
+    /** Neither moving surroundings nor clouds are built yet, so no level can follow what governs them. */
+    private Optional<String> ignored() {
+        var options = new ArrayList<String>();
+        if (timeSeconds != 0) {
+            options.add("--time");
+        }
+        if (technique != null) {
+            options.add("--technique");
+        }
+        return options.isEmpty()
+                ? Optional.empty()
+                : Optional.of("nothing in this level follows " + String.join(" or ", options));
     }
 
     private void checkUsage() {

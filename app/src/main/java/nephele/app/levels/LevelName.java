@@ -7,6 +7,7 @@ import java.util.Optional;
 import nephele.app.terminal.CommandFailure;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
+import nephele.engine.asset.WholeFile;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelFormatException;
 import nephele.engine.level.LevelRules;
@@ -52,8 +53,8 @@ public record LevelName(String typed) {
 
     /** Reads a replay that a user named. */
     public static Replay replay(String file) {
-        try (var stream = Files.newInputStream(Path.of(file))) {
-            byte[] bytes = stream.readNBytes(LARGEST_REPLAY_BYTES + 1);
+        try {
+            byte[] bytes = WholeFile.read(Path.of(file), LARGEST_REPLAY_BYTES);
             if (bytes.length > LARGEST_REPLAY_BYTES) {
                 throw CommandFailure.input(file + ": is larger than " + (LARGEST_REPLAY_BYTES >> 20) + " MiB");
             }

@@ -4,12 +4,15 @@ import java.util.concurrent.atomic.AtomicInteger;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
+import nephele.app.terminal.CommandFailure;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.LevelFormatException;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlException;
+import nephele.engine.render.gl.GlUnavailableException;
 
 /** The game from its first level to its end: what happens in a frame, and how one stage leads to the next. */
 public final class GameLoop implements AutoCloseable {
@@ -25,6 +28,7 @@ public final class GameLoop implements AutoCloseable {
     private final MenuControl menu = new MenuControl();
     private final Message message = new Message();
     private final FiguresControl figures;
+    private final Recordings recordings;
     private PlayRequest request;
     private Preparation preparation;
     private final AtomicInteger bakedPercent = new AtomicInteger();
@@ -41,6 +45,7 @@ public final class GameLoop implements AutoCloseable {
         this.gl = gl;
         this.input = input;
         figures = new FiguresControl(gl);
+        recordings = new Recordings(request.record());
         display = new Display(window, gl, Screenshots.inUsualFolder());
         start(request);
     }
@@ -49,9 +54,6 @@ public final class GameLoop implements AutoCloseable {
     public void run() {
         while (!stages.in(Stage.LEAVING)) {
             frame();
-        }
-        if (session != null) {
-            session.keepRecording();
         }
     }
 
@@ -157,6 +159,7 @@ public final class GameLoop implements AutoCloseable {
         if (stages.in(Stage.STARTING)) {
             loadWhenPrepared();
         } else if (stages.in(Stage.RESTARTING)) {
+            keepRecordingOrSay();
             session.restart();
             stages.change(Stage.RUNNING);
         }
@@ -180,12 +183,13 @@ public final class GameLoop implements AutoCloseable {
     private void load() {
         try {
             var loaded = Session.load(gl, request, preparation, input);
+            keepRecordingOrSay();
             closeSession();
             session = loaded;
             session.notice().ifPresent(message::say);
             lastNanos = System.nanoTime();
             stages.change(Stage.RUNNING);
-        } catch (LevelFormatException | AssetException problem) {
+        } catch (LevelFormatException | AssetException | GlUnavailableException | GlException problem) {
             if (session == null) {
                 throw problem;
             }
@@ -228,9 +232,28 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
+    private void keepRecording() {
+        if (session != null) {
+            recordings.keep(session.walk().recorder().replay()).ifPresent(file -> message.say("Recorded " + file));
+        }
+    }
+
+    private void keepRecordingOrSay() {
+        try {
+            keepRecording();
+        } catch (CommandFailure problem) {
+            message.say(problem.getMessage());
+        }
+    }
+
+    /** However the game ends, what was recorded is kept. */
     @Override
     public void close() {
-        closeSession();
-        display.close();
+        try {
+            keepRecording();
+        } finally {
+            closeSession();
+            display.close();
+        }
     }
 }

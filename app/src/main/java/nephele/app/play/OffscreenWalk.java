@@ -2,11 +2,11 @@ package nephele.app.play;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import nephele.app.bench.FrameTimes;
 import nephele.app.bench.Stopwatch;
+import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.PrintedBake;
 import nephele.engine.render.Capture;
 import nephele.engine.render.RenderSettings;
@@ -101,16 +101,13 @@ public final class OffscreenWalk {
     }
 
     private void savePicture(RenderTarget target, int number) throws IOException {
-        Files.createDirectories(pictures);
         var name = request.level().fileName().replaceFirst("\\.json$", "") + "-" + number + ".png";
         Capture.png(target, pictures.resolve(name));
         out.println("picture: " + pictures.resolve(name));
     }
 
     private void save(Walk walk) {
-        if (request.record() != null) {
-            Recordings.write(request.record(), walk.recorder().replay());
-        }
+        new Recordings(request.record()).keep(walk.recorder().replay());
     }
 
     private Replay replay() {
@@ -126,7 +123,8 @@ public final class OffscreenWalk {
     private Renderer renderer(GlContext gl, Preparation.Prepared prepared) {
         var output = request.quality().output(prepared.opened().level());
         var quality = request.quality().on(gl.limits().software());
-        return Renderer.load(gl, prepared.scene(), new RenderSettings(output, quality, Culling.ON));
+        var settings = new RenderSettings(output, quality, Culling.ON);
+        return AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 
     private RenderTarget target(GlContext gl) {

@@ -4,6 +4,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.DoubleConsumer;
 import nephele.app.draw.QualityChoice;
+import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
 import nephele.engine.level.LevelFile;
 import nephele.engine.scene.Scene;
@@ -24,7 +25,8 @@ public final class Preparation {
         var task = new FutureTask<>(() -> {
             long start = System.nanoTime();
             var opened = level.open();
-            var scene = Scene.of(quality.shown(opened.level()), opened.assets(), bakeProgress);
+            var scene = AssetComplaint.named(
+                    opened, () -> Scene.of(quality.shown(opened.level()), opened.assets(), bakeProgress));
             return new Prepared(opened, scene, System.nanoTime() - start);
         });
         var thread = new Thread(task, "level");

@@ -1,27 +1,44 @@
 package nephele.app.play;
 
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Optional;
 import nephele.app.terminal.CommandFailure;
+import nephele.engine.asset.WholeFile;
 import nephele.engine.sim.Replay;
 
-/** Replays on disk. */
+/**
+ * The replays of one game on disk. Every level played and every restart is a recording of its own: the first goes to
+ * the file asked for, {@code walk.json}, the next ones to {@code walk-2.json}, {@code walk-3.json} and so on.
+ */
 final class Recordings {
-    private Recordings() {}
+    private final Path file;
+    private int kept;
 
-    static void write(Path file, Replay replay) {
-        try {
-            var folder = file.toAbsolutePath().getParent();
-            if (folder != null) {
-                Files.createDirectories(folder);
-            }
-            Files.writeString(file, replay.write());
-        } catch (IOException failure) {
-            throw CommandFailure.environment(
-                    file + ": the recording can't be written ("
-                            + failure.getClass().getSimpleName() + ")",
-                    failure);
+    /** @param file null: nothing is kept */
+    Recordings(Path file) {
+        this.file = file;
+    }
+
+    /** Writes the recording if one was asked for; returns where it is. */
+    Optional<Path> keep(Replay replay) {
+        if (file == null) {
+            return Optional.empty();
         }
+        var next = kept == 0 ? file : numbered(kept + 1);
+        try {
+            WholeFile.write(next, replay.write().getBytes(StandardCharsets.UTF_8));
+        } catch (IOException failure) {
+            throw CommandFailure.environment(failure.getMessage(), failure);
+        }
+        kept++;
+        return Optional.of(next);
+    }
+
+    private Path numbered(int number) {
+        var name = file.getFileName().toString();
+        int dot = name.lastIndexOf('.') > 0 ? name.lastIndexOf('.') : name.length();
+        return file.resolveSibling(name.substring(0, dot) + "-" + number + name.substring(dot));
     }
 }

@@ -31,11 +31,10 @@ final class Screenshots {
     String take(RenderTarget picture) {
         var file = folder.resolve("nephele-" + STAMP.format(LocalDateTime.now()) + ".png");
         try {
-            Files.createDirectories(folder);
             Capture.png(picture, file);
             return "Saved " + file;
         } catch (IOException failure) {
-            return "The picture can't be saved to " + folder;
+            return failure.getMessage();
         }
     }
 }

@@ -1,6 +1,7 @@
 package nephele.app.play;
 
 import java.util.Optional;
+import nephele.app.levels.AssetComplaint;
 import nephele.app.window.Input;
 import nephele.engine.level.Level;
 import nephele.engine.render.RenderSettings;
@@ -33,7 +34,8 @@ final class Session implements AutoCloseable {
         var output = request.quality().output(prepared.opened().level());
         var quality = request.quality().on(gl.limits().software());
         var settings = new RenderSettings(output, quality, Culling.ON);
-        return new Session(request, prepared, Renderer.load(gl, prepared.scene(), settings), input);
+        var renderer = AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
+        return new Session(request, prepared, renderer, input);
     }
 
     /** The same level from its beginning. */
@@ -55,13 +57,6 @@ final class Session implements AutoCloseable {
 
     Optional<String> notice() {
         return notice;
-    }
-
-    /** Writes the recording that was asked for. */
-    void keepRecording() {
-        if (request.record() != null) {
-            Recordings.write(request.record(), walk.recorder().replay());
-        }
     }
 
     @Override

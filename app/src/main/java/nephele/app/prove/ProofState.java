@@ -3,12 +3,13 @@ package nephele.app.prove;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
+import nephele.engine.asset.WholeFile;
 
 /** How far a proof has come at one commit, and what it learnt: kept in a file so that the run can go on later. */
 record ProofState(String commit, ProofResult soFar) {
@@ -44,10 +45,7 @@ record ProofState(String commit, ProofResult soFar) {
         }
         var text = new StringWriter();
         saved.store(text, null);
-        Files.createDirectories(file.getParent());
-        Path unfinished = file.resolveSibling(file.getFileName() + ".new");
-        Files.writeString(unfinished, text.toString());
-        Files.move(unfinished, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        WholeFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
     }
 
     private static void saveFigure(Properties saved, String key, Figure figure) {

@@ -1,12 +1,14 @@
 package nephele.app.prove;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import nephele.engine.asset.WholeFile;
 
 /** docs/proofs.md: one row a proof, in the order of {@link Proofs#ALL}; a new figure replaces the old row. */
 public final class ProofTable {
@@ -36,8 +38,7 @@ public final class ProofTable {
         rows.add(row(proof, result, found));
         var order = Proofs.ALL.stream().map(Proof::name).collect(Collectors.toList());
         rows.sort((a, b) -> Integer.compare(order.indexOf(nameOf(a)), order.indexOf(nameOf(b))));
-        Files.createDirectories(file.toAbsolutePath().getParent());
-        Files.writeString(file, HEAD + String.join("\n", rows) + "\n");
+        WholeFile.write(file, (HEAD + String.join("\n", rows) + "\n").getBytes(StandardCharsets.UTF_8));
     }
 
     private List<String> rows() throws IOException {

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import nephele.engine.asset.WholeFile;
 
 /** What saving and loading ask of a file system: the seam at which tests let each operation fail. */
 interface FileOperations {
@@ -29,9 +30,7 @@ interface FileOperations {
     FileOperations REAL = new FileOperations() {
         @Override
         public byte[] read(Path file, int most) throws IOException {
-            try (var stream = Files.newInputStream(file)) {
-                return stream.readNBytes(most + 1);
-            }
+            return WholeFile.read(file, most);
         }
 
         @Override

@@ -10,6 +10,7 @@ import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
+import nephele.engine.asset.WholeFile;
 
 /** Levels in files and in the jar. */
 public final class LevelFile {
@@ -77,7 +78,7 @@ public final class LevelFile {
             return LevelJson.read(file, files.read(path, JsonTree.MAX_FILE_BYTES));
         } catch (IOException problem) {
             String reason =
-                    Files.isDirectory(path) ? "this is a folder, name a level file in it" : LevelSaver.reason(problem);
+                    Files.isDirectory(path) ? "this is a folder, name a level file in it" : WholeFile.reason(problem);
             throw LevelFormatException.damage(file, List.of(Problem.error("$", "cannot be read: " + reason)));
         }
     }

@@ -2,10 +2,9 @@ package nephele.engine.level;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import nephele.engine.asset.WholeFile;
 
 /**
  * Replaces a file so that at every moment, whatever fails, a complete version of it exists: the new content goes to a
@@ -33,7 +32,7 @@ final class LevelSaver {
         } catch (IOException problem) {
             discard(fresh);
             discard(freshBackup);
-            throw new LevelSaveException(path.toString(), reason(problem), problem);
+            throw new LevelSaveException(path.toString(), WholeFile.reason(problem), problem);
         }
         forceFolder(target);
     }
@@ -91,16 +90,5 @@ final class LevelSaver {
         } catch (IOException refused) {
             return;
         }
-    }
-
-    static String reason(IOException problem) {
-        if (problem instanceof AccessDeniedException) {
-            return "access is denied";
-        }
-        if (problem instanceof java.nio.file.NoSuchFileException) {
-            return "there is no such file or folder";
-        }
-        String detail = problem instanceof FileSystemException system ? system.getReason() : problem.getMessage();
-        return detail == null || detail.isBlank() ? problem.getClass().getSimpleName() : detail;
     }
 }

@@ -1,13 +1,15 @@
 package nephele.engine.render;
 
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import nephele.engine.asset.WholeFile;
 import nephele.engine.render.gl.RenderTarget;
 
 /** Pictures out of targets into files. */
@@ -33,9 +35,7 @@ public final class Capture {
 
     /** Writes the 8-bit picture. */
     public static void png(RenderTarget picture, Path file) throws IOException {
-        if (!ImageIO.write(image(picture), "png", file.toFile())) {
-            throw new IOException("this Java cannot write PNG");
-        }
+        WholeFile.write(file, encoded(image(picture)));
     }
 
     /**
@@ -48,6 +48,17 @@ public final class Capture {
         ByteBuffer bytes = ByteBuffer.allocate(header.length + 4 * rgb.length).order(ByteOrder.LITTLE_ENDIAN);
         bytes.put(header);
         bytes.asFloatBuffer().put(rgb);
-        Files.write(file, bytes.array());
+        WholeFile.write(file, bytes.array());
+    }
+
+    /** In memory: given a file, ImageIO deletes it first and prints a stack trace where it cannot be opened. */
+    private static byte[] encoded(BufferedImage image) throws IOException {
+        var bytes = new ByteArrayOutputStream();
+        try (var stream = new MemoryCacheImageOutputStream(bytes)) {
+            if (!ImageIO.write(image, "png", stream)) {
+                throw new IOException("this Java cannot write PNG");
+            }
+        }
+        return bytes.toByteArray();
     }
 }
