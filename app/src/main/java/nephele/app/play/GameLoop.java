@@ -8,11 +8,7 @@ import nephele.app.terminal.CommandFailure;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
-import nephele.engine.asset.AssetException;
-import nephele.engine.level.LevelFormatException;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.GlException;
-import nephele.engine.render.gl.GlUnavailableException;
 
 /** The game from its first level to its end: what happens in a frame, and how one stage leads to the next. */
 public final class GameLoop implements AutoCloseable {
@@ -189,11 +185,12 @@ public final class GameLoop implements AutoCloseable {
             session.notice().ifPresent(message::say);
             lastNanos = System.nanoTime();
             stages.change(Stage.RUNNING);
-        } catch (LevelFormatException | AssetException | GlUnavailableException | GlException problem) {
-            if (session == null) {
+        } catch (RuntimeException problem) {
+            var told = LoadProblem.line(problem);
+            if (session == null || told.isEmpty()) {
                 throw problem;
             }
-            message.say(problem.getMessage().lines().findFirst().orElse("the level can't be loaded"));
+            message.say(told.get());
             menu.open();
             stages.change(Stage.MENU);
         }

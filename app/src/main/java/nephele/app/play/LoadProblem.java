@@ -1,0 +1,23 @@
+package nephele.app.play;
+
+import java.util.Optional;
+import nephele.engine.asset.AssetException;
+import nephele.engine.level.LevelFormatException;
+import nephele.engine.render.gl.GlException;
+import nephele.engine.render.gl.GlUnavailableException;
+
+/** What a player is told when a level cannot be loaded. */
+final class LoadProblem {
+    private LoadProblem() {}
+
+    /** One line for the failures after which the game goes on; nothing for a bug. */
+    static Optional<String> line(RuntimeException failure) {
+        boolean goesOn = failure instanceof LevelFormatException
+                || failure instanceof AssetException
+                || failure instanceof GlUnavailableException
+                || failure instanceof GlException;
+        return goesOn
+                ? Optional.of(failure.getMessage().lines().findFirst().orElse("the level can't be loaded"))
+                : Optional.empty();
+    }
+}
