@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import nephele.engine.asset.LevelAssets;
 import org.junit.jupiter.api.Test;
 
@@ -36,6 +38,25 @@ class LevelRulesTest {
             assertEquals(opened.level(), LevelJsonTest.read(LevelJson.write(opened.level())));
         }
         assertTrue(files.size() > 4);
+    }
+
+    @Test
+    void lampsWhoseShadowsFindNoPlaceAreSaid() {
+        assertEquals(List.of(), structure(pointLamps(85)));
+        List<Problem> problems = structure(pointLamps(86));
+        assertEquals(1, problems.size());
+        String line = problems.get(0).line("f");
+        assertTrue(line.startsWith("f: lights[85].castsShadow: warning: at most 85 point lamps or 512 spots"), line);
+    }
+
+    private static String pointLamps(int count) {
+        String lamps = IntStream.range(0, count)
+                .mapToObj(i -> "{\"id\": \"l" + i
+                        + "\", \"kind\": \"point\", \"position\": [0, 9, 0], \"radiantIntensity\": [1, 1, 1]}")
+                .collect(Collectors.joining(","));
+        String box = "\", \"kind\": \"box\", \"size\": [1, 1, 1], \"centre\": [0, ";
+        return "\"player\": {\"feet\": [9, 0, 9]}, \"solids\": [{\"id\": \"a" + box + "0, 0]}, {\"id\": \"b" + box
+                + "2, 0]}], \"lights\": [" + lamps + "]";
     }
 
     @Test

@@ -125,8 +125,13 @@ final class BenchCommand implements Command {
                 new RenderSettings(chosen, quality.choice().on(gl.limits().software()), Culling.ON);
         var scene = Scene.of(quality.choice().shown(opened.level()), opened.assets(), new PrintedBake(System.err));
         var renderer = Renderer.load(gl, scene, settings);
-        var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
-        return new LevelDrawing(renderer, views, picture);
+        try {
+            var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
+            return new LevelDrawing(renderer, views, picture);
+        } catch (RuntimeException e) {
+            renderer.close();
+            throw e;
+        }
     }
 
     private int roundLength(LevelFile.Opened opened) {

@@ -18,14 +18,25 @@ import nephele.engine.render.frame.Quality;
 public record QualityChoice(String preset, Map<String, String> settings) {
     /** Every field of {@link Quality} that `--set` can change. */
     private static final List<Field> FIELDS = List.of(
-            new Field("anisotropy", (quality, value) -> new Quality(value, quality.shadowTexels(), quality.samples())),
-            new Field("shadowTexels", (quality, value) -> new Quality(quality.anisotropy(), value, quality.samples())),
-            new Field("samples", (quality, value) -> quality.withSamples(value)));
+            new Field(
+                    "anisotropy",
+                    1,
+                    16,
+                    (quality, value) -> new Quality(value, quality.shadowTexels(), quality.samples())),
+            new Field(
+                    "shadowTexels",
+                    64,
+                    16384,
+                    (quality, value) -> new Quality(quality.anisotropy(), value, quality.samples())),
+            new Field("samples", 1, 8, (quality, value) -> quality.withSamples(value)));
 
     private static final String DEBUG = "debug";
-    private static final int GREATEST = 16384;
 
-    private record Field(String key, BiFunction<Quality, Integer, Quality> change) {}
+    private record Field(String key, int least, int most, BiFunction<Quality, Integer, Quality> change) {
+        boolean takes(String value) {
+            return value.matches("[0-9]{1,5}") && Integer.parseInt(value) >= least && Integer.parseInt(value) <= most;
+        }
+    }
 
     /** Fails with wrong usage unless everything in here is known. */
     public void check() {
@@ -76,9 +87,11 @@ public record QualityChoice(String preset, Map<String, String> settings) {
             var keys = FIELDS.stream().map(Field::key).collect(Collectors.joining(", "));
             throw CommandFailure.usage("--set knows no `" + key + "`; it knows: " + keys);
         }
-        if (!value.matches("[0-9]{1,5}") || Integer.parseInt(value) < 1 || Integer.parseInt(value) > GREATEST) {
-            throw CommandFailure.usage("--set " + key + " is a whole number from 1 to " + GREATEST);
+        var field = known.get();
+        if (!field.takes(value)) {
+            throw CommandFailure.usage("--set " + key + " is a whole number from " + field.least + " to " + field.most
+                    + ", not `" + value + "`");
         }
-        return known.get().change.apply(quality, Integer.parseInt(value));
+        return field.change.apply(quality, Integer.parseInt(value));
     }
 }

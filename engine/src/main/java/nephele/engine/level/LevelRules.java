@@ -14,6 +14,7 @@ public final class LevelRules {
             SolidRules.BOUNDED,
             CameraRules.VIEW,
             LightRules.CONES,
+            LightRules.SHADOWS,
             SkyRules.FILES,
             PortalRules.LINKS,
             ModelRules.PARENTS,

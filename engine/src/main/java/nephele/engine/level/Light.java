@@ -4,6 +4,9 @@ import nephele.engine.math.Vec3;
 
 /** A lamp without extent. Radiant intensity is linear RGB; irradiance falls with the square of the distance. */
 public sealed interface Light {
+    /** Depth pictures that all casting lamps of a level share. */
+    int MOST_SHADOW_PICTURES = 512;
+
     String id();
 
     Vec3 position();
@@ -14,6 +17,11 @@ public sealed interface Light {
     double rangeMetres();
 
     boolean castsShadow();
+
+    /** Depth pictures that its shadow takes: the six faces of a cube, or one along the axis of a spot up to 80° wide. */
+    default int shadowPictures() {
+        return this instanceof Spot spot && spot.outerConeDegrees() <= 80 ? 1 : 6;
+    }
 
     /** {@code "kind": "point"}. */
     record Point(

@@ -3,6 +3,7 @@ package nephele.engine.scene.light;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
@@ -46,6 +47,47 @@ class ShadowTest {
                 2,
                 ShadowCasters.of(List.of(ground, house, cellar), new Vec3(1, 1, 0))
                         .size());
+    }
+
+    @Test
+    void aMapSmallerThanItsMarginsIsStillAMap() {
+        for (int side = 1; side <= 7; side++) {
+            List<Vec3> corners = box(0, 1, 0, 2, 2, 2).shape().vertices();
+            ShadowFrame frame = ShadowFrame.fit(corners, new Vec3(1, 1, 0), Vec3.ZERO, side);
+            assertTrue(frame.texelMetres() > 0 && frame.texelMetres() < 10, "texel " + frame.texelMetres());
+            assertTrue(frame.width() <= 7 && frame.height() <= 7);
+        }
+    }
+
+    /** The same casters as by comparing every solid with every other. */
+    @Test
+    void castersAreThoseOfTheDefinition() {
+        SplittableRandom random = new SplittableRandom(5);
+        Vec3 sun = new Vec3(0.4, 1, -0.3);
+        int all = 0;
+        int casting = 0;
+        for (int round = 0; round < 200; round++) {
+            List<Brush> brushes = new ArrayList<>();
+            for (int i = 0; i < 1 + round % 12; i++) {
+                brushes.add(box(random.nextInt(9), random.nextInt(5), random.nextInt(9), 1 + random.nextInt(9), 1, 2));
+            }
+            List<Brush> expected =
+                    brushes.stream().filter(b -> !isBehindAll(b, brushes, sun)).toList();
+            assertEquals(expected, ShadowCasters.of(brushes, sun));
+            assertEquals(!expected.isEmpty(), ShadowCasters.any(brushes, sun));
+            all += brushes.size();
+            casting += expected.size();
+        }
+        assertTrue(casting > all / 10 && casting < all * 19 / 20, casting + " of " + all);
+    }
+
+    private static boolean isBehindAll(Brush brush, List<Brush> brushes, Vec3 sun) {
+        return brush.shape().faces().stream()
+                .map(face -> face.plane())
+                .filter(p -> p.nx() * sun.x() + p.ny() * sun.y() + p.nz() * sun.z() > 0)
+                .anyMatch(plane -> brushes.stream()
+                        .allMatch(other -> other == brush
+                                || other.shape().vertices().stream().allMatch(v -> plane.signedDistance(v) >= -1e-6)));
     }
 
     /** A plane never shades itself, at any slope and place, because each texel is compared with its own depth. */

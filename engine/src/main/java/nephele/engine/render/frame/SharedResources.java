@@ -1,7 +1,11 @@
 package nephele.engine.render.frame;
 
+import java.lang.ref.WeakReference;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.Map;
+import nephele.engine.asset.Picture;
+import nephele.engine.asset.PictureDecoder;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Texture;
@@ -12,6 +16,7 @@ public final class SharedResources implements AutoCloseable {
     private final GlContext gl;
     private final Scene scene;
     private final Map<Target, Texture> textures = new EnumMap<>(Target.class);
+    private final Map<String, WeakReference<Picture>> decoded = new HashMap<>();
     private FrameUniforms frameUniforms;
     private SolidMesh solids;
     private PictureArrays colourPictures;
@@ -61,9 +66,24 @@ public final class SharedResources implements AutoCloseable {
     /** Defines, uniforms and textures of {@code surface-light.glsl}. */
     public SurfaceLight surfaceLight(LoadContext context) {
         if (surfaceLight == null) {
-            surfaceLight = new SurfaceLight(gl, scene, context.quality());
+            surfaceLight = new SurfaceLight(gl, scene, context.quality(), this::picture);
         }
         return surfaceLight;
+    }
+
+    /**
+     * A decoded asset. Two passes that load one after the other share it; nothing keeps it from being freed after that.
+     *
+     * @throws nephele.engine.asset.AssetException naming the picture that cannot be used
+     */
+    public Picture picture(String assetId) {
+        WeakReference<Picture> known = decoded.get(assetId);
+        Picture picture = known == null ? null : known.get();
+        if (picture == null) {
+            picture = PictureDecoder.decode(assetId, scene.assets().bytes(assetId));
+            decoded.put(assetId, new WeakReference<>(picture));
+        }
+        return picture;
     }
 
     /** Makes a target's texture known to the passes after this one; it stays the publisher's. */

@@ -3,7 +3,8 @@ package nephele.engine.render.frame;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.asset.PictureDecoder;
+import java.util.function.Function;
+import nephele.engine.asset.Picture;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
@@ -41,7 +42,11 @@ public final class SurfaceLight implements AutoCloseable {
     private final BufferTexture lampTexels;
     private final BufferTexture lampGrid;
 
-    SurfaceLight(GlContext gl, Scene scene, Quality quality) {
+    private final Function<String, Picture> pictureOf;
+    private SkyIrradiance skyIrradiance;
+
+    SurfaceLight(GlContext gl, Scene scene, Quality quality, Function<String, Picture> pictureOf) {
+        this.pictureOf = pictureOf;
         this.scene = scene;
         level = scene.level();
         sunShadow = LightNeeds.sunShadow(level);
@@ -52,7 +57,16 @@ public final class SurfaceLight implements AutoCloseable {
         sunFrame = sunShadow ? sunFrame(brushes, quality) : null;
         lamps = hasLamps ? LampTable.of(level.lights(), brushes) : null;
         lampTexels = hasLamps ? BufferTexture.ofFloats(gl, "lamps", lamps.packed(anchor())) : null;
-        lampGrid = hasLamps ? BufferTexture.ofIntegers(gl, "lamp grid", lamps.packedGrid()) : null;
+        lampGrid = hasLamps ? lampGrid(gl) : null;
+    }
+
+    private BufferTexture lampGrid(GlContext gl) {
+        try {
+            return BufferTexture.ofIntegers(gl, "lamp grid", lamps.packedGrid());
+        } catch (RuntimeException e) {
+            lampTexels.close();
+            throw e;
+        }
     }
 
     /** Targets that {@link #bind} binds for a level. */
@@ -177,11 +191,12 @@ public final class SurfaceLight implements AutoCloseable {
     }
 
     private SkyIrradiance skyIrradiance() {
-        return SkyRadiance.of(
-                        level.environment().sky(),
-                        id -> PictureDecoder.decode(id, scene.assets().bytes(id)))
-                .map(SkyIrradiance::of)
-                .orElseGet(SkyIrradiance::black);
+        if (skyIrradiance == null) {
+            skyIrradiance = SkyRadiance.of(level.environment().sky(), pictureOf)
+                    .map(SkyIrradiance::of)
+                    .orElseGet(SkyIrradiance::black);
+        }
+        return skyIrradiance;
     }
 
     private static void set(Uniforms.Vector3 uniform, Vec3 v) {

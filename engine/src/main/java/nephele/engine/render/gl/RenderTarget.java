@@ -49,8 +49,7 @@ public final class RenderTarget implements AutoCloseable {
         gl.state().framebuffer(framebuffer.id(), width, height);
         glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.id(), 0);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
-        requireComplete(name);
-        return new RenderTarget(gl, framebuffer, depth, colour, width, height);
+        return complete(name, new RenderTarget(gl, framebuffer, depth, colour, width, height));
     }
 
     /**
@@ -89,8 +88,7 @@ public final class RenderTarget implements AutoCloseable {
         glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depthArray.id(), 0, layer);
         glDrawBuffer(GL_NONE);
         glReadBuffer(GL_NONE);
-        requireComplete(name);
-        return new RenderTarget(gl, framebuffer, null, null, extent.width(), extent.height());
+        return complete(name, new RenderTarget(gl, framebuffer, null, null, extent.width(), extent.height()));
     }
 
     /** The window's own framebuffer, 8 bits a channel with depth. */
@@ -102,11 +100,14 @@ public final class RenderTarget implements AutoCloseable {
         return new GlHandle(gl, GlKind.FRAMEBUFFER, name, glGenFramebuffers(), id -> glDeleteFramebuffers(id));
     }
 
-    private static void requireComplete(String name) {
+    /** The bound target itself; one that cannot be drawn into is closed before this fails. */
+    private static RenderTarget complete(String name, RenderTarget target) {
         int status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
         if (status != GL_FRAMEBUFFER_COMPLETE) {
+            target.close();
             throw new GlException(name + ": framebuffer incomplete, 0x" + Integer.toHexString(status));
         }
+        return target;
     }
 
     public int width() {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import nephele.engine.level.Light;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -25,12 +26,10 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
     /** 32 MiB of 32-bit depth; OpenGL 4.1 promises 2048 layers. */
     private static final int MAX_TEXELS = 1 << 23;
 
-    private static final int MAX_LAYERS = 512;
+    private static final int MAX_LAYERS = Light.MOST_SHADOW_PICTURES;
 
     /** Texels beyond a cube's edge in each of its six pictures: a filter near the edge stays in one picture. */
     private static final double GUARD_TEXELS = 2;
-
-    private static final double WIDEST_SPOT_COSINE = 0.17364817766693033;
 
     /**
      * @param axis 0–5 for +x −x +y −y +z −z, or 6 for a spot's own axis
@@ -76,11 +75,11 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
     }
 
     private static int pictures(Lamp lamp) {
-        return hasOwnAxis(lamp) ? 1 : 6;
+        return lamp.source().shadowPictures();
     }
 
     static boolean hasOwnAxis(Lamp lamp) {
-        return lamp.isSpot() && lamp.cosOuter() >= WIDEST_SPOT_COSINE;
+        return pictures(lamp) == 1;
     }
 
     /** Half the picture's width over its distance, inverted: less than the lamp's opening by the guard texels. */

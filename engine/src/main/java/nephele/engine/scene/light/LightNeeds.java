@@ -26,8 +26,7 @@ public final class LightNeeds {
             return false;
         }
         List<Brush> brushes = level.solids().stream().map(Brush::of).toList();
-        return !ShadowCasters.of(brushes, level.environment().sun().directionTowardsSun())
-                .isEmpty();
+        return ShadowCasters.any(brushes, level.environment().sun().directionTowardsSun());
     }
 
     public static boolean lamps(Level level) {
@@ -37,9 +36,12 @@ public final class LightNeeds {
 
     /** A lamp that casts, and more than one solid: a convex solid does not shade itself. */
     public static boolean lampShadow(Level level) {
-        return level.solids().size() > 1
-                && level.lights().stream().filter(Light::castsShadow).anyMatch(light -> Lamp.of(light)
-                        .isPresent());
+        return level.solids().size() > 1 && level.lights().stream().anyMatch(LightNeeds::casts);
+    }
+
+    /** Whether a lamp lights anything and casts. */
+    public static boolean casts(Light light) {
+        return light.castsShadow() && Lamp.of(light).isPresent();
     }
 
     /** A sky that shines, solids for it to fall on, and no constant in its place. */

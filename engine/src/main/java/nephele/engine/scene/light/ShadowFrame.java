@@ -32,7 +32,7 @@ public record ShadowFrame(
     /**
      * @param casters corners of everything that casts
      * @param towardsSun any length but zero
-     * @param maxSide texels
+     * @param maxSide texels; a map never has fewer than its margins and one
      */
     public static ShadowFrame fit(List<Vec3> casters, Vec3 towardsSun, Vec3 anchor, int maxSide) {
         Vector3d back = towardsSun.toVector().normalize();
@@ -44,7 +44,7 @@ public record ShadowFrame(
         double[] y = range(casters, anchor, up);
         double[] z = range(casters, anchor, back);
         double side = Math.max(x[1] - x[0], y[1] - y[0]);
-        double texel = Math.max(FINEST_TEXEL_METRES, side / (maxSide - 2 * MARGIN_TEXELS));
+        double texel = Math.max(FINEST_TEXEL_METRES, side / Math.max(1, maxSide - 2 * MARGIN_TEXELS));
         int width = texels(x, texel);
         int height = texels(y, texel);
         double depth = (z[1] - z[0]) * 1.01 + 0.1;

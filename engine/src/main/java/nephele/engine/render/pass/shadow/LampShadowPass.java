@@ -45,7 +45,7 @@ public final class LampShadowPass implements Pass {
 
     private static String because(Level level) {
         for (int i = 0; i < level.lights().size(); i++) {
-            if (level.lights().get(i).castsShadow()) {
+            if (LightNeeds.casts(level.lights().get(i))) {
                 return "lights[" + i + "].castsShadow: solids that shade others";
             }
         }

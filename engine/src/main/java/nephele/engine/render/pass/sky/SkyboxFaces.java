@@ -2,10 +2,9 @@ package nephele.engine.render.pass.sky;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import nephele.engine.asset.AssetException;
-import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
-import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 
@@ -18,14 +17,16 @@ record SkyboxFaces(int side, List<Picture> pictures) {
     /** Column and row of each face in a cross. */
     private static final int[][] CROSS_CELLS = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {3, 1}, {1, 1}};
 
-    static SkyboxFaces of(Sky.Skybox sky, AssetSource assets) {
-        return sky.layout() == SkyboxLayout.CROSS ? cross(sky.files().get(0), assets) : faces(sky.files(), assets);
+    static SkyboxFaces of(Sky.Skybox sky, Function<String, Picture> pictureOf) {
+        return sky.layout() == SkyboxLayout.CROSS
+                ? cross(sky.files().get(0), pictureOf)
+                : faces(sky.files(), pictureOf);
     }
 
-    private static SkyboxFaces faces(List<String> files, AssetSource assets) {
+    private static SkyboxFaces faces(List<String> files, Function<String, Picture> pictureOf) {
         List<Picture> pictures = new ArrayList<>();
         for (String file : files) {
-            Picture picture = decode(file, assets);
+            Picture picture = pictureOf.apply(file).toRgba8();
             int side = pictures.isEmpty() ? picture.width() : pictures.get(0).width();
             if (picture.width() != side || picture.height() != side) {
                 throw new AssetException(
@@ -38,8 +39,8 @@ record SkyboxFaces(int side, List<Picture> pictures) {
         return new SkyboxFaces(pictures.get(0).width(), pictures);
     }
 
-    private static SkyboxFaces cross(String file, AssetSource assets) {
-        Picture whole = decode(file, assets);
+    private static SkyboxFaces cross(String file, Function<String, Picture> pictureOf) {
+        Picture whole = pictureOf.apply(file).toRgba8();
         int side = whole.width() / 4;
         if (side == 0 || whole.width() != 4 * side || whole.height() != 3 * side) {
             throw new AssetException(
@@ -52,10 +53,6 @@ record SkyboxFaces(int side, List<Picture> pictures) {
             pictures.add(cut(whole, cell[0] * side, cell[1] * side, side));
         }
         return new SkyboxFaces(side, pictures);
-    }
-
-    private static Picture decode(String file, AssetSource assets) {
-        return PictureDecoder.decode(file, assets.bytes(file)).toRgba8();
     }
 
     private static Picture cut(Picture whole, int left, int top, int side) {

@@ -65,7 +65,7 @@ public final class SkyboxPass implements Pass {
 
     @Override
     public void load(LoadContext context) {
-        SkyboxFaces pictures = SkyboxFaces.of(sky, context.scene().assets());
+        SkyboxFaces pictures = SkyboxFaces.of(sky, context.shared()::picture);
         faces = SkyboxTexture.upload(context, pictures);
         cube = cube(gl, pictures.side());
         var defines = Defines.of(context).values();
