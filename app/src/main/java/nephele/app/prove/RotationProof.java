@@ -3,15 +3,18 @@ package nephele.app.prove;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
-import nephele.engine.math.YawPitch;
+import nephele.engine.sim.Heading;
+import nephele.engine.sim.MouseLook;
+import nephele.engine.sim.PlayerInput;
 import org.joml.Quaterniond;
 
 /** Turns views by anything a mouse may say, and interpolates any pair of rotations. */
 public final class RotationProof implements Proof {
-    private static final double RADIANS_PER_COUNT = 0.0022;
+    private static final double DEGREES_PER_COUNT = 0.126;
 
     @Override
     public String name() {
@@ -58,20 +61,31 @@ public final class RotationProof implements Proof {
                 failures);
     }
 
+    /** The way of the game: mouse counts to whole millidegrees, and these to a heading. */
     private static void turn(long unit, SplittableRandom random, List<String> failures) {
         int counts = unit % 100 == 0 ? 1_000_000 : 40;
-        double yaw = RADIANS_PER_COUNT * random.nextInt(-counts, counts + 1);
-        double pitch = RADIANS_PER_COUNT * random.nextInt(-counts, counts + 1);
-        var look = new YawPitch(random.nextDouble(-4, 4), random.nextDouble(-2, 2));
-        YawPitch next = look.turned(yaw, pitch);
-        boolean wrapped = next.yaw() >= -Math.PI && next.yaw() < Math.PI;
-        boolean upright = Math.abs(next.pitch()) <= YawPitch.GREATEST_PITCH;
-        double turned = Directions.angle(look.basis().back(), next.basis().back());
-        double lost = YawPitch.wrapped(next.yaw() - look.yaw() - yaw);
-        boolean exact = Math.abs(lost) <= 1e-9 * (1 + Math.abs(yaw));
-        if (!wrapped || !upright || !exact || !(turned <= Math.abs(yaw) + Math.abs(pitch) + 1e-9)) {
+        double right = random.nextInt(-counts, counts + 1);
+        double down = random.nextInt(-counts, counts + 1);
+        PlayerInput input = new MouseLook(DEGREES_PER_COUNT).turn(PlayerInput.NONE, right, down);
+        int left = input.turnLeftMillidegrees();
+        int up = input.turnUpMillidegrees();
+        var look = new Heading(random.nextInt(-400_000, 400_000), random.nextInt(-100_000, 100_000));
+        Heading next = look.turned(left, up);
+        boolean asked = Math.abs(left) <= Math.abs(right) * DEGREES_PER_COUNT * 1000 + 1e-6
+                && Math.abs(up) <= Math.abs(down) * DEGREES_PER_COUNT * 1000 + 1e-6;
+        boolean wrapped = next.yawRadians() >= -Math.PI && next.yawRadians() < Math.PI;
+        boolean upright = Math.abs(next.pitchMillidegrees()) <= 89_900;
+        int lost = next.yawMillidegrees() - look.yawMillidegrees() - left;
+        boolean exact =
+                lost % 360_000 == 0 && Math.abs(next.pitchMillidegrees() - look.pitchMillidegrees()) <= Math.abs(up);
+        double most = Math.toRadians((Math.abs((double) left) + Math.abs((double) up)) / 1000);
+        if (!asked || !wrapped || !upright || !exact || !(Directions.angle(back(look), back(next)) <= most + 1e-9)) {
             failures.add("turn " + unit + ": from " + look + " to " + next);
         }
+    }
+
+    private static Vec3 back(Heading heading) {
+        return Basis.ofYawPitch(heading.yawRadians(), heading.pitchRadians()).back();
     }
 
     /** Returns how far the result's length is from 1. */

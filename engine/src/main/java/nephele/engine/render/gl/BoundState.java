@@ -91,7 +91,8 @@ record BoundState(List<Step> steps) {
         int[][] targets = {
             {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
             {GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
-            {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP}
+            {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP},
+            {GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER}
         };
         int active = glGetInteger(GL_ACTIVE_TEXTURE);
         for (int unit = 0; unit < DrawState.TEXTURE_UNITS; unit++) {
