@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 
 /** C.2 row 20: nothing shines through where surfaces meet; the room is closed and the sky magenta. */
 class ClosedRoomGlTest {
-    private static final int VIEWS = 80;
+    private static final int VIEWS = 500;
     private static final Vec3 MAGENTA = new Vec3(1, 0, 1);
 
     /** Walls whose edges meet in the middle of each other's faces, at coordinates that floats round. */
@@ -49,9 +49,16 @@ class ClosedRoomGlTest {
         assertNoSky(room(12345.7).skyLight().level(), 12345.7);
     }
 
+    /** Where no eye ever is: what touches a solid is not drawn under it. */
+    private static boolean isInCrate(Vec3 eye, double offset) {
+        double x = Math.abs(eye.x() - offset - 1.3);
+        double z = Math.abs(eye.z() + offset - 0.7);
+        return x <= 0.45 && z <= 0.45 && eye.y() <= 0.9;
+    }
+
     private static void assertNoSky(Level level, double offset) {
         Random random = new Random(20);
-        try (Offscreen offscreen = new Offscreen(80, 80);
+        try (Offscreen offscreen = new Offscreen(64, 64);
                 Renderer renderer =
                         Renderer.load(offscreen.gl, level, TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
             for (int i = 0; i < VIEWS; i++) {
@@ -59,6 +66,9 @@ class ClosedRoomGlTest {
                         offset + 8.6 * (random.nextDouble() - 0.5),
                         0.2 + 2.7 * random.nextDouble(),
                         -offset + 6.4 * (random.nextDouble() - 0.5));
+                if (isInCrate(eye, offset)) {
+                    continue;
+                }
                 Vec3 target = new Vec3(
                         eye.x() + random.nextGaussian(),
                         eye.y() + random.nextGaussian(),

@@ -16,6 +16,7 @@ import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.light.FaceFragment;
+import nephele.engine.scene.light.FaceFragment.Cover;
 import nephele.engine.scene.light.FaceFragments;
 import nephele.engine.scene.light.LightMapLayout;
 
@@ -71,7 +72,8 @@ final class SolidMesher {
         for (int brush = 0; brush < brushes.size(); brush++) {
             for (int face = 0; face < brushes.get(brush).faces().size(); face++) {
                 for (FaceFragment part : parts(brush, face)) {
-                    corners += part.isCovered() ? 0 : part.corners().size();
+                    corners +=
+                            part.cover() == Cover.TOUCHING ? 0 : part.corners().size();
                 }
             }
         }
@@ -111,7 +113,7 @@ final class SolidMesher {
         List<FaceFragment> parts = parts(brush, faceIndex);
         for (int part = 0; part < parts.size(); part++) {
             // Nobody sees it, but where its edge is a wall's seam too its dark pixels would win at equal depth.
-            if (parts.get(part).isCovered()) {
+            if (parts.get(part).cover() == Cover.TOUCHING) {
                 continue;
             }
             int first = vertexCount;

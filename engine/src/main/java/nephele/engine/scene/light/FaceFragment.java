@@ -7,25 +7,38 @@ import nephele.engine.math.Vec3;
 /**
  * A convex part of a face, over which the sky visibility is continuous: no other solid stands on it.
  *
- * @param isCovered lies under another solid, where nobody sees it; it is not drawn
+ * @param cover what hides it
  * @param outline counter-clockwise from outside
  * @param corners the outline with every neighbouring fragment's corner on its edges; when
  *     there are such, the centroid follows as the last entry
  * @param triangles indices into {@code corners}
  */
-public record FaceFragment(boolean isCovered, List<Vec3> outline, List<Vec3> corners, int[] triangles) {
-    /** A face that is not cut. */
-    public static FaceFragment whole(List<Vec3> polygon) {
-        return new FaceFragment(false, polygon, polygon, fan(polygon.size()));
+public record FaceFragment(Cover cover, List<Vec3> outline, List<Vec3> corners, int[] triangles) {
+    /** Whether another solid hides a part of a face. */
+    public enum Cover {
+        NONE,
+        /** A face of the other solid lies on it, edge by edge: nobody ever sees it, and it is not drawn. */
+        TOUCHING,
+        /** It is inside the other solid; drawn, because its border runs across the other's faces and would crack. */
+        INSIDE
     }
 
-    static FaceFragment of(boolean isCovered, List<Vec3> outline, List<Vec3> outlineWithNeighbours) {
+    public boolean isCovered() {
+        return cover != Cover.NONE;
+    }
+
+    /** A face that is not cut. */
+    public static FaceFragment whole(List<Vec3> polygon) {
+        return new FaceFragment(Cover.NONE, polygon, polygon, fan(polygon.size()));
+    }
+
+    static FaceFragment of(Cover cover, List<Vec3> outline, List<Vec3> outlineWithNeighbours) {
         if (outline.size() == outlineWithNeighbours.size()) {
-            return new FaceFragment(isCovered, outline, outline, fan(outline.size()));
+            return new FaceFragment(cover, outline, outline, fan(outline.size()));
         }
         List<Vec3> corners = new ArrayList<>(outlineWithNeighbours);
         corners.add(FacePolygon.centroid(outline));
-        return new FaceFragment(isCovered, outline, List.copyOf(corners), wheel(outlineWithNeighbours.size()));
+        return new FaceFragment(cover, outline, List.copyOf(corners), wheel(outlineWithNeighbours.size()));
     }
 
     private static int[] fan(int corners) {

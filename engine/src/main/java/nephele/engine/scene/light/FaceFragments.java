@@ -10,6 +10,7 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
+import nephele.engine.scene.light.FaceFragment.Cover;
 
 /**
  * Cuts faces along the footprints of the solids that stand on them. A wall on a floor separates the floor's light map
@@ -22,7 +23,11 @@ public final class FaceFragments {
     /** Smaller cuts are not worth a fragment. */
     private static final double MIN_AREA_SQUARE_METRES = 1e-6;
 
-    private record Piece(boolean isCovered, List<Vec3> outline) {}
+    private record Piece(Cover cover, List<Vec3> outline) {
+        boolean isCovered() {
+            return cover != Cover.NONE;
+        }
+    }
 
     private final List<Brush> brushes;
     private final SpatialIndex index;
@@ -40,7 +45,7 @@ public final class FaceFragments {
 
     /** As {@link #of}, but every face stays whole: only its neighbours' corners are put on its edges. */
     public static List<List<List<FaceFragment>>> uncut(List<Brush> brushes) {
-        return new FaceFragments(brushes).fragments((face, near) -> List.of(new Piece(false, face.polygon())));
+        return new FaceFragments(brushes).fragments((face, near) -> List.of(new Piece(Cover.NONE, face.polygon())));
     }
 
     private List<List<List<FaceFragment>>> fragments(
@@ -78,13 +83,12 @@ public final class FaceFragments {
     private List<Piece> welded(List<Piece> parts) {
         return parts.stream()
                 .map(part -> new Piece(
-                        part.isCovered(),
-                        part.outline().stream().map(weld::welded).toList()))
+                        part.cover(), part.outline().stream().map(weld::welded).toList()))
                 .toList();
     }
 
     private static List<Piece> cut(ConvexPolyhedron.Face face, List<Brush> near) {
-        List<Piece> pieces = List.of(new Piece(false, face.polygon()));
+        List<Piece> pieces = List.of(new Piece(Cover.NONE, face.polygon()));
         for (Brush other : near) {
             List<Plane> footprint = footprint(face.plane(), other);
             List<Piece> next = new ArrayList<>();
@@ -92,12 +96,20 @@ public final class FaceFragments {
                 if (piece.isCovered() || !covers(footprint, piece.outline())) {
                     next.add(piece);
                 } else {
-                    subtract(piece, footprint, next);
+                    subtract(piece, coverBy(face.plane(), other), footprint, next);
                 }
             }
             pieces = next;
         }
         return pieces;
+    }
+
+    private static Cover coverBy(Plane face, Brush other) {
+        boolean touches = other.shape().faces().stream()
+                .map(ConvexPolyhedron.Face::plane)
+                .anyMatch(p -> Math.abs(p.distance() + face.distance()) <= 2 * CornerWeld.WELD_METRES
+                        && p.nx() * face.nx() + p.ny() * face.ny() + p.nz() * face.nz() < -1 + 1e-12);
+        return touches ? Cover.TOUCHING : Cover.INSIDE;
     }
 
     /** The other solid's planes, moved so that they cut the face where the solid is just above it. */
@@ -122,16 +134,16 @@ public final class FaceFragments {
         return FacePolygon.area(rest) > MIN_AREA_SQUARE_METRES;
     }
 
-    private static void subtract(Piece piece, List<Plane> footprint, List<Piece> out) {
+    private static void subtract(Piece piece, Cover cover, List<Plane> footprint, List<Piece> out) {
         List<Vec3> rest = piece.outline();
         for (Plane plane : footprint) {
             List<Vec3> outside = FacePolygon.before(rest, plane);
             if (FacePolygon.area(outside) > MIN_AREA_SQUARE_METRES) {
-                out.add(new Piece(false, outside));
+                out.add(new Piece(Cover.NONE, outside));
                 rest = FacePolygon.behind(rest, plane);
             }
         }
-        out.add(new Piece(true, rest));
+        out.add(new Piece(cover, rest));
     }
 
     /** Gives every fragment the corners that its neighbours, on any face, have on its edges: bit by bit the same. */
@@ -149,7 +161,7 @@ public final class FaceFragments {
         for (int face = 0; face < faces.size(); face++) {
             List<Vec3> onPlane = onPlane(faces.get(face).plane(), corners);
             byFace.add(pieces.get(brush).get(face).stream()
-                    .map(p -> FaceFragment.of(p.isCovered(), p.outline(), withNeighbours(p.outline(), onPlane)))
+                    .map(p -> FaceFragment.of(p.cover(), p.outline(), withNeighbours(p.outline(), onPlane)))
                     .toList());
         }
         return byFace;
