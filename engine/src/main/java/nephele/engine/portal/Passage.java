@@ -1,0 +1,75 @@
+package nephele.engine.portal;
+
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import org.joml.Matrix3d;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/**
+ * The rigid map from the space before one portal to the space before its partner: a turn about the entry's centre by
+ * half a revolution around its up, carried to the exit's frame. It keeps lengths, angles and handedness. Points are
+ * mapped relative to the centres, so that a portal far from the origin costs no precision.
+ */
+public final class Passage {
+    private final Vec3 entry;
+    private final Vec3 exit;
+    private final Matrix3d rotation;
+
+    private Passage(Vec3 entry, Vec3 exit, Matrix3d rotation) {
+        this.entry = entry;
+        this.exit = exit;
+        this.rotation = rotation;
+    }
+
+    public static Passage between(Portal entry, Portal exit) {
+        Basis a = entry.frame();
+        Basis b = exit.frame();
+        Matrix3d toWorld = columns(opposite(b.right()), b.up(), opposite(b.back()));
+        return new Passage(
+                entry.centre(),
+                exit.centre(),
+                toWorld.mul(columns(a.right(), a.up(), a.back()).transpose()));
+    }
+
+    private static Matrix3d columns(Vec3 x, Vec3 y, Vec3 z) {
+        return new Matrix3d(x.toVector(), y.toVector(), z.toVector());
+    }
+
+    private static Vec3 opposite(Vec3 v) {
+        return new Vec3(-v.x(), -v.y(), -v.z());
+    }
+
+    /** Moves a point from before the entry to before the exit. */
+    public Vector3d point(Vector3d p) {
+        p.sub(entry.x(), entry.y(), entry.z());
+        return rotation.transform(p).add(exit.x(), exit.y(), exit.z());
+    }
+
+    /** Turns a direction, a velocity or an angular velocity. */
+    public Vector3d direction(Vector3d v) {
+        return rotation.transform(v);
+    }
+
+    public Vec3 point(Vec3 p) {
+        Vector3d moved = point(p.toVector());
+        return new Vec3(moved.x, moved.y, moved.z);
+    }
+
+    public Vec3 direction(Vec3 v) {
+        Vector3d turned = direction(v.toVector());
+        return new Vec3(turned.x, turned.y, turned.z);
+    }
+
+    /** Turns an orientation (world from body) and makes it unit length again. */
+    public Quaterniond orientation(Quaterniond worldFromBody) {
+        return worldFromBody
+                .premul(rotation.getNormalizedRotation(new Quaterniond()))
+                .normalize();
+    }
+
+    /** World directions after the passage from those before. The caller keeps it unchanged. */
+    public Matrix3d rotation() {
+        return rotation;
+    }
+}

@@ -1,0 +1,59 @@
+package nephele.engine.portal;
+
+import nephele.engine.level.PortalSpec;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+
+/**
+ * One end: a place in the world with an opening. It looks along {@code frame.back()}, away from its wall; x and y of the
+ * {@link Aperture} are {@code frame.right()} and {@code frame.up()}.
+ *
+ * @param id as in the level, or the colour of the shot
+ */
+public record Portal(String id, Vec3 centre, Basis frame, Aperture aperture) {
+    /** @param spec as the level rules allow it: the normal is not zero, up not along it */
+    public static Portal of(PortalSpec spec) {
+        Basis frame = facing(spec.normal(), spec.up());
+        return new Portal(
+                spec.id(), spec.centre(), frame, Aperture.of(spec.shape(), spec.widthMetres(), spec.heightMetres()));
+    }
+
+    /** The frame that looks along {@code normal}, with its up as near to {@code up} as can be. */
+    public static Basis facing(Vec3 normal, Vec3 up) {
+        Vec3 behind = new Vec3(-normal.x(), -normal.y(), -normal.z());
+        return Basis.lookAt(Vec3.ZERO, behind, up, Basis.WORLD);
+    }
+
+    public Vec3 normal() {
+        return frame.back();
+    }
+
+    /** Metres in front of the portal's plane, negative behind it. */
+    public double inFront(double x, double y, double z) {
+        return along(frame.back(), x, y, z);
+    }
+
+    /** The point's place to the right of the centre. */
+    public double across(double x, double y, double z) {
+        return along(frame.right(), x, y, z);
+    }
+
+    /** The point's place above the centre, along the portal's own up. */
+    public double upward(double x, double y, double z) {
+        return along(frame.up(), x, y, z);
+    }
+
+    private double along(Vec3 axis, double x, double y, double z) {
+        return axis.x() * (x - centre.x()) + axis.y() * (y - centre.y()) + axis.z() * (z - centre.z());
+    }
+
+    /** From the portal's frame to the world. */
+    public Vec3 world(double across, double upward, double inFront) {
+        Vector3d p = centre.toVector()
+                .fma(across, frame.right().toVector())
+                .fma(upward, frame.up().toVector())
+                .fma(inFront, frame.back().toVector());
+        return new Vec3(p.x, p.y, p.z);
+    }
+}

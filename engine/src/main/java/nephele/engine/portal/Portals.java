@@ -1,0 +1,65 @@
+package nephele.engine.portal;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.PortalSpec;
+
+/**
+ * The portals that exist at a time, and which leads where. A value: whoever shoots makes another. Portals are named by
+ * their index here; one without a partner is closed.
+ */
+public final class Portals {
+    public static final Portals NONE = new Portals(List.of(), List.of());
+    /** The partner of a portal that leads nowhere. */
+    public static final int CLOSED = -1;
+
+    private final List<Portal> portals;
+    private final List<Integer> partners;
+    private final Passage[] passages;
+
+    /** @param partners for each portal the index of its partner, or {@link #CLOSED} */
+    public Portals(List<Portal> portals, List<Integer> partners) {
+        this.portals = List.copyOf(portals);
+        this.partners = List.copyOf(partners);
+        passages = new Passage[portals.size()];
+        for (int i = 0; i < passages.length; i++) {
+            int partner = partners.get(i);
+            passages[i] = partner == CLOSED ? null : Passage.between(portals.get(i), portals.get(partner));
+        }
+    }
+
+    /** Those that a level starts with, in its order. */
+    public static Portals of(Level level) {
+        List<String> ids = level.portals().stream().map(PortalSpec::id).toList();
+        List<Portal> portals = new ArrayList<>();
+        List<Integer> partners = new ArrayList<>();
+        for (PortalSpec spec : level.portals()) {
+            portals.add(Portal.of(spec));
+            partners.add(ids.indexOf(spec.linkedTo()));
+        }
+        return new Portals(portals, partners);
+    }
+
+    public int size() {
+        return portals.size();
+    }
+
+    public Portal portal(int index) {
+        return portals.get(index);
+    }
+
+    /** Where a portal leads, or {@link #CLOSED}. */
+    public int partner(int index) {
+        return partners.get(index);
+    }
+
+    public boolean isOpen(int index) {
+        return passages[index] != null;
+    }
+
+    /** From before an open portal to before its partner. */
+    public Passage passage(int index) {
+        return passages[index];
+    }
+}
