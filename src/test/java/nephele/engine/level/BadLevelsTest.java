@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Every kind of bad input ends within a second of CPU and 256 MiB in a line that names file and JSON path. */
+/** Every kind of bad input ends, within 256 MiB, in a line that names file and JSON path. */
 class BadLevelsTest {
     @TempDir
     static Path folder;

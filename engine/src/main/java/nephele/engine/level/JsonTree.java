@@ -22,7 +22,7 @@ final class JsonTree {
     static final int MAX_FILE_BYTES = 16 << 20;
 
     private static final int MAX_DEPTH = 32;
-    private static final int MAX_VALUES = 2_000_000;
+    private static final int MAX_VALUES = 1_000_000;
     private static final int MAX_SHARED_NAMES = 1_000;
 
     private final JsonReader reader;
