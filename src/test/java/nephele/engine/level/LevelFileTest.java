@@ -146,7 +146,8 @@ class LevelFileTest {
                 OLD.lights(),
                 OLD.portals(),
                 OLD.models(),
-                OLD.bodies());
+                OLD.bodies(),
+                null);
         assertThrows(LevelFormatException.class, () -> LevelFile.save(file, broken));
         assertArrayEquals(before, Files.readAllBytes(file));
     }

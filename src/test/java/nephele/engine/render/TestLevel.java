@@ -111,7 +111,8 @@ final class TestLevel {
                 List.copyOf(lights),
                 List.of(),
                 List.of(),
-                List.of());
+                List.of(),
+                null);
     }
 
     static Vec3 grey(double value) {

@@ -72,7 +72,8 @@ final class BenchLevels {
                 List.of(),
                 List.of(),
                 List.of(),
-                List.of());
+                List.of(),
+                null);
     }
 
     private static List<Solid> grid(int count) {
@@ -104,7 +105,8 @@ final class BenchLevels {
                 List.of(),
                 List.of(),
                 List.of(),
-                List.of());
+                List.of(),
+                null);
     }
 
     private interface Track {

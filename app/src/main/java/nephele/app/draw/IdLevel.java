@@ -40,7 +40,8 @@ public final class IdLevel {
                 List.of(),
                 level.portals(),
                 level.models(),
-                level.bodies());
+                level.bodies(),
+                level.portalGun());
     }
 
     /** The 8-bit colour of the solid with this index, 0xRRGGBB; black is nothing. */

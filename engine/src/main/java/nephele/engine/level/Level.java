@@ -4,7 +4,7 @@ import java.util.List;
 
 /**
  * A level as its author wrote it, version 1. Every section is optional in the file: an absent list is empty here, an
- * absent environment the empty one, an absent player {@code null}. Nothing in here is derived.
+ * absent environment the empty one, an absent player or portal gun {@code null}. Nothing in here is derived.
  */
 public record Level(
         @Written(absent = "\"\"") String name,
@@ -17,4 +17,5 @@ public record Level(
         @Written(most = 1000) List<Light> lights,
         @Written(most = 1000) List<PortalSpec> portals,
         @Written List<ModelPlacement> models,
-        @Written List<Body> bodies) {}
+        @Written List<Body> bodies,
+        @Written PortalGun portalGun) {}

@@ -6,11 +6,25 @@ package nephele.engine.sim;
  * @param tick how many ticks have passed since the start
  * @param random the state of the one generator
  * @param faults how often a tick was undone because it gave numbers that are not finite
+ * @param around what else can change: portals, what is held
  */
-public record SimState(long tick, long random, int faults, PlayerState player) {
+public record SimState(long tick, long random, int faults, PlayerState player, Changeable around) {
+    /** In a level where nothing changes but the player. */
+    public SimState(long tick, long random, int faults, PlayerState player) {
+        this(tick, random, faults, player, Changeable.NOTHING);
+    }
+
+    public SimState withPlayer(PlayerState changed) {
+        return new SimState(tick, random, faults, changed, around);
+    }
+
+    public SimState with(Changeable changed) {
+        return new SimState(tick, random, faults, player, changed);
+    }
+
     /** 64 bits over every bit of the state, equal on every machine. */
     public long hash() {
         long hash = StateHash.join(StateHash.join(0, tick), random);
-        return player.hash(StateHash.join(hash, faults));
+        return around.hash(player.hash(StateHash.join(hash, faults)));
     }
 }

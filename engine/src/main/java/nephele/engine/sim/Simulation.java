@@ -13,28 +13,36 @@ public final class Simulation {
     /** A player this far below everything solid begins again. */
     private static final double FALL_METRES = 50;
 
-    private static final PlayerStart ORIGIN = new PlayerStart(Vec3.ZERO, 0, 0);
-
     private final SimSettings settings;
-    private final PlayerState start;
+    private final SimState start;
     private final PlayerStep playerStep;
     private final double lowest;
     private final FaultLog faults;
 
     public Simulation(Level level, SimSettings settings) {
-        this(CollisionWorld.of(level), level.player(), settings, FaultLog.SILENT);
+        this(SimLevel.of(level), settings, FaultLog.SILENT);
     }
 
     /** @param start where the player begins, {@code null}: at the origin */
     public Simulation(CollisionWorld world, PlayerStart start, SimSettings settings, FaultLog faults) {
-        this.settings = settings;
-        this.faults = faults;
-        this.start = startOf(start == null ? ORIGIN : start);
-        playerStep = new PlayerStep(world, 1.0 / settings.ticksPerSecond());
-        lowest = world.size() == 0 ? Double.NEGATIVE_INFINITY : world.extent().minY() - FALL_METRES;
+        this(SimLevel.of(world, start), settings, faults);
     }
 
-    private static PlayerState startOf(PlayerStart start) {
+    public Simulation(SimLevel level, SimSettings settings, FaultLog faults) {
+        this.settings = settings;
+        this.faults = faults;
+        var statics = level.statics();
+        Changeable around = level.portals().size() == 0
+                ? Changeable.NOTHING
+                : new Changeable(level.portals(), Shots.NONE, Holding.NOTHING, TickTrace.NONE);
+        start = new SimState(0, 1, 0, standing(level.start()), around);
+        playerStep = new PlayerStep(statics, 1.0 / settings.ticksPerSecond());
+        lowest = statics.size() == 0
+                ? Double.NEGATIVE_INFINITY
+                : statics.extent().minY() - FALL_METRES;
+    }
+
+    private static PlayerState standing(PlayerStart start) {
         return PlayerState.standing(start.feet(), Heading.ofDegrees(start.yawDegrees(), start.pitchDegrees()));
     }
 
@@ -44,12 +52,12 @@ public final class Simulation {
 
     /** The state at tick 0. */
     public SimState start() {
-        return new SimState(0, 1, 0, start);
+        return start;
     }
 
     /** The state at tick 0 with the player elsewhere. */
     public SimState startFrom(PlayerStart elsewhere) {
-        return new SimState(0, 1, 0, startOf(elsewhere));
+        return start.withPlayer(standing(elsewhere));
     }
 
     /** The state one tick later. A tick that would give numbers that are not finite leaves the player standing still. */
@@ -57,16 +65,17 @@ public final class Simulation {
         PlayerState after = before.player().isFinite() ? playerStep.step(before.player(), input) : null;
         if (after == null || !after.isFinite()) {
             faults.fault(before.tick(), "the player's state is not finite: " + before.player());
-            return new SimState(before.tick() + 1, before.random(), before.faults() + 1, stopped(before.player()));
+            return next(before, before.faults() + 1, stopped(before.player()));
         }
-        if (after.feet().y() < lowest) {
-            after = start;
-        }
-        return new SimState(before.tick() + 1, before.random(), before.faults(), after);
+        return next(before, before.faults(), after.feet().y() < lowest ? start.player() : after);
+    }
+
+    private static SimState next(SimState before, int faults, PlayerState player) {
+        return new SimState(before.tick() + 1, before.random(), faults, player, before.around());
     }
 
     private PlayerState stopped(PlayerState broken) {
         PlayerState still = broken.withVelocity(Vec3.ZERO);
-        return still.isFinite() ? still : start;
+        return still.isFinite() ? still : start.player();
     }
 }

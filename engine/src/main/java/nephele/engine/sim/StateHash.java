@@ -1,6 +1,7 @@
 package nephele.engine.sim;
 
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.CrossingWord;
 
 /** Joins numbers to a 64-bit hash, in order: the finaliser of SplitMix64 (Steele, Lea and Flood 2014) after each. */
 final class StateHash {
@@ -17,5 +18,13 @@ final class StateHash {
     static long join(long hash, Vec3 v) {
         long x = join(hash, Double.doubleToLongBits(v.x()));
         return join(join(x, Double.doubleToLongBits(v.y())), Double.doubleToLongBits(v.z()));
+    }
+
+    static long join(long hash, CrossingWord word) {
+        long joined = join(hash, word.length());
+        for (int i = 0; i < word.length(); i++) {
+            joined = join(joined, word.entry(i));
+        }
+        return joined;
     }
 }

@@ -1,0 +1,20 @@
+package nephele.engine.sim;
+
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+
+/** Portals as part of a state's hash: places, frames and links. Apertures are the level's and never change. */
+final class PortalHash {
+    private PortalHash() {}
+
+    static long join(long seed, Portals portals) {
+        long hash = StateHash.join(seed, portals.size());
+        for (int i = 0; i < portals.size(); i++) {
+            Portal portal = portals.portal(i);
+            hash = StateHash.join(StateHash.join(hash, portals.partner(i)), portal.centre());
+            hash = StateHash.join(hash, portal.frame().up());
+            hash = StateHash.join(hash, portal.frame().back());
+        }
+        return hash;
+    }
+}

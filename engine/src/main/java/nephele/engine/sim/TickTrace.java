@@ -1,0 +1,30 @@
+package nephele.engine.sim;
+
+import java.util.List;
+import nephele.engine.portal.CrossingWord;
+
+/**
+ * What a tick leaves for the next one and for the picture between the two.
+ *
+ * @param pressed the bits of the hands' actions that were held: they act when they are pressed anew
+ * @param playerCrossed the portals that the player has gone through in this tick
+ * @param events what a player is told of
+ */
+public record TickTrace(int pressed, CrossingWord playerCrossed, List<TickEvent> events) {
+    public static final TickTrace NONE = new TickTrace(0, CrossingWord.EMPTY, List.of());
+
+    public TickTrace {
+        events = List.copyOf(events);
+    }
+
+    long hash(long seed) {
+        if (pressed == 0 && playerCrossed.length() == 0 && events.isEmpty()) {
+            return seed;
+        }
+        long hash = StateHash.join(StateHash.join(seed, pressed), playerCrossed);
+        for (TickEvent event : events) {
+            hash = event.hash(hash);
+        }
+        return hash;
+    }
+}
