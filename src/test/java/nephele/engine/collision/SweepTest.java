@@ -21,10 +21,11 @@ class SweepTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.001, 1, 10, 100, 1000, 10_000, 1e6, 1e9})
     void aThinWallStopsAnySpeed(double metres) {
-        Sweep sweep = new Sweep(Solids.world(Solids.box(0.01, 10, 10)));
+        CollisionWorld world = Solids.world(Solids.box(0.01, 10, 10));
+        Sweep sweep = new Sweep();
         Vector3d from = new Vector3d(-0.3055, 0, 0);
         Vector3d way = new Vector3d(metres, metres / 3, metres / 7);
-        boolean hit = sweep.cast(PLAYER, from, way);
+        boolean hit = sweep.cast(world, PLAYER, from, way);
         assertEquals(metres > 0.002 || metres == 0.001, hit || metres == 0.001);
         double x = from.x + way.x * sweep.fraction();
         assertTrue(x <= -0.305 - SKIN + 2e-8 || from.x > -0.305 - SKIN, "reached " + x);
@@ -32,39 +33,42 @@ class SweepTest {
 
     @Test
     void distancesAreThoseOfSchoolGeometry() {
-        Sweep sweep = new Sweep(Solids.world(Solids.box(2, 2, 2)));
-        assertTrue(sweep.cast(RoundedHull.sphere(0.5), new Vector3d(5, 0.3, 0), new Vector3d(-10, 0, 0)));
+        CollisionWorld world = Solids.world(Solids.box(2, 2, 2));
+        Sweep sweep = new Sweep();
+        assertTrue(sweep.cast(world, RoundedHull.sphere(0.5), new Vector3d(5, 0.3, 0), new Vector3d(-10, 0, 0)));
         assertEquals((5 - 1.5 - SKIN) / 10, sweep.fraction(), 1e-8);
-        assertTrue(sweep.cast(RoundedHull.sphere(0.5), new Vector3d(5, 1.4, 0), new Vector3d(-10, 0, 0)));
+        assertTrue(sweep.cast(world, RoundedHull.sphere(0.5), new Vector3d(5, 1.4, 0), new Vector3d(-10, 0, 0)));
         double reach = 0.5 + SKIN;
         assertEquals((5 - 1 - Math.sqrt(reach * reach - 0.16)) / 10, sweep.fraction(), 1e-8, "an edge");
         assertEquals(0.4 / reach, sweep.normal().y(), 1e-6);
         assertEquals(1, sweep.upmostNormal().y(), 0);
-        assertTrue(sweep.cast(RoundedHull.sphere(0.5), new Vector3d(5, 1.2, 1.2), new Vector3d(-10, 0, 0)));
+        assertTrue(sweep.cast(world, RoundedHull.sphere(0.5), new Vector3d(5, 1.2, 1.2), new Vector3d(-10, 0, 0)));
         assertEquals((5 - 1 - Math.sqrt(reach * reach - 0.08)) / 10, sweep.fraction(), 1e-8, "a corner");
         assertEquals(0, sweep.point().distance(1, 1, 1), 1e-9);
     }
 
     @Test
     void whatIsTouchedStopsOnlyWhoComesNearer() {
-        Sweep sweep = new Sweep(Solids.world(Solids.box(10, 2, 10)));
+        CollisionWorld world = Solids.world(Solids.box(10, 2, 10));
+        Sweep sweep = new Sweep();
         Vector3d resting = new Vector3d(0, 1 + 0.9 + SKIN, 0);
-        assertFalse(sweep.cast(PLAYER, resting, new Vector3d(1000, 0, 0)));
-        assertFalse(sweep.cast(PLAYER, resting, new Vector3d(0, 1, 0)));
-        assertTrue(sweep.cast(PLAYER, resting, new Vector3d(1, -1e-3, 0)));
+        assertFalse(sweep.cast(world, PLAYER, resting, new Vector3d(1000, 0, 0)));
+        assertFalse(sweep.cast(world, PLAYER, resting, new Vector3d(0, 1, 0)));
+        assertTrue(sweep.cast(world, PLAYER, resting, new Vector3d(1, -1e-3, 0)));
         assertEquals(0, sweep.fraction(), 1e-4);
         Vector3d sunk = new Vector3d(0, 1.2, 0);
-        assertFalse(sweep.cast(PLAYER, sunk, new Vector3d(0, 1, 0)), "a way out is free");
-        assertTrue(sweep.cast(PLAYER, sunk, new Vector3d(0, -1, 0)));
+        assertFalse(sweep.cast(world, PLAYER, sunk, new Vector3d(0, 1, 0)), "a way out is free");
+        assertTrue(sweep.cast(world, PLAYER, sunk, new Vector3d(0, -1, 0)));
         assertEquals(0, sweep.fraction());
     }
 
     @Test
     void noWayIsNoHit() {
-        Sweep sweep = new Sweep(Solids.world(Solids.box(1, 1, 1)));
-        assertFalse(sweep.cast(PLAYER, new Vector3d(), new Vector3d()));
-        assertFalse(sweep.cast(PLAYER, new Vector3d(9, 0, 0), new Vector3d(Double.NaN, 0, 0)));
-        assertFalse(new Sweep(Solids.world()).cast(PLAYER, new Vector3d(), new Vector3d(1, 0, 0)));
+        CollisionWorld world = Solids.world(Solids.box(1, 1, 1));
+        Sweep sweep = new Sweep();
+        assertFalse(sweep.cast(world, PLAYER, new Vector3d(), new Vector3d()));
+        assertFalse(sweep.cast(world, PLAYER, new Vector3d(9, 0, 0), new Vector3d(Double.NaN, 0, 0)));
+        assertFalse(new Sweep().cast(Solids.world(), PLAYER, new Vector3d(), new Vector3d(1, 0, 0)));
     }
 
     /** C.2 row 28: capsules of any tilt against needles, plates, boxes and tilted solids equal bisection. */
@@ -77,8 +81,9 @@ class SweepTest {
             Vector3d half = random.nextBoolean() ? new Vector3d(0, 0.6, 0) : Solids.point(random, 1);
             Vector3d from = Solids.direction(random).mul(6 + 3 * random.nextDouble());
             Vector3d way = Solids.point(random, 2).sub(from).mul(1 + random.nextDouble());
-            Sweep sweep = new Sweep(Solids.world(solid));
-            boolean hit = sweep.cast(RoundedHull.capsule(new Vec3(half.x, half.y, half.z), 0.3), from, way);
+            CollisionWorld world = Solids.world(solid);
+            Sweep sweep = new Sweep();
+            boolean hit = sweep.cast(world, RoundedHull.capsule(new Vec3(half.x, half.y, half.z), 0.3), from, way);
             hits += hit ? 1 : 0;
             double expected = BruteForce.fraction(half, from, way, 0.3 + SKIN, solid);
             double allowed = isGrazing(sweep, way) ? 1e-3 : 1e-6;
@@ -100,9 +105,11 @@ class SweepTest {
             ConvexPolyhedron b = Solids.any(random);
             Vector3d from = Solids.direction(random).mul(8);
             Vector3d way = new Vector3d(from).mul(-2);
-            Sweep one = new Sweep(Solids.world(a, b));
-            Sweep other = new Sweep(Solids.world(b, a));
-            assertEquals(one.cast(PLAYER, from, way), other.cast(PLAYER, from, way));
+            CollisionWorld ab = Solids.world(a, b);
+            Sweep one = new Sweep();
+            CollisionWorld ba = Solids.world(b, a);
+            Sweep other = new Sweep();
+            assertEquals(one.cast(ab, PLAYER, from, way), other.cast(ba, PLAYER, from, way));
             assertEquals(one.fraction(), other.fraction(), 1e-9);
         }
     }

@@ -109,14 +109,13 @@ public final class ClosedRoomProof implements Proof {
         private final long roomNumber;
         private final ClosedRoom room;
         private final Simulation simulation;
-        private final Recovery recovery;
+        private final Recovery recovery = new Recovery();
         private final Vector3d place = new Vector3d();
 
         Tester(long roomNumber) {
             this.roomNumber = roomNumber;
             room = ClosedRoom.of(new SplittableRandom(roomNumber));
             simulation = new Simulation(room.world(), FAR_AWAY, SimSettings.DEFAULT, FaultLog.SILENT);
-            recovery = new Recovery(room.world());
         }
 
         void test(long unit, Findings findings) {
@@ -153,7 +152,7 @@ public final class ClosedRoomProof implements Proof {
         private boolean isFree(PlayerState player) {
             Vec3 feet = player.feet();
             place.set(feet.x(), feet.y() + Stance.STANDING.centreAboveFeet(), feet.z());
-            return room.clearance(player) > 0 && recovery.isFree(Stance.STANDING.shape(), place);
+            return room.clearance(player) > 0 && recovery.isFree(room.world(), Stance.STANDING.shape(), place);
         }
 
         /** Any direction, along an axis now and then; from 0.1 m/s to 10 000 m/s, the latter often. */

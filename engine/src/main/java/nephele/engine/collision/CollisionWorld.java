@@ -5,18 +5,35 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemList;
+import nephele.engine.math.ItemRayTest;
+import nephele.engine.math.ItemVisitor;
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayHit;
 import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
-/** Everything solid that never moves. A level without solids gives an empty world. */
+/**
+ * Everything solid that never moves. A level without solids gives an empty world. One world may stand for another with
+ * a few solids replaced; it shares the rest, and a solid keeps its index.
+ */
 public final class CollisionWorld {
     private final List<Collider> colliders;
     private final SpatialIndex index;
+    /** What this one shares; {@code null} for a world of its own. */
+    private final CollisionWorld base;
+    /** One bit for each solid of the base that is not here. */
+    private final long[] absent;
 
     public CollisionWorld(List<Collider> colliders) {
-        this.colliders = List.copyOf(colliders);
-        index = SpatialIndex.of(colliders.stream().map(Collider::bounds).toList());
+        this(colliders, null, new long[0]);
+    }
+
+    private CollisionWorld(List<Collider> own, CollisionWorld base, long[] absent) {
+        colliders = List.copyOf(own);
+        index = SpatialIndex.of(own.stream().map(Collider::bounds).toList());
+        this.base = base;
+        this.absent = absent;
     }
 
     /** @throws IllegalArgumentException when a solid encloses no volume; the level rules say so first */
@@ -27,21 +44,72 @@ public final class CollisionWorld {
                 .toList());
     }
 
+    /**
+     * This world with some of its solids replaced; takes no longer than the replacement is large.
+     *
+     * @param without indices in this world, which must be one of its own
+     * @param added get the indices from {@link #size} on
+     */
+    CollisionWorld replacing(ItemList without, List<Collider> added) {
+        long[] bits = new long[(size() + 63) / 64];
+        for (int i = 0; i < without.size(); i++) {
+            bits[without.get(i) >> 6] |= 1L << without.get(i);
+        }
+        return new CollisionWorld(added, this, bits);
+    }
+
+    /** One more than the greatest index. */
     public int size() {
-        return colliders.size();
+        return shared() + colliders.size();
     }
 
-    public Collider collider(int index) {
-        return colliders.get(index);
+    private int shared() {
+        return base == null ? 0 : base.size();
     }
 
-    /** Around everything; empty for an empty world. */
+    /** A solid by its index; one that was replaced is still told. */
+    public Collider collider(int item) {
+        return item < shared() ? base.collider(item) : colliders.get(item - shared());
+    }
+
+    /** Around everything, replaced solids too; empty for an empty world. */
     public Aabb extent() {
-        return index.bounds();
+        return base == null ? index.bounds() : base.extent().union(index.bounds());
     }
 
-    SpatialIndex index() {
-        return index;
+    private boolean isAbsent(int item) {
+        return (absent[item >> 6] & 1L << item) != 0;
+    }
+
+    /** The nearest hit by the caller's own test. */
+    boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
+        if (base == null) {
+            return index.nearest(ray, limit, test, hit);
+        }
+        RayHit own = new RayHit();
+        int offset = shared();
+        index.nearest(ray, limit, (r, item, most) -> test.hit(r, item + offset, most), own);
+        base.index.nearest(
+                ray,
+                limit,
+                (r, item, most) -> isAbsent(item) ? Double.POSITIVE_INFINITY : test.hit(r, item, most),
+                hit);
+        if (own.item() >= 0) {
+            hit.offer(own.item() + offset, own.distance());
+        }
+        return hit.item() >= 0;
+    }
+
+    /** Fills {@code found} with the solids whose boxes overlap or touch {@code box}, in ascending order. */
+    public void overlapping(Aabb box, ItemList found) {
+        found.clear();
+        if (base == null) {
+            index.overlapping(box, found);
+        } else {
+            base.index.overlapping(box, present(found));
+            index.overlapping(box, own(found));
+        }
+        found.sort();
     }
 
     /**
@@ -58,7 +126,26 @@ public final class CollisionWorld {
                 from.x() + shape.greatest(0) + margin,
                 from.y() + shape.greatest(1) + margin,
                 from.z() + shape.greatest(2) + margin);
-        index.swept(box, new Vec3(way.x(), way.y(), way.z()), found);
+        Vec3 motion = new Vec3(way.x(), way.y(), way.z());
+        if (base == null) {
+            index.swept(box, motion, found);
+        } else {
+            base.index.swept(box, motion, present(found));
+            index.swept(box, motion, own(found));
+        }
         found.sort();
+    }
+
+    private ItemVisitor present(ItemList found) {
+        return item -> {
+            if (!isAbsent(item)) {
+                found.item(item);
+            }
+        };
+    }
+
+    private ItemVisitor own(ItemList found) {
+        int offset = shared();
+        return item -> found.item(item + offset);
     }
 }

@@ -12,28 +12,25 @@ public final class RayCast {
     /** A ray that starts this far behind a face, and goes in, started on it. */
     private static final double ON_SURFACE_METRES = 1e-9;
 
-    private final CollisionWorld world;
+    private CollisionWorld world;
     private final RayHit hit = new RayHit();
     private int entered;
     private double entry;
-
-    public RayCast(CollisionWorld world) {
-        this.world = world;
-    }
 
     /** The ray parameter of the hit: metres for a direction of unit length. */
     public double distance() {
         return hit.distance();
     }
 
-    /** Index in the world of what was hit, −1 for nothing. */
+    /** Index in the world that was asked of what was hit, −1 for nothing. */
     public int collider() {
         return hit.item();
     }
 
     /** True when something is hit up to the ray parameter {@code limit}. */
-    public boolean cast(Ray ray, double limit) {
-        return world.index().nearest(ray, limit, (r, item, most) -> entry(r, world.collider(item)), hit);
+    public boolean cast(CollisionWorld in, Ray ray, double limit) {
+        world = in;
+        return in.nearest(ray, limit, (r, item, most) -> entry(r, in.collider(item)), hit);
     }
 
     /** Which of {@code shape().faces()} of the solid that was hit the ray entered. */

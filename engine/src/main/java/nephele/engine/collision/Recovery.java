@@ -11,7 +11,7 @@ import org.joml.Vector3dc;
 public final class Recovery {
     private static final int MAX_PUSHES = 12;
 
-    private final CollisionWorld world;
+    private CollisionWorld world;
     private final Separation separation = new Separation();
     private final ItemList near = new ItemList();
     private final ItemList overlapped = new ItemList();
@@ -19,12 +19,9 @@ public final class Recovery {
     private final Vector3d push = new Vector3d();
     private final Vector3d still = new Vector3d();
 
-    public Recovery(CollisionWorld world) {
-        this.world = world;
-    }
-
     /** True when the shape reaches into no solid; touching is free. */
-    public boolean isFree(RoundedHull shape, Vector3dc at) {
+    public boolean isFree(CollisionWorld in, RoundedHull shape, Vector3dc at) {
+        world = in;
         return deepest(shape, at) >= 0;
     }
 
@@ -34,9 +31,9 @@ public final class Recovery {
      * @param out receives it; zero when the shape is free already
      * @return false when no free place was found: {@code out} is then the best push
      */
-    public boolean find(RoundedHull shape, Vector3dc at, Vector3d out) {
+    public boolean find(CollisionWorld in, RoundedHull shape, Vector3dc at, Vector3d out) {
         out.zero();
-        if (isFree(shape, at)) {
+        if (isFree(in, shape, at)) {
             return true;
         }
         listOverlapped(shape, at);

@@ -23,7 +23,7 @@ public final class Sweep {
 
     private static final double SAME_POINT_METRES = 1e-6;
 
-    private final CollisionWorld world;
+    private CollisionWorld world;
     private final Separation separation = new Separation();
     private final ItemList near = new ItemList();
     private final Vector3d normal = new Vector3d();
@@ -31,10 +31,6 @@ public final class Sweep {
     private final Vector3d upmostNormal = new Vector3d();
     private double fraction;
     private int collider;
-
-    public Sweep(CollisionWorld world) {
-        this.world = world;
-    }
 
     /** How much of the displacement is free, 0 to 1. */
     public double fraction() {
@@ -51,7 +47,7 @@ public final class Sweep {
         return point;
     }
 
-    /** Index of the solid that was hit in the world, −1 for none. */
+    /** Index of the solid that was hit in the world that was asked, −1 for none. */
     public int collider() {
         return collider;
     }
@@ -62,7 +58,8 @@ public final class Sweep {
     }
 
     /** True when something stands in the way. Solids that the shape leaves or slides along do not. */
-    public boolean cast(RoundedHull shape, Vector3dc from, Vector3dc displacement) {
+    public boolean cast(CollisionWorld in, RoundedHull shape, Vector3dc from, Vector3dc displacement) {
+        world = in;
         fraction = 1;
         collider = -1;
         double length = displacement.length();

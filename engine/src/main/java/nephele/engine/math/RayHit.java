@@ -12,7 +12,7 @@ public final class RayHit {
     }
 
     /** Takes the nearer hit, and of two equally near ones the lower item, whatever the order they are found in. */
-    void offer(int candidate, double candidateDistance) {
+    public void offer(int candidate, double candidateDistance) {
         boolean nearer = candidateDistance < distance;
         boolean tie = candidateDistance == distance && (item < 0 || candidate < item);
         if (nearer || tie) {

@@ -12,13 +12,15 @@ final class Mover {
     /** Closer than this counts as there: a player at rest keeps the very bits of its place. */
     private static final double AT_REST_METRES = 1e-7;
 
-    private final Sweep sweep;
+    private final Sweep sweep = new Sweep();
     private final ContactPlanes planes = new ContactPlanes();
     private final Vector3d rest = new Vector3d();
     private final Vector3d down = new Vector3d();
+    private CollisionWorld world;
 
-    Mover(CollisionWorld world) {
-        sweep = new Sweep(world);
+    /** What the following moves meet. */
+    void enter(CollisionWorld entered) {
+        world = entered;
     }
 
     Sweep lastSweep() {
@@ -35,7 +37,7 @@ final class Mover {
         planes.clear();
         rest.set(way);
         for (int i = 0; i < MAX_SLIDES && rest.lengthSquared() > 0; i++) {
-            boolean hit = sweep.cast(shape, place, rest);
+            boolean hit = sweep.cast(world, shape, place, rest);
             advance(place, rest, sweep.fraction());
             if (!hit) {
                 return;
@@ -48,7 +50,7 @@ final class Mover {
 
     /** Moves straight until something is met; true when it was. */
     boolean advanceUntilHit(RoundedHull shape, Vector3d place, Vector3dc way) {
-        boolean hit = sweep.cast(shape, place, way);
+        boolean hit = sweep.cast(world, shape, place, way);
         if (!hit || sweep.fraction() * way.length() > AT_REST_METRES) {
             advance(place, way, sweep.fraction());
         }
@@ -57,13 +59,13 @@ final class Mover {
 
     /** Whether anything stands in the way. */
     boolean isBlocked(RoundedHull shape, Vector3dc place, Vector3dc way) {
-        return sweep.cast(shape, place, way);
+        return sweep.cast(world, shape, place, way);
     }
 
     /** Lowers {@code place} onto what lies at most {@code metres} below; stays where it is when nothing does. */
     boolean lower(RoundedHull shape, Vector3d place, double metres) {
         down.set(0, -metres, 0);
-        if (!sweep.cast(shape, place, down)) {
+        if (!sweep.cast(world, shape, place, down)) {
             return false;
         }
         double way = metres * sweep.fraction();

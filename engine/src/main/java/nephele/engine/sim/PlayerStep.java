@@ -22,9 +22,9 @@ final class PlayerStep {
     private final double seconds;
     private final Damping groundDamping;
     private final Damping eyeDamping;
-    private final Mover mover;
-    private final GroundWalk walk;
-    private final Recovery recovery;
+    private final Mover mover = new Mover();
+    private final GroundWalk walk = new GroundWalk(mover);
+    private final Recovery recovery = new Recovery();
     private final Vector3d place = new Vector3d();
     private final Vector3d velocity = new Vector3d();
     private final Vector3d wish = new Vector3d();
@@ -41,9 +41,7 @@ final class PlayerStep {
         this.seconds = seconds;
         groundDamping = Damping.of(PlayerBody.GROUND_RATE_PER_SECOND, seconds);
         eyeDamping = Damping.of(PlayerBody.EYE_RATE_PER_SECOND, seconds);
-        mover = new Mover(world);
-        walk = new GroundWalk(mover);
-        recovery = new Recovery(world);
+        mover.enter(world);
     }
 
     PlayerState step(PlayerState before, PlayerInput input) {
@@ -108,7 +106,7 @@ final class PlayerStep {
 
     /** Pushes a player out of solids, a little each tick; false while it is still inside. */
     private boolean recover() {
-        recovery.find(stance.shape(), place, way);
+        recovery.find(world, stance.shape(), place, way);
         double needed = way.length();
         if (needed == 0) {
             return true;
