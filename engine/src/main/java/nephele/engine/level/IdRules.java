@@ -73,7 +73,7 @@ final class IdRules {
         }
 
         void body(String path, Body body) {
-            material(path, body instanceof Body.Box box ? box.material() : ((Body.Sphere) body).material());
+            material(path, body.material());
         }
     }
 }

@@ -18,6 +18,7 @@ public final class LevelRules {
             SkyRules.FILES,
             PortalRules.LINKS,
             ModelRules.PARENTS,
+            BodyRules.SHAPES,
             PlayerRules.FREE,
             PlayerRules.SOMEWHERE,
             FutureRules.NOT_YET);

@@ -1,0 +1,55 @@
+package nephele.engine.collision.rigid;
+
+import java.util.Arrays;
+import nephele.engine.math.BitHash;
+import nephele.engine.portal.Portals;
+
+/**
+ * What bodies have to do with portals: which each is active on, which it went through in the last tick, and the set of
+ * portals that this was said of. Empty while there are none. Immutable.
+ */
+final class BodyPassages {
+    static final BodyPassages NONE = new BodyPassages(Portals.NONE, null, null);
+
+    /** A body goes through no more portals in a tick. */
+    static final int MOST = 8;
+
+    private final Portals portals;
+    private final long[] active;
+    /** {@value #MOST} places a body, {@link Portals#CLOSED} after the last; {@code null}: nobody crossed. */
+    private final byte[] entered;
+
+    BodyPassages(Portals portals, long[] active, byte[] entered) {
+        this.portals = portals;
+        this.active = active;
+        this.entered = entered;
+    }
+
+    Portals portals() {
+        return portals;
+    }
+
+    long active(int body) {
+        return active == null ? 0 : active[body];
+    }
+
+    int count(int body) {
+        int count = 0;
+        while (entered != null && count < MOST && entered[MOST * body + count] != Portals.CLOSED) {
+            count++;
+        }
+        return count;
+    }
+
+    int entered(int body, int place) {
+        return entered[MOST * body + place];
+    }
+
+    long hash(long before) {
+        long hash = before;
+        for (int i = 0; active != null && i < active.length; i++) {
+            hash = BitHash.join(hash, active[i]);
+        }
+        return entered == null ? hash : BitHash.join(hash, Arrays.hashCode(entered));
+    }
+}

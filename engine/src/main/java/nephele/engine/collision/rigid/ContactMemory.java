@@ -1,0 +1,52 @@
+package nephele.engine.collision.rigid;
+
+import nephele.engine.math.BitHash;
+
+/**
+ * What the contacts of a tick carried, for a warm start (Catto 2005). One entry a manifold: which two shapes meet, the
+ * features of its points and the impulses in N s – up to four along the normal, two along the tangents, one about the
+ * normal. Immutable.
+ */
+final class ContactMemory {
+    static final ContactMemory NONE = new ContactMemory(new long[0], new int[0], new float[0]);
+
+    /** Impulses an entry. */
+    static final int IMPULSES = 7;
+
+    private final long[] keys;
+    private final int[] features;
+    private final float[] impulses;
+
+    ContactMemory(long[] keys, int[] features, float[] impulses) {
+        this.keys = keys;
+        this.features = features;
+        this.impulses = impulses;
+    }
+
+    int size() {
+        return keys.length;
+    }
+
+    long key(int entry) {
+        return keys[entry];
+    }
+
+    int features(int entry) {
+        return features[entry];
+    }
+
+    float impulse(int entry, int row) {
+        return impulses[IMPULSES * entry + row];
+    }
+
+    long hash(long before) {
+        long hash = BitHash.join(before, (long) keys.length);
+        for (int i = 0; i < keys.length; i++) {
+            hash = BitHash.join(BitHash.join(hash, keys[i]), features[i]);
+        }
+        for (float impulse : impulses) {
+            hash = BitHash.join(hash, Float.floatToIntBits(impulse));
+        }
+        return hash;
+    }
+}

@@ -1,0 +1,114 @@
+package nephele.engine.collision.rigid;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.math.ItemList;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * What else acts on bodies in a tick: characters that push and are pushed, and bodies that somebody holds. Its owner
+ * fills it before each step and reads the impulses after; reused, so that it costs nothing.
+ */
+public final class Influences {
+    /** Nothing; nobody adds to it. */
+    public static Influences none() {
+        return new Influences();
+    }
+
+    /** A capsule that goes its own way; bodies meet it as if it had a mass, and what they give it is summed up. */
+    public static final class Character {
+        final RoundedHull shape;
+        final double massKilograms;
+        final Vector3d centre = new Vector3d();
+        final Vector3d velocity = new Vector3d();
+        final Vector3d impulse = new Vector3d();
+        private final double halfAxisMetres;
+
+        Character(double radiusMetres, double heightMetres, double massKilograms) {
+            shape = RoundedHull.uprightCapsule(radiusMetres, heightMetres);
+            this.massKilograms = massKilograms;
+            halfAxisMetres = heightMetres / 2 - radiusMetres;
+        }
+
+        double halfAxisMetres() {
+            return halfAxisMetres;
+        }
+
+        double radiusMetres() {
+            return shape.radiusMetres();
+        }
+
+        public void move(Vector3dc newCentre, Vector3dc newVelocity) {
+            centre.set(newCentre);
+            velocity.set(newVelocity);
+        }
+
+        /** N s that bodies gave it in the last step, in its own space. */
+        public Vector3dc impulse() {
+            return impulse;
+        }
+    }
+
+    private final List<Character> characters = new ArrayList<>();
+    private final ItemList driven = new ItemList();
+    private double[] drives = new double[12];
+
+    /** An upright capsule by its whole height. */
+    public Character add(double radiusMetres, double heightMetres, double massKilograms) {
+        Character character = new Character(radiusMetres, heightMetres, massKilograms);
+        characters.add(character);
+        return character;
+    }
+
+    public void clearCharacters() {
+        characters.clear();
+    }
+
+    public void clearDriven() {
+        driven.clear();
+    }
+
+    /**
+     * A held body starts the tick with this motion and feels no weight; what it meets still stops it.
+     *
+     * @param velocity m/s
+     * @param spin rad/s in world axes
+     */
+    public void drive(int body, Vec3 velocity, Vec3 spin) {
+        int at = 6 * driven.size();
+        if (drives.length < at + 6) {
+            drives = Arrays.copyOf(drives, 2 * drives.length);
+        }
+        driven.item(body);
+        drives[at] = velocity.x();
+        drives[at + 1] = velocity.y();
+        drives[at + 2] = velocity.z();
+        drives[at + 3] = spin.x();
+        drives[at + 4] = spin.y();
+        drives[at + 5] = spin.z();
+    }
+
+    int characters() {
+        return characters.size();
+    }
+
+    Character character(int index) {
+        return characters.get(index);
+    }
+
+    int driven() {
+        return driven.size();
+    }
+
+    int driven(int index) {
+        return driven.get(index);
+    }
+
+    double drive(int index, int component) {
+        return drives[6 * index + component];
+    }
+}
