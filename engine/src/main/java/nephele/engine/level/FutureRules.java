@@ -10,6 +10,7 @@ final class FutureRules {
         tell(environment.fog() != null, "environment.fog", "drawn", report);
         tell(environment.sky() instanceof Sky.Atmosphere, "environment.sky", "drawn", report);
         tell(!level.portals().isEmpty(), "portals", "drawn or simulated", report);
+        tell(level.portalGun() != null, "portalGun", "drawn or simulated", report);
         tell(!level.models().isEmpty(), "models", "drawn", report);
         tell(!level.bodies().isEmpty(), "bodies", "drawn or simulated", report);
     };
