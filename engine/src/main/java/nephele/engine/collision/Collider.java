@@ -87,6 +87,16 @@ public final class Collider {
         return centre;
     }
 
+    /** Whether a point of the world lies strictly inside. */
+    boolean holds(double x, double y, double z) {
+        for (int i = 0; i < faces(); i++) {
+            if (inFrontOf(i, x - centre.x(), y - centre.y(), z - centre.z()) >= 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     int faces() {
         return planes.length / 4;
     }

@@ -9,12 +9,18 @@ import nephele.engine.math.Vec3;
 public final class RoundedHull {
     private final double[] core;
     private final double radiusMetres;
+    private final double reachMetres;
     private final double[] least = new double[3];
     private final double[] greatest = new double[3];
 
     private RoundedHull(double[] core, double radiusMetres) {
         this.core = core;
         this.radiusMetres = radiusMetres;
+        double square = 0;
+        for (int i = 0; i < core.length; i += 3) {
+            square = Math.max(square, core[i] * core[i] + core[i + 1] * core[i + 1] + core[i + 2] * core[i + 2]);
+        }
+        reachMetres = Math.sqrt(square) + radiusMetres;
         for (int axis = 0; axis < 3; axis++) {
             least[axis] = Double.POSITIVE_INFINITY;
             greatest[axis] = Double.NEGATIVE_INFINITY;
@@ -56,6 +62,20 @@ public final class RoundedHull {
 
     public double radiusMetres() {
         return radiusMetres;
+    }
+
+    /** The farthest that the shape reaches from its origin. */
+    public double reachMetres() {
+        return reachMetres;
+    }
+
+    /**
+     * The greatest ({@code sign} 1) or least (−1) coordinate along a unit axis, radius included.
+     */
+    double support(int sign, Vec3 axis) {
+        int point = least(-sign * axis.x(), -sign * axis.y(), -sign * axis.z());
+        double along = core(point, 0) * axis.x() + core(point, 1) * axis.y() + core(point, 2) * axis.z();
+        return along + sign * radiusMetres;
     }
 
     public int corePoints() {

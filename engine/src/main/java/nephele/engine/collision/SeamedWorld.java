@@ -1,24 +1,71 @@
 package nephele.engine.collision;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ItemList;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
 
 /**
  * The static world as bodies meet it near portals: this side cut open behind each aperture, and there the other side's
  * solids. A body asks for the world of the portals that it is <em>active</em> on: its centre is before them and it
- * reaches their neighbourhood. Bit i of a mask is the portal with index i. Worlds are built once for each mask.
+ * reaches their neighbourhood. Bit i of a mask is the portal with index i. Worlds are built once for each mask, when
+ * first asked for. Not for two threads at once.
  */
 public final class SeamedWorld {
+    /** A mask has this many bits: portals with a greater index are closed. */
+    public static final int MOST_PORTALS = Long.SIZE;
+
+    /** An exit with a solid this near before its centre is no place to come out. */
+    private static final double EXIT_CLEARANCE_METRES = 1e-3;
+
     private final CollisionWorld statics;
     private final Portals portals;
+    private final Seam seam;
+    private final Neighbourhood neighbourhood = new Neighbourhood();
+    private final Map<Long, CollisionWorld> worlds = new TreeMap<>();
 
     private SeamedWorld(CollisionWorld statics, Portals portals) {
         this.statics = statics;
         this.portals = portals;
+        seam = new Seam(statics, portals);
     }
 
     public static SeamedWorld of(CollisionWorld statics, Portals portals) {
-        return new SeamedWorld(statics, portals);
+        return new SeamedWorld(statics, withValidExits(statics, portals));
+    }
+
+    private static Portals withValidExits(CollisionWorld statics, Portals portals) {
+        List<Portal> all = new ArrayList<>();
+        List<Integer> partners = new ArrayList<>();
+        boolean changed = false;
+        for (int i = 0; i < portals.size(); i++) {
+            int partner = portals.partner(i);
+            boolean closed =
+                    partner != Portals.CLOSED && !(isValid(statics, portals, i) && isValid(statics, portals, partner));
+            changed |= closed;
+            all.add(portals.portal(i));
+            partners.add(closed ? Portals.CLOSED : partner);
+        }
+        return changed ? new Portals(all, partners) : portals;
+    }
+
+    private static boolean isValid(CollisionWorld statics, Portals portals, int index) {
+        Vec3 outside = portals.portal(index).world(0, 0, EXIT_CLEARANCE_METRES);
+        ItemList near = new ItemList();
+        statics.overlapping(
+                new Aabb(outside.x(), outside.y(), outside.z(), outside.x(), outside.y(), outside.z()), near);
+        for (int i = 0; i < near.size(); i++) {
+            if (statics.collider(near.get(i)).holds(outside.x(), outside.y(), outside.z())) {
+                return false;
+            }
+        }
+        return index < MOST_PORTALS;
     }
 
     /** The world without openings. */
@@ -33,11 +80,25 @@ public final class SeamedWorld {
 
     /** The open portals that a shape is active on while its centre goes from {@code at} along {@code way}. */
     public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
-        return 0;
+        long mask = 0;
+        for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
+            if (portals.isOpen(i) && neighbourhood.holds(portals.portal(i), shape, at, way)) {
+                mask |= 1L << i;
+            }
+        }
+        return mask;
     }
 
     /** What is solid for a body that is active on these portals; the static world itself for none. */
     public CollisionWorld around(long activeMask) {
-        return statics;
+        if (activeMask == 0) {
+            return statics;
+        }
+        CollisionWorld world = worlds.get(activeMask);
+        if (world == null) {
+            world = seam.open(activeMask);
+            worlds.put(activeMask, world);
+        }
+        return world;
     }
 }

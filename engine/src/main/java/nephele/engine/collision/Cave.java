@@ -1,0 +1,138 @@
+package nephele.engine.collision;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Plane;
+import nephele.engine.math.PolyhedronCut;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Portal;
+
+/**
+ * What is taken out of this side behind an open portal: the aperture's own prism for the first {@link #FRAME_METRES},
+ * then a box so wide and deep that nothing whose centre is in front reaches its end. So what is left of the wall at the
+ * portal's plane is a thin, exact frame, and there is room behind it for the other side.
+ */
+final class Cave {
+    /** Thickness of the frame that is left of the host. */
+    static final double FRAME_METRES = 5e-3;
+
+    private final Plane front;
+    private final Plane frameEnd;
+    private final List<Plane> throat;
+    private final List<Plane> chamber;
+    private final Aabb bounds;
+
+    private Cave(Portal portal, double reachMetres, List<Plane> shared) {
+        front = behind(portal, 0);
+        frameEnd = behind(portal, FRAME_METRES);
+        throat = new ArrayList<>(shared);
+        throat.addAll(edges(portal));
+        chamber = new ArrayList<>(shared);
+        Aperture aperture = portal.aperture();
+        double x = aperture.widthMetres() / 2 + reachMetres;
+        double y = aperture.heightMetres() / 2 + reachMetres;
+        chamber.add(lateral(portal, 1, 0, x));
+        chamber.add(lateral(portal, -1, 0, x));
+        chamber.add(lateral(portal, 0, 1, y));
+        chamber.add(lateral(portal, 0, -1, y));
+        Plane back = behind(portal, reachMetres);
+        chamber.add(new Plane(-back.nx(), -back.ny(), -back.nz(), -back.distance()));
+        bounds = bounds(portal, x, y, reachMetres);
+    }
+
+    /** @param shared planes beyond which another portal's cave begins; this one lies behind them */
+    static Cave behind(Portal portal, double reachMetres, List<Plane> shared) {
+        return new Cave(portal, reachMetres, shared);
+    }
+
+    /** The plane so far behind the portal, looking as it does. */
+    private static Plane behind(Portal portal, double metres) {
+        return through(portal.normal(), portal.world(0, 0, -metres));
+    }
+
+    static Plane through(Vec3 normal, Vec3 point) {
+        double distance = normal.x() * point.x() + normal.y() * point.y() + normal.z() * point.z();
+        return new Plane(normal.x(), normal.y(), normal.z(), distance);
+    }
+
+    private static List<Plane> edges(Portal portal) {
+        Aperture aperture = portal.aperture();
+        List<Plane> edges = new ArrayList<>();
+        for (int i = 0; i < aperture.corners(); i++) {
+            edges.add(lateral(portal, aperture.edgeNormalX(i), aperture.edgeNormalY(i), aperture.edgeDistance(i)));
+        }
+        return edges;
+    }
+
+    /** A plane across the portal's own, by its unit normal and distance from the centre within that. */
+    private static Plane lateral(Portal portal, double x, double y, double metres) {
+        Vec3 right = portal.frame().right();
+        Vec3 up = portal.frame().up();
+        Vec3 normal = new Vec3(x * right.x() + y * up.x(), x * right.y() + y * up.y(), x * right.z() + y * up.z());
+        return through(normal, portal.world(x * metres, y * metres, 0));
+    }
+
+    private static Aabb bounds(Portal portal, double x, double y, double reach) {
+        List<Vec3> corners = new ArrayList<>();
+        for (int i = 0; i < 8; i++) {
+            corners.add(portal.world((i & 1) == 0 ? x : -x, (i & 2) == 0 ? y : -y, (i & 4) == 0 ? 0 : -reach));
+        }
+        return Aabb.of(corners);
+    }
+
+    Aabb bounds() {
+        return bounds;
+    }
+
+    /** Adds what is left of a solid, as convex pieces. */
+    void carve(ConvexPolyhedron solid, List<ConvexPolyhedron> left) {
+        PolyhedronCut atFront = PolyhedronCut.of(solid, front);
+        add(atFront.inFront(), left);
+        if (atFront.behind() != null) {
+            PolyhedronCut atFrame = PolyhedronCut.of(atFront.behind(), frameEnd);
+            takeOut(atFrame.inFront(), throat, left);
+            takeOut(atFrame.behind(), chamber, left);
+        }
+    }
+
+    /** Adds what of a solid lies in the cave, as convex pieces. */
+    void fill(ConvexPolyhedron solid, List<ConvexPolyhedron> inside) {
+        ConvexPolyhedron rest = PolyhedronCut.of(solid, front).behind();
+        if (rest != null) {
+            PolyhedronCut atFrame = PolyhedronCut.of(rest, frameEnd);
+            add(common(atFrame.inFront(), throat), inside);
+            add(common(atFrame.behind(), chamber), inside);
+        }
+    }
+
+    private static void add(ConvexPolyhedron piece, List<ConvexPolyhedron> to) {
+        if (piece != null) {
+            to.add(piece);
+        }
+    }
+
+    /** What of a solid is outside at least one of the planes. */
+    private static void takeOut(ConvexPolyhedron solid, List<Plane> planes, List<ConvexPolyhedron> left) {
+        if (common(solid, planes) == null) {
+            add(solid, left);
+            return;
+        }
+        ConvexPolyhedron rest = solid;
+        for (Plane plane : planes) {
+            PolyhedronCut cut = PolyhedronCut.of(rest, plane);
+            add(cut.inFront(), left);
+            rest = cut.behind();
+        }
+    }
+
+    private static ConvexPolyhedron common(ConvexPolyhedron solid, List<Plane> planes) {
+        ConvexPolyhedron rest = solid;
+        for (int i = 0; i < planes.size() && rest != null; i++) {
+            rest = PolyhedronCut.of(rest, planes.get(i)).behind();
+        }
+        return rest;
+    }
+}
