@@ -1,0 +1,108 @@
+package nephele.engine.collision;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ItemList;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
+import nephele.engine.portal.PathTrace;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3d;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** C.2 rows 2, 21; extremes 16–18, 22, 34: the world near portals. */
+final class SeamedWorldTest {
+    private static final Vec3 FAR = new Vec3(10_000, 300, -10_000);
+    private static final RoundedHull PLAYER = RoundedHull.uprightCapsule(0.3, 1.8);
+
+    private static boolean isSolid(CollisionWorld world, Vector3d p) {
+        ItemList near = new ItemList();
+        world.overlapping(new Aabb(p.x, p.y, p.z, p.x, p.y, p.z), near);
+        for (int i = 0; i < near.size(); i++) {
+            if (world.collider(near.get(i)).holds(p.x, p.y, p.z)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** No plane of a solid or portal so near that rounding decides. */
+    private static boolean isClear(CollisionWorld world, Vector3d p) {
+        for (int i = 0; i < world.size(); i++) {
+            Collider solid = world.collider(i);
+            for (int face = 0; face < solid.faces(); face++) {
+                double d = solid.inFrontOf(
+                        face,
+                        p.x - solid.centre().x(),
+                        p.y - solid.centre().y(),
+                        p.z - solid.centre().z());
+                if (Math.abs(d) < 1e-5) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** A point that is reached by a straight way through apertures is solid where that way ends, and only there. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"walls", "floor and wall", "floor and ceiling", "corner", "side by side", "facing", "slanted"})
+    void agreesWithStraightPaths(String kind) {
+        for (Vec3 origin : new Vec3[] {Vec3.ZERO, FAR}) {
+            PortalPairs place = PortalPairs.of(kind, origin);
+            SeamedWorld seamed = SeamedWorld.of(place.statics(), place.portals());
+            assertSame(place.portals(), seamed.portals(), "both exits are free");
+            PathTrace trace = new PathTrace(place.portals(), Obstacles.NONE);
+            SplittableRandom random = new SplittableRandom(kind.hashCode());
+            int through = 0;
+            int solid = 0;
+            for (int i = 0; i < 4000; i++) {
+                int entry = random.nextInt(2);
+                Portal portal = place.portals().portal(entry);
+                Vec3 eye =
+                        portal.world(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(0.01, 0.8));
+                Vec3 on = portal.world(random.nextDouble(-0.6, 0.6), random.nextDouble(-1, 1), 0);
+                double beyond = random.nextDouble(1.05, 3);
+                var from = eye.toVector();
+                var way = on.toVector().sub(from).mul(beyond);
+                if (way.length() > 2) {
+                    way.normalize(2);
+                }
+                trace.walk(from, way);
+                if (trace.crossings() == 0 || trace.entered(0) != entry || trace.crossings() > 3) {
+                    continue;
+                }
+                Vector3d here = from.add(way);
+                Vector3d there = new Vector3d(trace.place());
+                if (!isClear(place.statics(), there) || isBehindAny(place.portals(), there)) {
+                    continue;
+                }
+                through++;
+                boolean expected = isSolid(place.statics(), there);
+                solid += expected ? 1 : 0;
+                assertEquals(
+                        expected,
+                        isSolid(seamed.around(1L << entry), here),
+                        kind + " " + i + " at " + origin + ": " + here + " is " + there + " by " + trace);
+            }
+            assertTrue(through > 400, kind + ": paths " + through);
+            assertTrue(solid > 0, kind + ": solid ends " + solid);
+        }
+    }
+
+    private static boolean isBehindAny(Portals portals, Vector3d p) {
+        for (int i = 0; i < portals.size(); i++) {
+            if (portals.portal(i).inFront(p.x, p.y, p.z) < 0.02) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
