@@ -12,6 +12,7 @@ public final class Proofs {
             new MutantsProof(),
             new RayProof(),
             new RotationProof(),
+            new SeparationProof(),
             new SoakProof());
 
     private Proofs() {}
