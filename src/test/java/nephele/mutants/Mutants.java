@@ -89,7 +89,7 @@ final class Mutants {
                     "blending is never switched on",
                     ENGINE + "render/gl/DrawState.java",
                     "toggle(GL_BLEND, newBlend != Blend.REPLACE);",
-                    "toggle(GL_BLEND, newBlend == Blend.ADD);",
+                    "toggle(GL_BLEND, false);",
                     "OverlayPassGlTest"),
             new Mutant(
                     SHADOW,

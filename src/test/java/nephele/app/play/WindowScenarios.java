@@ -81,7 +81,10 @@ public final class WindowScenarios {
                 new Scenario("opens the menu", () -> press(Control.MENU), () -> loop.stage() == Stage.MENU),
                 new Scenario("frees the mouse in it", () -> {}, () -> cursor() == GLFW_CURSOR_NORMAL),
                 new Scenario("continues", () -> press(Control.CONFIRM), () -> loop.stage() == Stage.RUNNING),
-                new Scenario("captures it again", () -> {}, () -> cursor() == GLFW_CURSOR_DISABLED),
+                new Scenario(
+                        "captures it again and keeps the first key",
+                        () -> input.key(Control.FORWARD, true),
+                        () -> cursor() == GLFW_CURSOR_DISABLED && input.holds(Control.FORWARD)),
                 new Scenario("restarts", () -> press(Control.RESTART), this::hasRestarted),
                 new Scenario("takes a picture", () -> press(Control.SCREENSHOT), this::hasPicture),
                 new Scenario(

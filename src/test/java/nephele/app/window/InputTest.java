@@ -51,6 +51,23 @@ class InputTest {
         assertNull(input.nextPressed());
     }
 
+    /** What is pressed while the menu closes belongs to the game. */
+    @Test
+    void aMouseThatChangesHandsKeepsTheKeys() {
+        input.look(0, 0);
+        input.look(5, 5);
+        input.click();
+        input.key(Control.FORWARD, true);
+        input.key(Control.RESTART, true);
+        input.forgetMouse();
+        input.look(900, 900);
+        assertEquals(0, input.takeCountsRight());
+        assertFalse(input.takeClick());
+        assertTrue(input.holds(Control.FORWARD));
+        assertEquals(Control.FORWARD, input.nextPressed());
+        assertEquals(Control.RESTART, input.nextPressed());
+    }
+
     @Test
     void pressesArriveInOrderAndOnce() {
         input.key(GLFW.GLFW_KEY_F3, true);

@@ -1,19 +1,16 @@
 package nephele.app.bench;
 
-import java.util.Arrays;
 import nephele.engine.render.gl.GlContext;
 
 /** Waits for each step to be drawn before the next one begins. */
 final class FinishTimer implements StepTimer {
     private final GlContext gl;
-    private final double[] sumMs;
-    private final long[] times;
+    private final StepMeans means;
     private long lastNanos;
 
     FinishTimer(GlContext gl, int steps) {
         this.gl = gl;
-        sumMs = new double[steps];
-        times = new long[steps];
+        means = new StepMeans(steps);
     }
 
     @Override
@@ -26,20 +23,18 @@ final class FinishTimer implements StepTimer {
     public void submitted(int step) {
         gl.finish();
         long now = System.nanoTime();
-        sumMs[step] += (now - lastNanos) / 1e6;
-        times[step]++;
+        means.add(step, now - lastNanos);
         lastNanos = now;
     }
 
     @Override
     public double meanMs(int step) {
-        return sumMs[step] / Math.max(1, times[step]);
+        return means.meanMs(step);
     }
 
     @Override
     public void reset() {
-        Arrays.fill(sumMs, 0);
-        Arrays.fill(times, 0);
+        means.reset();
     }
 
     @Override

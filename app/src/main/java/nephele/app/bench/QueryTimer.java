@@ -1,31 +1,27 @@
 package nephele.app.bench;
 
-import java.util.Arrays;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GpuTimer;
 
 /** Asks the GPU, about one step a frame in turn: queries can't be nested. */
 final class QueryTimer implements StepTimer {
     private final GpuTimer timer;
-    private final double[] sumMs;
-    private final long[] times;
+    private final StepMeans means;
     private int timed = -1;
     private boolean answerWaits;
 
     QueryTimer(GlContext gl, int steps) {
         timer = new GpuTimer(gl, "a step of a frame");
-        sumMs = new double[steps];
-        times = new long[steps];
+        means = new StepMeans(steps);
     }
 
     @Override
     public void frameBegins() {
         if (answerWaits) {
-            sumMs[timed] += timer.nanoseconds() / 1e6;
-            times[timed]++;
+            means.add(timed, timer.nanoseconds());
             answerWaits = false;
         }
-        timed = (timed + 1) % sumMs.length;
+        timed = (timed + 1) % means.steps();
         if (timed == 0) {
             timer.start();
         }
@@ -43,13 +39,12 @@ final class QueryTimer implements StepTimer {
 
     @Override
     public double meanMs(int step) {
-        return sumMs[step] / Math.max(1, times[step]);
+        return means.meanMs(step);
     }
 
     @Override
     public void reset() {
-        Arrays.fill(sumMs, 0);
-        Arrays.fill(times, 0);
+        means.reset();
     }
 
     @Override

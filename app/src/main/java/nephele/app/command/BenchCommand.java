@@ -14,14 +14,7 @@ import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
 import nephele.engine.level.LevelFile;
-import nephele.engine.render.RenderSettings;
-import nephele.engine.render.RenderSettings.Culling;
-import nephele.engine.render.Renderer;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.PixelFormat;
-import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.scene.Scene;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -35,12 +28,6 @@ final class BenchCommand implements Command {
     @Option(names = "--calibrate", description = "Measure one full-screen bilinear quad instead of a level.")
     private boolean calibrate;
 
-    @Option(
-            names = "--output",
-            paramLabel = "O",
-            description = "direct, hdr or plain (default: as the level requires).")
-    private Output output;
-
     @Option(names = "--per-pass", description = "Time each pass as well, and say with which clock.")
     private boolean perPass;
 
@@ -53,15 +40,8 @@ final class BenchCommand implements Command {
             description = "Frames of one round (default: the length of the camera's path).")
     private Integer frames;
 
-    @Option(
-            names = "--size",
-            paramLabel = "WxH",
-            converter = Size.Converter.class,
-            description = "Picture in pixels (default: 1280x720).")
-    private Size size = Size.DEFAULT;
-
     @Mixin
-    private QualityOptions quality;
+    private PictureOptions picture;
 
     @Mixin
     private CommonOptions common;
@@ -82,7 +62,7 @@ final class BenchCommand implements Command {
         if (bare && perPass) {
             throw CommandFailure.usage("the bare twin has no passes: leave --per-pass or --bare out");
         }
-        quality.choice();
+        picture.check();
         if (calibrate) {
             calibrate(terminal);
         } else {
@@ -93,7 +73,8 @@ final class BenchCommand implements Command {
 
     private void calibrate(Terminal terminal) {
         try (var gl = GlContext.offscreen();
-                var drawing = new CalibrationDrawing(gl, size.width(), size.height())) {
+                var drawing = new CalibrationDrawing(
+                        gl, picture.size().width(), picture.size().height())) {
             print(new Bench(gl).measure(drawing), terminal);
         }
     }
@@ -116,18 +97,13 @@ final class BenchCommand implements Command {
     }
 
     private LevelDrawing drawing(LevelFile.Opened opened, GlContext gl) {
-        var viewpoint = Viewpoints.standard(opened.level(), opened.file(), (double) size.width() / size.height());
+        var viewpoint = Viewpoints.standard(opened.level(), opened.file(), picture.aspect());
         var views = IntStream.range(0, roundLength(opened))
                 .mapToObj(viewpoint::view)
                 .toList();
-        var chosen = output != null ? output : quality.choice().output(opened.level());
-        var settings =
-                new RenderSettings(chosen, quality.choice().on(gl.limits().software()), Culling.ON);
-        var scene = Scene.of(quality.choice().shown(opened.level()), opened.assets(), new PrintedBake(System.err));
-        var renderer = Renderer.load(gl, scene, settings);
+        var renderer = picture.renderer(opened, gl, null, new PrintedBake(System.err));
         try {
-            var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
-            return new LevelDrawing(renderer, views, picture);
+            return new LevelDrawing(renderer, views, picture.target(gl));
         } catch (RuntimeException e) {
             renderer.close();
             throw e;

@@ -15,14 +15,10 @@ import nephele.engine.level.CloudTechnique;
 import nephele.engine.level.LevelFile;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.Capture;
-import nephele.engine.render.RenderSettings;
-import nephele.engine.render.RenderSettings.Culling;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.scene.Scene;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -43,12 +39,8 @@ final class RenderCommand implements Command {
     @Mixin
     private ViewOptions view;
 
-    @Option(
-            names = "--size",
-            paramLabel = "WxH",
-            converter = Size.Converter.class,
-            description = "Picture in pixels (default: 1280x720).")
-    private Size size = Size.DEFAULT;
+    @Mixin
+    private PictureOptions picture;
 
     @Option(
             names = "--time",
@@ -56,15 +48,6 @@ final class RenderCommand implements Command {
             defaultValue = "0",
             description = "The environment's clock in seconds (default: 0).")
     private double timeSeconds;
-
-    @Option(
-            names = "--output",
-            paramLabel = "O",
-            description = "direct, hdr or plain (default: as the level requires).")
-    private Output output;
-
-    @Mixin
-    private QualityOptions quality;
 
     @Option(names = "--technique", paramLabel = "NAME", description = "Draw all clouds with this technique.")
     private CloudTechnique technique;
@@ -93,23 +76,22 @@ final class RenderCommand implements Command {
         reference.requireNotAsked();
         var opened = new LevelName(level).open();
         opened.notice().ifPresent(terminal.err()::println);
-        var viewpoint = view.in(opened, size);
+        var viewpoint = view.in(opened, picture.aspect());
         ignored().ifPresent(terminal.err()::println);
         try (var gl = GlContext.offscreen();
-                var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
+                var target = picture.target(gl);
                 var renderer = AssetComplaint.named(opened, () -> renderer(opened, gl, terminal))) {
             for (int frame = 0; frame < frames; frame++) {
-                renderer.draw(viewpoint.view(0), picture);
+                renderer.draw(viewpoint.view(0), target);
             }
             gl.requireNoError("render");
-            save(renderer, picture);
+            save(renderer, target);
         }
         return ExitCode.DONE;
     }
 
     private Renderer renderer(LevelFile.Opened opened, GlContext gl, Terminal terminal) {
-        var scene = Scene.of(quality.choice().shown(opened.level()), opened.assets(), new PrintedBake(terminal.err()));
-        return Renderer.load(gl, scene, settings(opened, gl));
+        return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, new PrintedBake(terminal.err()));
     }
 
     /** Neither moving surroundings nor clouds are built yet, so no level can follow what governs them. */
@@ -136,24 +118,22 @@ final class RenderCommand implements Command {
         if (!isPfm() && !lowerCaseName().endsWith(".png")) {
             throw CommandFailure.usage("--out must end in .png or .pfm: " + out);
         }
-        if (isPfm() && output != null && output != Output.HDR) {
+        if (isPfm() && picture.output() != null && picture.output() != Output.HDR) {
             throw CommandFailure.usage("a PFM holds linear radiance: leave --output out or say hdr");
         }
-        quality.choice();
+        picture.check();
     }
 
-    private RenderSettings settings(LevelFile.Opened opened, GlContext gl) {
-        var chosen = output != null ? output : quality.choice().output(opened.level());
-        return new RenderSettings(
-                isPfm() ? Output.HDR : chosen, quality.choice().on(gl.limits().software()), Culling.ON);
-    }
-
-    private void save(Renderer renderer, RenderTarget picture) {
+    private void save(Renderer renderer, RenderTarget target) {
         WrittenFile.write(out, file -> {
             if (isPfm()) {
-                Capture.pfm(renderer.readRadiance(), size.width(), size.height(), file);
+                Capture.pfm(
+                        renderer.readRadiance(),
+                        picture.size().width(),
+                        picture.size().height(),
+                        file);
             } else {
-                Capture.png(picture, file);
+                Capture.png(target, file);
             }
         });
     }
@@ -191,8 +171,7 @@ final class RenderCommand implements Command {
                 description = "Horizontal field of view with --eye (default: the player's).")
         private Double fovDegrees;
 
-        Viewpoints.OfFrame in(LevelFile.Opened opened, Size size) {
-            double aspect = (double) size.width() / size.height();
+        Viewpoints.OfFrame in(LevelFile.Opened opened, double aspect) {
             if ((eye == null) != (target == null)) {
                 throw CommandFailure.usage("--eye and --target need each other");
             }

@@ -1,10 +1,8 @@
 package nephele.app.play;
 
-import java.util.concurrent.atomic.AtomicInteger;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
-import nephele.app.terminal.CommandFailure;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
@@ -23,12 +21,9 @@ public final class GameLoop implements AutoCloseable {
     private final StageMachine stages = new StageMachine();
     private final MenuControl menu = new MenuControl();
     private final Message message = new Message();
-    private final FiguresControl figures;
-    private final Recordings recordings;
+    private final CurrentLevel current;
     private PlayRequest request;
-    private Preparation preparation;
-    private final AtomicInteger bakedPercent = new AtomicInteger();
-    private Session session;
+    private Loading loading;
 
     private Page page = Page.NONE;
     private Display.Shot shot = Display.Shot.NONE;
@@ -40,8 +35,7 @@ public final class GameLoop implements AutoCloseable {
         this.window = window;
         this.gl = gl;
         this.input = input;
-        figures = new FiguresControl(gl);
-        recordings = new Recordings(request.record());
+        current = new CurrentLevel(gl, new Recordings(request.record()), message);
         display = new Display(window, gl, Screenshots.inUsualFolder());
         start(request);
     }
@@ -84,27 +78,30 @@ public final class GameLoop implements AutoCloseable {
                 case FULL_SCREEN -> window.toggleFullScreen();
                 case SCREENSHOT ->
                     shot = input.holds(Control.RUN) ? Display.Shot.WITHOUT_OVERLAY : Display.Shot.WITH_OVERLAY;
-                case FIGURES -> toggleFigures();
+                case FIGURES -> current.toggleFigures();
                 case HELP -> page = page == Page.HELP ? Page.NONE : Page.HELP;
                 default -> obeyStageKey(key);
             }
         }
     }
 
-    private void toggleFigures() {
-        if (session != null) {
-            figures.toggle(session.renderer());
-        }
-    }
-
     private void obeyStageKey(Control key) {
         if (stages.in(Stage.MENU)) {
-            choose(menu.choiceOf(key));
+            chooseByKey(key);
         } else if (stages.in(Stage.RUNNING) && key == Control.RESTART) {
             stages.change(Stage.RESTARTING);
         } else if (stages.in(Stage.RUNNING) && key == Control.MENU) {
             openMenuOrClosePage();
         }
+    }
+
+    /** The key that chooses is spent: who continues with the space bar does not jump. */
+    private void chooseByKey(Control key) {
+        var choice = menu.choiceOf(key);
+        if (choice != null) {
+            input.key(key, false);
+        }
+        choose(choice);
     }
 
     private void openMenuOrClosePage() {
@@ -113,7 +110,7 @@ public final class GameLoop implements AutoCloseable {
             return;
         }
         menu.open();
-        input.forget();
+        input.forgetMouse();
         stages.change(Stage.MENU);
     }
 
@@ -139,15 +136,13 @@ public final class GameLoop implements AutoCloseable {
 
     private void resume(Stage stage) {
         menu.close();
-        input.forget();
+        input.forgetMouse();
         stages.change(stage);
     }
 
     private void start(PlayRequest next) {
         request = next;
-        bakedPercent.set(0);
-        preparation = Preparation.begin(
-                next.level(), next.quality(), share -> bakedPercent.accumulateAndGet((int) (100 * share), Math::max));
+        loading = Loading.begin(next);
         stages.change(Stage.STARTING);
     }
 
@@ -155,39 +150,33 @@ public final class GameLoop implements AutoCloseable {
         if (stages.in(Stage.STARTING)) {
             loadWhenPrepared();
         } else if (stages.in(Stage.RESTARTING)) {
-            keepRecordingOrSay();
-            session.restart();
+            current.restart();
             stages.change(Stage.RUNNING);
         }
     }
 
     private void loadWhenPrepared() {
-        if (preparation.isDone()) {
+        if (loading.isDone()) {
             load();
             window.title(TITLE);
-        } else {
-            if (bakedPercent.get() > 0) {
-                var baked = "baking the light: " + bakedPercent.get() + " %";
-                message.say(baked);
-                window.title(TITLE + " – " + baked);
-            }
-            window.waitForEvents(PREPARATION_WAIT_SECONDS);
+            return;
         }
+        loading.progress().ifPresent(baked -> {
+            message.say(baked);
+            window.title(TITLE + " – " + baked);
+        });
+        window.waitForEvents(PREPARATION_WAIT_SECONDS);
     }
 
     /** The old level stays until the new one is complete: a level that fails leads back to the menu. */
     private void load() {
         try {
-            var loaded = Session.load(gl, request, preparation, input);
-            keepRecordingOrSay();
-            closeSession();
-            session = loaded;
-            session.notice().ifPresent(message::say);
+            current.become(loading.session(gl, input));
             lastNanos = System.nanoTime();
             stages.change(Stage.RUNNING);
         } catch (RuntimeException problem) {
             var told = LoadProblem.line(problem);
-            if (session == null || told.isEmpty()) {
+            if (current.session() == null || told.isEmpty()) {
                 throw problem;
             }
             message.say(told.get());
@@ -199,8 +188,9 @@ public final class GameLoop implements AutoCloseable {
     private void simulate() {
         long now = System.nanoTime();
         if (stages.in(Stage.RUNNING)) {
-            session.walk().advance(now - lastNanos);
-            if (session.walk().isFinished()) {
+            var walk = current.session().walk();
+            walk.advance(now - lastNanos);
+            if (walk.isFinished()) {
                 message.say("The replay is over");
                 openMenuOrClosePage();
             }
@@ -209,47 +199,25 @@ public final class GameLoop implements AutoCloseable {
     }
 
     private void draw() {
+        var session = current.session();
         if (session == null || !window.isDrawable()) {
             return;
         }
-        var content = new HudContent(menu.page(), page, figures.lines(), message.text());
-        var saved = display.draw(session, content, figures.frameBegins(), shot);
+        var content = new HudContent(menu.page(), page, current.figures().lines(), message.text());
+        var saved = display.draw(session, content, current.figures().frameBegins(), shot);
         shot = Display.Shot.NONE;
         if (saved != null) {
             message.say(saved);
         }
-        figures.frameEnds(session.walk());
-    }
-
-    private void closeSession() {
-        figures.close();
-        if (session != null) {
-            session.close();
-            session = null;
-        }
-    }
-
-    private void keepRecording() {
-        if (session != null) {
-            recordings.keep(session.walk().recorder().replay()).ifPresent(file -> message.say("Recorded " + file));
-        }
-    }
-
-    private void keepRecordingOrSay() {
-        try {
-            keepRecording();
-        } catch (CommandFailure problem) {
-            message.say(problem.getMessage());
-        }
+        current.figures().frameEnds(session.walk());
     }
 
     /** However the game ends, what was recorded is kept. */
     @Override
     public void close() {
         try {
-            keepRecording();
+            current.close();
         } finally {
-            closeSession();
             display.close();
         }
     }

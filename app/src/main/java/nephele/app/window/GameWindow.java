@@ -125,7 +125,7 @@ public final class GameWindow implements AutoCloseable {
                 glfwSetInputMode(handle, GLFW_RAW_MOUSE_MOTION, captured ? GLFW_TRUE : GLFW_FALSE);
             }
             events.lookWithMouse(captured);
-            input.forget();
+            input.forgetMouse();
         }
     }
 

@@ -65,10 +65,15 @@ public final class Input {
         clicked = true;
     }
 
-    /** Forgets every held key, motion and click: the focus went away, or the menu opened. */
+    /** Forgets every key, motion and click: the focus went away. */
     public void forget() {
         held.clear();
         pressed.clear();
+        forgetMouse();
+    }
+
+    /** Forgets motion and clicks: the mouse serves another purpose from now on. Keys keep what they have said. */
+    public void forgetMouse() {
         countsRight = 0;
         countsDown = 0;
         lastX = Double.NaN;

@@ -5,7 +5,9 @@ import java.util.Set;
 /** One step of a frame; owns its OpenGL objects. */
 public interface Pass extends AutoCloseable {
     /** Targets that must have been written earlier in the frame. */
-    Set<Target> reads();
+    default Set<Target> reads() {
+        return Set.of();
+    }
 
     Set<Target> writes();
 

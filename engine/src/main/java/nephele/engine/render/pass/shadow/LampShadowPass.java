@@ -34,11 +34,6 @@ public final class LampShadowPass implements Pass {
     }
 
     @Override
-    public Set<Target> reads() {
-        return Set.of();
-    }
-
-    @Override
     public Set<Target> writes() {
         return Set.of(Target.LAMP_SHADOW);
     }

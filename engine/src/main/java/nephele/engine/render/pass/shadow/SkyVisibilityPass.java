@@ -36,11 +36,6 @@ public final class SkyVisibilityPass implements Pass {
     }
 
     @Override
-    public Set<Target> reads() {
-        return Set.of();
-    }
-
-    @Override
     public Set<Target> writes() {
         return Set.of(Target.SKY_VISIBILITY);
     }

@@ -35,11 +35,6 @@ public final class SunShadowPass implements Pass {
     }
 
     @Override
-    public Set<Target> reads() {
-        return Set.of();
-    }
-
-    @Override
     public Set<Target> writes() {
         return Set.of(Target.SUN_SHADOW);
     }

@@ -52,11 +52,6 @@ public final class GradientSkyPass implements Pass {
     }
 
     @Override
-    public Set<Target> reads() {
-        return Set.of();
-    }
-
-    @Override
     public Set<Target> writes() {
         return Set.of(Target.SURFACE);
     }

@@ -54,11 +54,6 @@ public final class SkyboxPass implements Pass {
     }
 
     @Override
-    public Set<Target> reads() {
-        return Set.of();
-    }
-
-    @Override
     public Set<Target> writes() {
         return Set.of(Target.SURFACE);
     }

@@ -1,0 +1,64 @@
+package nephele.app.command;
+
+import nephele.app.levels.PrintedBake;
+import nephele.engine.level.LevelFile;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Scene;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Which picture of a level is drawn offscreen: what measuring and saving have in common. */
+final class PictureOptions {
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            converter = Size.Converter.class,
+            description = "Picture in pixels (default: 1280x720).")
+    private Size size = Size.DEFAULT;
+
+    @Option(
+            names = "--output",
+            paramLabel = "O",
+            description = "direct, hdr or plain (default: as the level requires).")
+    private Output output;
+
+    @Mixin
+    private QualityOptions quality;
+
+    /** Complains about settings that do not exist. */
+    void check() {
+        quality.choice();
+    }
+
+    Size size() {
+        return size;
+    }
+
+    double aspect() {
+        return (double) size.width() / size.height();
+    }
+
+    /** What was asked for, or null. */
+    Output output() {
+        return output;
+    }
+
+    RenderTarget target(GlContext gl) {
+        return RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
+    }
+
+    /** @param forced instead of what was asked for, or null */
+    Renderer renderer(LevelFile.Opened opened, GlContext gl, Output forced, PrintedBake progress) {
+        var choice = quality.choice();
+        var asked = output != null ? output : choice.output(opened.level());
+        var settings = new RenderSettings(
+                forced != null ? forced : asked, choice.on(gl.limits().software()), Culling.ON);
+        return Renderer.load(gl, Scene.of(choice.shown(opened.level()), opened.assets(), progress), settings);
+    }
+}
