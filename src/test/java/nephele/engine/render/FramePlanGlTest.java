@@ -1,9 +1,12 @@
 package nephele.engine.render;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -122,9 +125,31 @@ class FramePlanGlTest {
                         int[] expected = offscreen.pixels();
                         offscreen.picture.clear(1, 0, 1);
                         twin.draw(frame);
-                        org.junit.jupiter.api.Assertions.assertArrayEquals(expected, offscreen.pixels());
+                        assertArrayEquals(expected, offscreen.pixels());
                     }
                 }
+            }
+        }
+    }
+
+    /** The twin binds the lists of lamps too ({@code GL_TEXTURE_BUFFER}), although another level has bound its own. */
+    @Test
+    void theBareTwinBindsItsOwnLamps() {
+        Level red = everything()
+                .light(new Light.Point("red", new Vec3(1, 1, 1), new Vec3(9, 0, 0), 10, false))
+                .level();
+        RenderSettings settings = RenderSettings.of(Output.DIRECT);
+        try (Offscreen offscreen = new Offscreen(64, 64);
+                Renderer renderer = Renderer.load(offscreen.gl, red, tiles(), settings);
+                Renderer other = Renderer.load(offscreen.gl, everything().level(), tiles(), settings)) {
+            View view = offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO);
+            renderer.draw(view, offscreen.picture);
+            int[] expected = offscreen.pixels();
+            try (BareTwin twin = new BareTwin(offscreen.gl, renderer, List.of(view), offscreen.picture)) {
+                other.draw(view, offscreen.picture);
+                assertFalse(Arrays.equals(expected, offscreen.pixels()));
+                twin.draw(0);
+                assertArrayEquals(expected, offscreen.pixels());
             }
         }
     }

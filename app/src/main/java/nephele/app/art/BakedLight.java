@@ -11,8 +11,8 @@ import java.util.stream.Stream;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelJson;
-import nephele.engine.scene.SkyVisibility;
 import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.SkyVisibility;
 import nephele.engine.scene.light.SkyVisibilityCache;
 import nephele.engine.scene.light.SkyVisibilityFile;
 

@@ -7,6 +7,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.scene.light.LightMapLayout;
 import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.SkyVisibility;
 import nephele.engine.scene.light.SkyVisibilityCache;
 
 /**

@@ -49,12 +49,13 @@ public final class SurfaceLight implements AutoCloseable {
         this.pictureOf = pictureOf;
         this.scene = scene;
         level = scene.level();
-        sunShadow = LightNeeds.sunShadow(level);
+        boolean sunCasts = LightNeeds.sunCasts(level);
         lampShadow = LightNeeds.lampShadow(level);
         boolean hasLamps = LightNeeds.lamps(level);
         List<Brush> brushes =
-                sunShadow || hasLamps ? level.solids().stream().map(Brush::of).toList() : List.of();
-        sunFrame = sunShadow ? sunFrame(brushes, quality) : null;
+                sunCasts || hasLamps ? level.solids().stream().map(Brush::of).toList() : List.of();
+        sunFrame = sunCasts ? sunFrame(brushes, quality) : null;
+        sunShadow = sunFrame != null;
         lamps = hasLamps ? LampTable.of(level.lights(), brushes) : null;
         lampTexels = hasLamps ? BufferTexture.ofFloats(gl, "lamps", lamps.packed(anchor())) : null;
         lampGrid = hasLamps ? lampGrid(gl) : null;
@@ -89,7 +90,7 @@ public final class SurfaceLight implements AutoCloseable {
         List<Vec3> corners = ShadowCasters.of(brushes, towardsSun).stream()
                 .flatMap(brush -> brush.shape().vertices().stream())
                 .toList();
-        return ShadowFrame.fit(corners, towardsSun, anchor(), quality.shadowTexels());
+        return corners.isEmpty() ? null : ShadowFrame.fit(corners, towardsSun, anchor(), quality.shadowTexels());
     }
 
     /** World position that positions in light shaders are relative to. */

@@ -18,11 +18,16 @@ public final class LightNeeds {
         return sun != null && !sun.irradiance().equals(Vec3.ZERO);
     }
 
-    /** A sun that casts, and a solid that another one can be shaded by. */
+    /** A sun that casts, and more than one solid: a shadow is possible, {@link ShadowCasters} know whether it is there. */
+    public static boolean sunCasts(Level level) {
+        return sun(level)
+                && level.environment().sun().castsShadow()
+                && level.solids().size() > 1;
+    }
+
+    /** A sun that casts, and a solid that another one can be shaded by; derives every solid to know. */
     public static boolean sunShadow(Level level) {
-        if (!sun(level)
-                || !level.environment().sun().castsShadow()
-                || level.solids().size() < 2) {
+        if (!sunCasts(level)) {
             return false;
         }
         List<Brush> brushes = level.solids().stream().map(Brush::of).toList();

@@ -10,7 +10,6 @@ import java.util.function.DoubleConsumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
-import nephele.engine.scene.SkyVisibility;
 
 /**
  * Finds a baked sky visibility or bakes it. Levels that come with the game carry theirs in {@code baked/} beside them,

@@ -15,8 +15,8 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.scene.SkyVisibility;
 import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.SkyVisibility;
 
 /** Hands the baked light map of the static faces to the surfaces. */
 public final class SkyVisibilityPass implements Pass {

@@ -5,21 +5,15 @@ import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
-import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Target;
-import nephele.engine.render.gl.DrawState.Blend;
-import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
-import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Uniforms;
 
 /** Zenith, horizon and ground blended by altitude, where no solid has been drawn. */
@@ -28,15 +22,12 @@ public final class GradientSkyPass implements Pass {
 
     private static final String FOLDER = "/nephele/engine/render/pass/sky/";
 
-    private final GlContext gl;
     private final Sky.Gradient sky;
-    private final FullScreenTriangle triangle;
-    private GlProgram<Object> program;
+    private final FullScreenDrawing drawing;
 
     private GradientSkyPass(GlContext gl, Sky.Gradient sky) {
-        this.gl = gl;
         this.sky = sky;
-        this.triangle = new FullScreenTriangle(gl, "gradient sky");
+        drawing = new FullScreenDrawing(gl, "gradient sky");
     }
 
     private static List<Required> requiredBy(Level level) {
@@ -58,16 +49,10 @@ public final class GradientSkyPass implements Pass {
 
     @Override
     public void load(LoadContext context) {
-        var defines = Defines.of(context).values();
-        program = new GlProgram<>(
-                gl,
-                ShaderSource.load(FOLDER + "sky.vert", defines),
-                ShaderSource.load(FOLDER + "gradient.frag", defines),
-                this::setUniforms);
+        drawing.load(context, FOLDER, new FullScreenDrawing.Stages("sky.vert", "gradient.frag"), this::setUniforms);
     }
 
     private Object setUniforms(Uniforms uniforms) {
-        uniforms.block("Frame", FrameUniforms.BINDING);
         set(uniforms.vector3("zenith"), sky.zenith());
         set(uniforms.vector3("horizon"), sky.horizon());
         set(uniforms.vector3("ground"), sky.ground());
@@ -80,17 +65,11 @@ public final class GradientSkyPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        frame.surface().bind();
-        gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.NONE);
-        program.use();
-        triangle.draw();
+        drawing.draw(frame.surface(), Depth.LESS_OR_EQUAL);
     }
 
     @Override
     public void close() {
-        triangle.close();
-        if (program != null) {
-            program.close();
-        }
+        drawing.close();
     }
 }

@@ -1,4 +1,4 @@
-package nephele.engine.scene;
+package nephele.engine.scene.light;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -11,8 +11,6 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
-import nephele.engine.scene.light.FaceFragment;
-import nephele.engine.scene.light.LightMapLayout;
 import org.junit.jupiter.api.Test;
 
 /** Analytic values of the cosine-weighted visible part of the sky; the bake's rays are allowed 0.01. */

@@ -1,10 +1,8 @@
-package nephele.engine.scene;
+package nephele.engine.scene.light;
 
 import java.util.List;
 import java.util.function.DoubleConsumer;
 import nephele.engine.level.Brush;
-import nephele.engine.scene.light.LightMapLayout;
-import nephele.engine.scene.light.SkyVisibilityBake;
 
 /**
  * How much of the sky each place on the static faces sees: the cosine-weighted fraction of the hemisphere over the face
