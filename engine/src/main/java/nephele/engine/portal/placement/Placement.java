@@ -1,17 +1,36 @@
 package nephele.engine.portal.placement;
 
 import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Directions;
+import nephele.engine.math.ItemList;
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayHit;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 
 /**
- * Where a shot's portal goes. One gun among fixed surfaces, asked again and again; the answer depends on the question
- * only. One for each thread.
+ * Where a shot's portal goes: on the first surface hit, at the legal place nearest to the aimed point. Legal is a place
+ * where the whole aperture lies in the surface's region and overlaps no other portal. One gun among fixed surfaces, asked
+ * again and again; the answer depends on the question only. One for each thread.
  */
 public final class Placement {
+    /** A ray flatter than this would leave the fitted plane at a place of rounding. */
+    private static final double LEAST_INCIDENCE = 1e-4;
+
+    /** How much farther each further search for any place reaches. */
+    private static final double WIDEN = 8;
+
+    private final Surfaces surfaces;
     private final Gun gun;
+    private final RayHit hit = new RayHit();
+    private final ForbiddenCentres forbidden = new ForbiddenCentres();
+    private final NearestPlace nearest = new NearestPlace(forbidden);
+    private final ItemList found = new ItemList();
 
     public Placement(Surfaces surfaces, Gun gun) {
+        this.surfaces = surfaces;
         this.gun = gun;
     }
 
@@ -22,7 +41,110 @@ public final class Placement {
      */
     public Placed place(String id, Aim aim, List<Portal> others, MovingSurfaces moving) {
         Vec3 direction = aim.direction();
-        var end = aim.eye().toVector().fma(gun.rangeMetres(), direction.toVector());
-        return new Placed.Refused(Refusal.NOTHING_HIT, new Vec3(end.x, end.y, end.z));
+        Ray ray = Ray.of(aim.eye(), direction);
+        boolean hits = surfaces.first(ray, hit);
+        double limit = Math.min(gun.rangeMetres(), hits ? hit.distance() : Double.POSITIVE_INFINITY);
+        double moved = moving.distance(aim.eye(), direction, limit);
+        if (moved <= limit) {
+            return new Placed.Refused(Refusal.MOVING_SURFACE, ray.at(moved));
+        }
+        if (!hits || hit.distance() > gun.rangeMetres()) {
+            return new Placed.Refused(hits ? Refusal.OUT_OF_RANGE : Refusal.NOTHING_HIT, ray.at(gun.rangeMetres()));
+        }
+        Region region = surfaces.region(ray, hit.item());
+        Vec3 where = ray.at(hit.distance());
+        if (region == null) {
+            return new Placed.Refused(Refusal.NOT_PORTALABLE, where);
+        }
+        return onRegion(id, region, onPlane(region.frame(), ray, where), aim.view(), others);
+    }
+
+    /** Where the ray meets the region's own plane: that of the face which it hit is noisier. */
+    private static Vec3 onPlane(PlaneFrame frame, Ray ray, Vec3 hit) {
+        Vec3 direction = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
+        double rate = Directions.dot(frame.normal(), direction);
+        if (rate > -LEAST_INCIDENCE) {
+            return hit;
+        }
+        double back = frame.height(hit) / rate;
+        return new Vec3(hit.x() - back * direction.x(), hit.y() - back * direction.y(), hit.z() - back * direction.z());
+    }
+
+    private Placed onRegion(String id, Region region, Vec3 where, Basis view, List<Portal> others) {
+        PlaneFrame frame = region.frame();
+        double x = frame.x(where);
+        double y = frame.y(where);
+        if (region.isBarred(x, y, found)) {
+            return new Placed.Refused(Refusal.NOT_PORTALABLE, where);
+        }
+        Vec3 up = Upright.on(frame.normal(), view);
+        double upX = frame.xOf(up);
+        double upY = frame.yOf(up);
+        TurnedAperture turned = new TurnedAperture(gun.aperture(), upX, upY);
+        forbid(region, turned, x, y, gun.slideMetres());
+        for (Portal other : others) {
+            forbid(frame, other);
+        }
+        if (nearest.find(region, x, y, gun.slideMetres())) {
+            Basis axes = new Basis(frame.worldDirection(upY, -upX), up, frame.normal());
+            Vec3 centre = frame.world(nearest.x(), nearest.y());
+            return new Placed.Fits(new Portal(id, centre, axes, gun.aperture()), nearest.distance());
+        }
+        return new Placed.Refused(refusal(region, turned, x, y, !others.isEmpty()), where);
+    }
+
+    private Refusal refusal(Region region, TurnedAperture turned, double x, double y, boolean maybeOthers) {
+        if (maybeOthers) {
+            forbid(region, turned, x, y, gun.slideMetres());
+            if (nearest.find(region, x, y, gun.slideMetres())) {
+                return Refusal.OVERLAPS_OTHER;
+            }
+        }
+        Aabb whole = region.faces().bounds();
+        double farthest = whole.maxX() - whole.minX() + whole.maxY() - whole.minY();
+        double reach = gun.slideMetres();
+        while (reach < farthest) {
+            reach *= WIDEN;
+            forbid(region, turned, x, y, reach);
+            if (nearest.find(region, x, y, reach)) {
+                return Refusal.EDGE;
+            }
+        }
+        return Refusal.TOO_SMALL;
+    }
+
+    /** Everything that decides about centres within {@code metres} of a point. */
+    private void forbid(Region region, TurnedAperture turned, double x, double y, double metres) {
+        forbidden.begin(turned);
+        double reachX = metres + turned.reachX();
+        double reachY = metres + turned.reachY();
+        Aabb reach = new Aabb(x - reachX, y - reachY, 0, x + reachX, y + reachY, 0);
+        forbid(region.outline(), reach);
+        forbid(region.bars(), reach);
+    }
+
+    private void forbid(ShapeSet set, Aabb reach) {
+        found.clear();
+        set.overlapping(reach, found);
+        found.sort();
+        for (int i = 0; i < found.size(); i++) {
+            forbidden.add(set.shape(found.get(i)));
+        }
+    }
+
+    /** Another portal counts where it lies on the same plane and looks the same way. */
+    private void forbid(PlaneFrame frame, Portal other) {
+        if (Directions.dot(frame.normal(), other.normal()) < Tolerance.COPLANAR_COSINE
+                || Math.abs(frame.height(other.centre())) > Tolerance.COPLANAR) {
+            return;
+        }
+        double[] corners = new double[2 * other.aperture().corners()];
+        for (int i = 0; i < other.aperture().corners(); i++) {
+            Vec3 corner =
+                    other.world(other.aperture().cornerX(i), other.aperture().cornerY(i), 0);
+            corners[2 * i] = frame.x(corner);
+            corners[2 * i + 1] = frame.y(corner);
+        }
+        forbidden.add(ConvexPolygon.of(corners));
     }
 }

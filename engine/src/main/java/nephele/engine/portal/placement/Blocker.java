@@ -1,0 +1,141 @@
+package nephele.engine.portal.placement;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+
+/** What stops a shot: a solid, or a piece of surface that belongs to none. */
+sealed interface Blocker {
+    Aabb bounds();
+
+    /** The outlines of its faces. */
+    List<List<Vec3>> loops();
+
+    /** Where a ray first meets it, as ray parameter; infinity for a miss. */
+    double entry(Ray ray);
+
+    /** The patch that the ray meets; negative for the back of one. */
+    int patch(Ray ray);
+
+    /** A convex solid; only entering counts, so a shot from within sees what lies beyond. */
+    record Convex(Brush brush, int firstPatch) implements Blocker {
+        /** A ray that starts this far behind a face, and goes in, started on it. */
+        private static final double ON_SURFACE = 1e-9;
+
+        @Override
+        public Aabb bounds() {
+            return brush.shape().bounds();
+        }
+
+        @Override
+        public List<List<Vec3>> loops() {
+            return brush.faces().stream().map(Brush.BrushFace::polygon).toList();
+        }
+
+        @Override
+        public double entry(Ray ray) {
+            int face = enteredFace(ray);
+            if (face < 0) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double front = front(plane(face), ray);
+            return front >= -ON_SURFACE ? Math.max(0, -front / rate(plane(face), ray)) : Double.POSITIVE_INFINITY;
+        }
+
+        @Override
+        public int patch(Ray ray) {
+            return firstPatch + enteredFace(ray);
+        }
+
+        private Plane plane(int face) {
+            return brush.faces().get(face).plane();
+        }
+
+        /** Clipping against half spaces (Cyrus and Beck 1978); −1 for a miss. */
+        private int enteredFace(Ray ray) {
+            double enter = Double.NEGATIVE_INFINITY;
+            double leave = Double.POSITIVE_INFINITY;
+            int entered = -1;
+            for (int i = 0; i < brush.faces().size(); i++) {
+                double rate = rate(plane(i), ray);
+                double front = front(plane(i), ray);
+                if (rate < 0 && -front / rate > enter) {
+                    enter = -front / rate;
+                    entered = i;
+                } else if (rate > 0) {
+                    leave = Math.min(leave, -front / rate);
+                } else if (rate == 0 && front > 0) {
+                    return -1;
+                }
+            }
+            return enter < leave ? entered : -1;
+        }
+    }
+
+    /**
+     * A piece of surface without thickness. It reaches a crack's width beyond its edges, so that no shot slips between
+     * neighbours that noise has drawn apart.
+     *
+     * @param sides planes through its edges, facing away from it
+     */
+    record Sheet(Patch shape, Plane plane, List<Plane> sides, int patchIndex) implements Blocker {
+        static Sheet of(Patch shape, int patchIndex) {
+            Vec3 n = shape.normal();
+            List<Plane> sides = new ArrayList<>();
+            for (int i = 0; i < shape.corners().size(); i++) {
+                Vec3 a = shape.corners().get(i);
+                Vec3 b = shape.corners().get((i + 1) % shape.corners().size());
+                Vec3 out = Directions.cross(Patch.between(a, b), n);
+                Vec3 unit = Directions.unit(out.x(), out.y(), out.z());
+                if (unit != null) {
+                    sides.add(new Plane(unit.x(), unit.y(), unit.z(), Directions.dot(unit, a) + Tolerance.CRACK));
+                }
+            }
+            Plane plane = new Plane(
+                    n.x(), n.y(), n.z(), Directions.dot(n, shape.corners().get(0)));
+            return new Sheet(shape, plane, List.copyOf(sides), patchIndex);
+        }
+
+        @Override
+        public Aabb bounds() {
+            return shape.bounds().grown(Tolerance.CRACK);
+        }
+
+        @Override
+        public List<List<Vec3>> loops() {
+            return List.of(shape.corners());
+        }
+
+        @Override
+        public double entry(Ray ray) {
+            double at = -front(plane, ray) / rate(plane, ray);
+            if (!(at >= 0 && at < Double.POSITIVE_INFINITY)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            for (Plane side : sides) {
+                if (front(side, ray) + at * rate(side, ray) > 0) {
+                    return Double.POSITIVE_INFINITY;
+                }
+            }
+            return at;
+        }
+
+        @Override
+        public int patch(Ray ray) {
+            return rate(plane, ray) < 0 ? patchIndex : -1;
+        }
+    }
+
+    private static double front(Plane plane, Ray ray) {
+        return plane.signedDistance(ray.originX(), ray.originY(), ray.originZ());
+    }
+
+    private static double rate(Plane plane, Ray ray) {
+        return plane.nx() * ray.directionX() + plane.ny() * ray.directionY() + plane.nz() * ray.directionZ();
+    }
+}

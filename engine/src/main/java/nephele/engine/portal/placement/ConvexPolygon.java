@@ -1,0 +1,155 @@
+package nephele.engine.portal.placement;
+
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/**
+ * A convex polygon of a plane, corners counter-clockwise, in metres. Two corners make a segment, whose edges are its two
+ * sides.
+ */
+final class ConvexPolygon {
+    /** Edges shorter than this have no direction; they are left out. */
+    private static final double LEAST_EDGE = 1e-12;
+
+    private final double[] corners;
+    /** For each edge: outward unit normal x, y, distance from the origin, length. */
+    private final double[] edges;
+
+    private ConvexPolygon(double[] corners) {
+        this.corners = corners;
+        edges = edges(corners);
+    }
+
+    /** @param corners x, y of each; repeated ones are left out */
+    static ConvexPolygon of(double[] corners) {
+        double[] kept = new double[corners.length];
+        int size = 0;
+        for (int i = 0; i < corners.length; i += 2) {
+            int j = (i + 2) % corners.length;
+            double dx = corners[j] - corners[i];
+            double dy = corners[j + 1] - corners[i + 1];
+            if (dx * dx + dy * dy > LEAST_EDGE * LEAST_EDGE) {
+                kept[size++] = corners[i];
+                kept[size++] = corners[i + 1];
+            }
+        }
+        return new ConvexPolygon(size == corners.length ? corners : java.util.Arrays.copyOf(kept, size));
+    }
+
+    /** A polygon of the world as it lies in a plane. */
+    static ConvexPolygon of(PlaneFrame frame, List<Vec3> polygon) {
+        double[] corners = new double[2 * polygon.size()];
+        for (int i = 0; i < polygon.size(); i++) {
+            corners[2 * i] = frame.x(polygon.get(i));
+            corners[2 * i + 1] = frame.y(polygon.get(i));
+        }
+        return of(corners);
+    }
+
+    private static double[] edges(double[] corners) {
+        double[] edges = new double[2 * corners.length];
+        for (int i = 0; i < corners.length; i += 2) {
+            int j = (i + 2) % corners.length;
+            double dx = corners[j] - corners[i];
+            double dy = corners[j + 1] - corners[i + 1];
+            double length = Math.sqrt(dx * dx + dy * dy);
+            edges[2 * i] = dy / length;
+            edges[2 * i + 1] = -dx / length;
+            edges[2 * i + 2] = edges[2 * i] * corners[i] + edges[2 * i + 1] * corners[i + 1];
+            edges[2 * i + 3] = length;
+        }
+        return edges;
+    }
+
+    int corners() {
+        return corners.length / 2;
+    }
+
+    double x(int corner) {
+        return corners[2 * corner];
+    }
+
+    double y(int corner) {
+        return corners[2 * corner + 1];
+    }
+
+    double normalX(int edge) {
+        return edges[4 * edge];
+    }
+
+    double normalY(int edge) {
+        return edges[4 * edge + 1];
+    }
+
+    /** Metres from the origin to the line through an edge. */
+    double distance(int edge) {
+        return edges[4 * edge + 2];
+    }
+
+    double length(int edge) {
+        return edges[4 * edge + 3];
+    }
+
+    Aabb bounds() {
+        double minX = Double.POSITIVE_INFINITY;
+        double minY = Double.POSITIVE_INFINITY;
+        double maxX = Double.NEGATIVE_INFINITY;
+        double maxY = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < corners.length; i += 2) {
+            minX = Math.min(minX, corners[i]);
+            maxX = Math.max(maxX, corners[i]);
+            minY = Math.min(minY, corners[i + 1]);
+            maxY = Math.max(maxY, corners[i + 1]);
+        }
+        return new Aabb(minX, minY, 0, maxX, maxY, 0);
+    }
+
+    /** Metres by which a point lies outside the farthest edge's line; negative inside. */
+    double outside(double x, double y) {
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < edges.length; i += 4) {
+            most = Math.max(most, edges[i] * x + edges[i + 1] * y - edges[i + 2]);
+        }
+        return most;
+    }
+
+    /** Whether a point is in the polygon or not farther from it than {@code metres}. */
+    boolean isWithin(double metres, double x, double y) {
+        double outside = outside(x, y);
+        if (outside <= 0) {
+            return true;
+        }
+        for (int i = 0; i < corners() && outside <= metres; i++) {
+            double dx = x - x(i);
+            double dy = y - y(i);
+            double past = Math.max(0, Math.max(-along(i, dx, dy), along(i, dx, dy) - length(i)));
+            double off = normalX(i) * dx + normalY(i) * dy;
+            if (past * past + off * off <= metres * metres) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private double along(int edge, double dx, double dy) {
+        return normalX(edge) * dy - normalY(edge) * dx;
+    }
+
+    /** The greatest gap that a line along an edge of either leaves between two polygons; negative: how deep they overlap. */
+    static double gap(ConvexPolygon a, ConvexPolygon b) {
+        return Math.max(a.gapBeyondEdges(b), b.gapBeyondEdges(a));
+    }
+
+    private double gapBeyondEdges(ConvexPolygon other) {
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < corners(); i++) {
+            double least = Double.POSITIVE_INFINITY;
+            for (int k = 0; k < other.corners(); k++) {
+                least = Math.min(least, normalX(i) * other.x(k) + normalY(i) * other.y(k) - distance(i));
+            }
+            most = Math.max(most, least);
+        }
+        return most;
+    }
+}

@@ -1,0 +1,227 @@
+package nephele.engine.portal.placement;
+
+import java.util.Arrays;
+
+/**
+ * The centres at which an aperture would overlap something: for each convex thing its Minkowski sum with the reflected
+ * aperture, a convex polygon. Filled again for every query.
+ */
+final class ForbiddenCentres {
+    private static final double LEAST_EDGE = 1e-12;
+
+    private TurnedAperture aperture;
+    /** For each edge: where it begins (x, y), outward unit normal (x, y), distance from the origin, length. */
+    private double[] edges = new double[6 * 256];
+
+    private int edgeCount;
+    /** First edge of each polygon, and one past the last. */
+    private int[] first = new int[64];
+    /** Least x, y and greatest x, y of each polygon. */
+    private double[] bounds = new double[4 * 64];
+
+    private int count;
+
+    void begin(TurnedAperture turned) {
+        aperture = turned;
+        edgeCount = 0;
+        count = 0;
+        first[0] = 0;
+    }
+
+    int polygons() {
+        return count;
+    }
+
+    int firstEdge(int polygon) {
+        return first[polygon];
+    }
+
+    int edges() {
+        return edgeCount;
+    }
+
+    double startX(int edge) {
+        return edges[6 * edge];
+    }
+
+    double startY(int edge) {
+        return edges[6 * edge + 1];
+    }
+
+    double alongX(int edge) {
+        return -edges[6 * edge + 3];
+    }
+
+    double alongY(int edge) {
+        return edges[6 * edge + 2];
+    }
+
+    double length(int edge) {
+        return edges[6 * edge + 5];
+    }
+
+    /** Both run through their edges by growing angle (de Berg et al. 2008, "Computational Geometry", section 13.3). */
+    void add(ConvexPolygon thing) {
+        reserve(thing.corners() + aperture.corners());
+        int lowest = lowest(thing);
+        int i = 0;
+        int j = 0;
+        double startX = thing.x(lowest) + aperture.x(0);
+        double startY = thing.y(lowest) + aperture.y(0);
+        double x = startX;
+        double y = startY;
+        while (i < thing.corners() || j < aperture.corners()) {
+            int from = (lowest + i) % thing.corners();
+            int to = (lowest + i + 1) % thing.corners();
+            double thingX = thing.x(to) - thing.x(from);
+            double thingY = thing.y(to) - thing.y(from);
+            double apertureX = aperture.x(j + 1) - aperture.x(j);
+            double apertureY = aperture.y(j + 1) - aperture.y(j);
+            boolean ofThing =
+                    i < thing.corners() && (j == aperture.corners() || isBefore(thingX, thingY, apertureX, apertureY));
+            double dx = ofThing ? thingX : apertureX;
+            double dy = ofThing ? thingY : apertureY;
+            i += ofThing ? 1 : 0;
+            j += ofThing ? 0 : 1;
+            edge(x, y, dx, dy);
+            x += dx;
+            y += dy;
+        }
+        close();
+    }
+
+    /** Whether a direction's angle, from 0 to 2π, is not greater than another's. */
+    private static boolean isBefore(double ax, double ay, double bx, double by) {
+        boolean upperA = ay > 0 || ay == 0 && ax > 0;
+        boolean upperB = by > 0 || by == 0 && bx > 0;
+        return upperA == upperB ? ax * by - ay * bx >= 0 : upperA;
+    }
+
+    private static int lowest(ConvexPolygon thing) {
+        int lowest = 0;
+        for (int i = 1; i < thing.corners(); i++) {
+            boolean lower =
+                    thing.y(i) < thing.y(lowest) || thing.y(i) == thing.y(lowest) && thing.x(i) < thing.x(lowest);
+            lowest = lower ? i : lowest;
+        }
+        return lowest;
+    }
+
+    private void reserve(int more) {
+        if (6 * (edgeCount + more) > edges.length) {
+            edges = Arrays.copyOf(edges, Math.max(2 * edges.length, 6 * (edgeCount + more)));
+        }
+        if (count + 2 > first.length) {
+            first = Arrays.copyOf(first, 2 * first.length);
+            bounds = Arrays.copyOf(bounds, 2 * bounds.length);
+        }
+    }
+
+    private void edge(double x, double y, double dx, double dy) {
+        double length = Math.sqrt(dx * dx + dy * dy);
+        if (length < LEAST_EDGE) {
+            return;
+        }
+        int at = 6 * edgeCount++;
+        edges[at] = x;
+        edges[at + 1] = y;
+        edges[at + 2] = dy / length;
+        edges[at + 3] = -dx / length;
+        edges[at + 4] = (dy * x - dx * y) / length;
+        edges[at + 5] = length;
+    }
+
+    private void close() {
+        double minX = Double.POSITIVE_INFINITY;
+        double minY = Double.POSITIVE_INFINITY;
+        double maxX = Double.NEGATIVE_INFINITY;
+        double maxY = Double.NEGATIVE_INFINITY;
+        for (int edge = first[count]; edge < edgeCount; edge++) {
+            minX = Math.min(minX, startX(edge));
+            minY = Math.min(minY, startY(edge));
+            maxX = Math.max(maxX, startX(edge));
+            maxY = Math.max(maxY, startY(edge));
+        }
+        bounds[4 * count] = minX;
+        bounds[4 * count + 1] = minY;
+        bounds[4 * count + 2] = maxX;
+        bounds[4 * count + 3] = maxY;
+        first[++count] = edgeCount;
+    }
+
+    /** Whether no thing is overlapped from a centre. */
+    boolean allow(double x, double y) {
+        for (int polygon = 0; polygon < count; polygon++) {
+            if (holds(polygon, x, y)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean holds(int polygon, double x, double y) {
+        for (int edge = first[polygon]; edge < first[polygon + 1]; edge++) {
+            int at = 6 * edge;
+            if (edges[at + 2] * x + edges[at + 3] * y - edges[at + 4] >= -Tolerance.OVERLAP) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Metres from a point to an edge. */
+    double distance(int edge, double x, double y) {
+        double along = foot(edge, x, y);
+        double dx = startX(edge) + along * alongX(edge) - x;
+        double dy = startY(edge) + along * alongY(edge) - y;
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
+    /** How far along an edge its nearest point to a point is. */
+    double foot(int edge, double x, double y) {
+        double along = (x - startX(edge)) * alongX(edge) + (y - startY(edge)) * alongY(edge);
+        return Math.max(0, Math.min(length(edge), along));
+    }
+
+    /** Writes the open stretch of an edge's line that lies in a polygon to {@code span}; false for none on the edge. */
+    boolean covers(int polygon, int edge, double[] span) {
+        if (isApart(polygon, edge)) {
+            return false;
+        }
+        double x = startX(edge);
+        double y = startY(edge);
+        double dx = alongX(edge);
+        double dy = alongY(edge);
+        double from = Double.NEGATIVE_INFINITY;
+        double to = Double.POSITIVE_INFINITY;
+        for (int i = 6 * first[polygon]; i < 6 * first[polygon + 1]; i += 6) {
+            double rate = edges[i + 2] * dx + edges[i + 3] * dy;
+            double inside = edges[i + 4] - Tolerance.OVERLAP - edges[i + 2] * x - edges[i + 3] * y;
+            // Nearly parallel: off by less than the overlap that is allowed, over any edge that is no longer than this.
+            if (Math.abs(rate) * length(edge) < 1e-9) {
+                if (inside <= 0) {
+                    return false;
+                }
+            } else if (rate > 0) {
+                to = Math.min(to, inside / rate);
+            } else {
+                from = Math.max(from, inside / rate);
+            }
+        }
+        span[0] = from;
+        span[1] = to;
+        return from < to && to > 0 && from < length(edge);
+    }
+
+    private boolean isApart(int polygon, int edge) {
+        double x = startX(edge);
+        double y = startY(edge);
+        double endX = x + length(edge) * alongX(edge);
+        double endY = y + length(edge) * alongY(edge);
+        int at = 4 * polygon;
+        return Math.max(x, endX) < bounds[at]
+                || Math.max(y, endY) < bounds[at + 1]
+                || Math.min(x, endX) > bounds[at + 2]
+                || Math.min(y, endY) > bounds[at + 3];
+    }
+}

@@ -1,0 +1,77 @@
+package nephele.engine.portal.placement;
+
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+
+/**
+ * One flat convex piece of surface, of a solid or of a mesh.
+ *
+ * @param normal of unit length
+ * @param leastWidthMetres between the closest two parallel lines around it, or a little more
+ */
+record Patch(
+        List<Vec3> corners,
+        boolean portalable,
+        Vec3 normal,
+        double areaSquareMetres,
+        double leastWidthMetres,
+        Aabb bounds) {
+    /** {@code null} for what has no area to speak of. */
+    static Patch of(List<Vec3> corners, boolean portalable) {
+        Vec3 doubled = doubledArea(corners);
+        Vec3 normal = Directions.unit(doubled.x(), doubled.y(), doubled.z());
+        double area = Directions.length(doubled) / 2;
+        double longest = longestEdge(corners);
+        if (normal == null || !(area > 1e-12 * longest * longest)) {
+            return null;
+        }
+        return new Patch(corners, portalable, normal, area, 2 * area / longest, Aabb.of(corners));
+    }
+
+    private static Vec3 doubledArea(List<Vec3> corners) {
+        Vec3 o = corners.get(0);
+        var sum = Vec3.ZERO.toVector();
+        for (int i = 2; i < corners.size(); i++) {
+            Vec3 area = Directions.cross(between(o, corners.get(i - 1)), between(o, corners.get(i)));
+            sum.add(area.x(), area.y(), area.z());
+        }
+        return new Vec3(sum.x, sum.y, sum.z);
+    }
+
+    private static double longestEdge(List<Vec3> corners) {
+        double longest = 0;
+        for (int i = 0; i < corners.size(); i++) {
+            Vec3 next = corners.get((i + 1) % corners.size());
+            longest = Math.max(longest, Directions.length(between(corners.get(i), next)));
+        }
+        return longest;
+    }
+
+    static Vec3 between(Vec3 from, Vec3 to) {
+        return new Vec3(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
+    }
+
+    /** Whether it faces the plane's way and none of its corners is off the plane; slivers lean as they will. */
+    boolean liesOn(PlaneFrame frame) {
+        double cosine = Directions.dot(normal, frame.normal());
+        boolean sliver = leastWidthMetres < Tolerance.SLIVER;
+        if (!(cosine >= (sliver ? 0 : Tolerance.COPLANAR_COSINE))) {
+            return false;
+        }
+        double most = Tolerance.coplanar(extent());
+        for (Vec3 corner : corners) {
+            if (Math.abs(frame.height(corner)) > most) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private double extent() {
+        double x = Math.max(Math.abs(bounds.minX()), Math.abs(bounds.maxX()));
+        double y = Math.max(Math.abs(bounds.minY()), Math.abs(bounds.maxY()));
+        return Math.max(Math.max(x, y), Math.max(Math.abs(bounds.minZ()), Math.abs(bounds.maxZ())));
+    }
+}

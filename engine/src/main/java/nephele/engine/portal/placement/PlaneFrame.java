@@ -1,0 +1,63 @@
+package nephele.engine.portal.placement;
+
+import nephele.engine.math.Basis;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+
+/**
+ * Measures a plane: x to the right and y up as seen from in front, height along the normal {@code axes.back()}, all in
+ * metres from an origin on the plane, so that a surface far out costs no precision.
+ */
+record PlaneFrame(Vec3 origin, Basis axes) {
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+
+    /** With y as near to the world's up as can be; where the plane is level, along an axis of the world. */
+    static PlaneFrame of(Vec3 origin, Vec3 normal) {
+        return new PlaneFrame(origin, Portal.facing(normal, UP));
+    }
+
+    Vec3 normal() {
+        return axes.back();
+    }
+
+    double x(Vec3 p) {
+        return along(axes.right(), p);
+    }
+
+    double y(Vec3 p) {
+        return along(axes.up(), p);
+    }
+
+    double height(Vec3 p) {
+        return along(axes.back(), p);
+    }
+
+    private double along(Vec3 axis, Vec3 p) {
+        return axis.x() * (p.x() - origin.x()) + axis.y() * (p.y() - origin.y()) + axis.z() * (p.z() - origin.z());
+    }
+
+    /** A direction's part along the plane's x. */
+    double xOf(Vec3 direction) {
+        return Directions.dot(axes.right(), direction);
+    }
+
+    /** A direction's part along the plane's y. */
+    double yOf(Vec3 direction) {
+        return Directions.dot(axes.up(), direction);
+    }
+
+    Vec3 world(double x, double y) {
+        return new Vec3(
+                origin.x() + x * axes.right().x() + y * axes.up().x(),
+                origin.y() + x * axes.right().y() + y * axes.up().y(),
+                origin.z() + x * axes.right().z() + y * axes.up().z());
+    }
+
+    Vec3 worldDirection(double x, double y) {
+        return Directions.unit(
+                x * axes.right().x() + y * axes.up().x(),
+                x * axes.right().y() + y * axes.up().y(),
+                x * axes.right().z() + y * axes.up().z());
+    }
+}

@@ -1,0 +1,34 @@
+package nephele.engine.portal.placement;
+
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ItemList;
+
+/**
+ * A connected part of a plane where portals are allowed.
+ *
+ * @param faces their union without the bars is the region
+ * @param outline segments around that union
+ * @param bars what lies in the union and takes no portal: other faces of the plane, and what stands against it
+ */
+record Region(PlaneFrame frame, ShapeSet faces, ShapeSet outline, ShapeSet bars) {
+    /** Whether a point lies on one of the faces or in a crack between them. */
+    boolean covers(double x, double y, ItemList found) {
+        return contains(faces, x, y, Tolerance.CRACK, found);
+    }
+
+    /** Whether a point lies on a bar. */
+    boolean isBarred(double x, double y, ItemList found) {
+        return contains(bars, x, y, 0, found);
+    }
+
+    private static boolean contains(ShapeSet set, double x, double y, double metres, ItemList found) {
+        found.clear();
+        set.overlapping(new Aabb(x - metres, y - metres, 0, x + metres, y + metres, 0), found);
+        for (int i = 0; i < found.size(); i++) {
+            if (set.shape(found.get(i)).isWithin(metres, x, y)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,134 @@
+package nephele.engine.portal.placement;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ItemList;
+import nephele.engine.math.SpatialIndex;
+import nephele.engine.math.Vec3;
+
+/**
+ * Gathers portalable patches that touch and share a plane. Each region grows from its largest patch; then the plane is
+ * fitted to what was gathered and the growth repeated, so that how the surface was cut into patches does not matter.
+ */
+final class RegionGrowth {
+    /** No patch grew into a region. */
+    static final int NONE = -1;
+
+    private static final int MOST_FITS = 8;
+
+    /** Patches that lie on one plane and touch. */
+    record Grown(PlaneFrame frame, List<Integer> patches) {}
+
+    private final List<Patch> patches;
+    private final SpatialIndex index;
+    private final int[] regionOf;
+    private final int[] visit;
+    private final ItemList near = new ItemList();
+    private final List<Grown> regions = new ArrayList<>();
+    private int visits;
+
+    /** @param patches {@code null} where there is nothing to gather */
+    RegionGrowth(List<Patch> patches) {
+        this.patches = patches;
+        index = SpatialIndex.of(patches.stream()
+                .map(patch -> patch == null ? Aabb.EMPTY : patch.bounds())
+                .toList());
+        regionOf = new int[patches.size()];
+        visit = new int[patches.size()];
+        Arrays.fill(regionOf, NONE);
+        List<Integer> seeds = new ArrayList<>();
+        for (int i = 0; i < patches.size(); i++) {
+            if (patches.get(i) != null) {
+                seeds.add(i);
+            }
+        }
+        seeds.sort(Comparator.comparingDouble(i -> -patches.get(i).areaSquareMetres()));
+        seeds.forEach(this::growFrom);
+    }
+
+    List<Grown> regions() {
+        return regions;
+    }
+
+    /** For each patch the region that it belongs to, or {@link #NONE}. */
+    int[] regionOf() {
+        return regionOf;
+    }
+
+    private void growFrom(int seed) {
+        if (regionOf[seed] != NONE) {
+            return;
+        }
+        List<Integer> members = List.of(seed);
+        PlaneFrame frame = fitted(members);
+        for (int i = 0; i < MOST_FITS; i++) {
+            List<Integer> grown = reached(seed, frame);
+            boolean same = grown.equals(members);
+            members = grown;
+            frame = fitted(members);
+            if (same) {
+                break;
+            }
+        }
+        for (int member : members) {
+            regionOf[member] = regions.size();
+        }
+        regions.add(new Grown(frame, members));
+    }
+
+    /** The mean plane, each patch counting by its area. */
+    private PlaneFrame fitted(List<Integer> members) {
+        var normal = Vec3.ZERO.toVector();
+        var middle = Vec3.ZERO.toVector();
+        double weight = 0;
+        Vec3 origin = patches.get(members.get(0)).corners().get(0);
+        for (int member : members) {
+            Patch patch = patches.get(member);
+            double area = patch.areaSquareMetres();
+            normal.fma(area, patch.normal().toVector());
+            for (Vec3 corner : patch.corners()) {
+                middle.fma(
+                        area / patch.corners().size(),
+                        Patch.between(origin, corner).toVector());
+            }
+            weight += area;
+        }
+        middle.div(weight);
+        Vec3 centre = new Vec3(origin.x() + middle.x, origin.y() + middle.y, origin.z() + middle.z);
+        return PlaneFrame.of(centre, new Vec3(normal.x, normal.y, normal.z));
+    }
+
+    /** In ascending order; the seed always. */
+    private List<Integer> reached(int seed, PlaneFrame frame) {
+        visits++;
+        visit[seed] = visits;
+        List<Integer> found = new ArrayList<>(List.of(seed));
+        Deque<Integer> open = new ArrayDeque<>(found);
+        while (!open.isEmpty()) {
+            int current = open.remove();
+            ConvexPolygon shape = ConvexPolygon.of(frame, patches.get(current).corners());
+            near.clear();
+            index.overlapping(patches.get(current).bounds().grown(2 * Tolerance.CRACK), near);
+            for (int i = 0; i < near.size(); i++) {
+                int other = near.get(i);
+                if (regionOf[other] == NONE && visit[other] != visits && joins(shape, patches.get(other), frame)) {
+                    visit[other] = visits;
+                    found.add(other);
+                    open.add(other);
+                }
+            }
+        }
+        found.sort(null);
+        return found;
+    }
+
+    private static boolean joins(ConvexPolygon shape, Patch other, PlaneFrame frame) {
+        return other.liesOn(frame)
+                && ConvexPolygon.gap(shape, ConvexPolygon.of(frame, other.corners())) <= 2 * Tolerance.CRACK;
+    }
+}
