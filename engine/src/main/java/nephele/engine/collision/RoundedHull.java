@@ -72,7 +72,7 @@ public final class RoundedHull {
     /**
      * The greatest ({@code sign} 1) or least (−1) coordinate along a unit axis, radius included.
      */
-    double support(int sign, Vec3 axis) {
+    public double support(int sign, Vec3 axis) {
         int point = least(-sign * axis.x(), -sign * axis.y(), -sign * axis.z());
         double along = core(point, 0) * axis.x() + core(point, 1) * axis.y() + core(point, 2) * axis.z();
         return along + sign * radiusMetres;

@@ -22,6 +22,24 @@ public final class Rotations {
         return new Quaterniond(sin * unit.x(), sin * unit.y(), sin * unit.z(), StrictMath.cos(radians / 2));
     }
 
+    /**
+     * The rotation that brings the world's axes to three orthonormal ones, by the largest component (Shepperd 1978,
+     * "Quaternion from Rotation Matrix").
+     */
+    public static Quaterniond ofAxes(Vec3 x, Vec3 y, Vec3 z) {
+        double trace = x.x() + y.y() + z.z();
+        if (trace >= Math.max(x.x(), Math.max(y.y(), z.z()))) {
+            return renormalised(new Quaterniond(y.z() - z.y(), z.x() - x.z(), x.y() - y.x(), 1 + trace));
+        }
+        if (x.x() >= y.y() && x.x() >= z.z()) {
+            return renormalised(new Quaterniond(1 + 2 * x.x() - trace, y.x() + x.y(), z.x() + x.z(), y.z() - z.y()));
+        }
+        if (y.y() >= z.z()) {
+            return renormalised(new Quaterniond(y.x() + x.y(), 1 + 2 * y.y() - trace, z.y() + y.z(), z.x() - x.z()));
+        }
+        return renormalised(new Quaterniond(z.x() + x.z(), z.y() + y.z(), 1 + 2 * z.z() - trace, x.y() - y.x()));
+    }
+
     /** Of length 1; the identity where the length is zero or not finite. */
     public static Quaterniond renormalised(Quaterniondc q) {
         double largest =

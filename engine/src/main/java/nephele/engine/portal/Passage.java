@@ -1,6 +1,7 @@
 package nephele.engine.portal;
 
 import nephele.engine.math.Basis;
+import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
@@ -15,11 +16,17 @@ public final class Passage {
     private final Vec3 entry;
     private final Vec3 exit;
     private final Matrix3d rotation;
+    private final Quaterniond turn;
 
     private Passage(Vec3 entry, Vec3 exit, Matrix3d rotation) {
         this.entry = entry;
         this.exit = exit;
         this.rotation = rotation;
+        turn = Rotations.ofAxes(column(rotation, 0), column(rotation, 1), column(rotation, 2));
+    }
+
+    private static Vec3 column(Matrix3d m, int column) {
+        return new Vec3(m.get(column, 0), m.get(column, 1), m.get(column, 2));
     }
 
     public static Passage between(Portal entry, Portal exit) {
@@ -63,9 +70,7 @@ public final class Passage {
 
     /** Turns an orientation (world from body) and makes it unit length again. */
     public Quaterniond orientation(Quaterniond worldFromBody) {
-        return worldFromBody
-                .premul(rotation.getNormalizedRotation(new Quaterniond()))
-                .normalize();
+        return worldFromBody.premul(turn).normalize();
     }
 
     /** World directions after the passage from those before. The caller keeps it unchanged. */

@@ -2,25 +2,53 @@ package nephele.engine.sim;
 
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.Sweep;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Sweeps and slides: how the player's capsule gets along the solids around it. The working set of one simulation. */
+/**
+ * Sweeps and slides: how the player's capsule gets along the solids around it. The working set of one simulation. Moves
+ * go on behind an aperture as if it were none: whoever moves looks afterwards whether the centre went through.
+ */
 final class Mover {
     static final int MAX_SLIDES = 5;
     /** Closer than this counts as there: a player at rest keeps the very bits of its place. */
     private static final double AT_REST_METRES = 1e-7;
 
+    private static final Vector3dc STILL = new Vector3d();
+
     private final Sweep sweep = new Sweep();
     private final ContactPlanes planes = new ContactPlanes();
     private final Vector3d rest = new Vector3d();
     private final Vector3d down = new Vector3d();
-    private CollisionWorld world;
+    private SeamedWorld seamed;
+    private long active;
 
     /** What the following moves meet. */
-    void enter(CollisionWorld entered) {
-        world = entered;
+    void enter(SeamedWorld entered) {
+        seamed = entered;
+        active = 0;
+    }
+
+    /** The centre has come out of a portal: what it met before lies elsewhere. */
+    void arrive() {
+        active = 0;
+    }
+
+    /** What a shape meets here and on its way; a portal that was near stays open until the tick's end or arrival. */
+    CollisionWorld world(RoundedHull shape, Vector3dc place, Vector3dc way) {
+        active |= seamed.active(shape, place, way);
+        return seamed.around(active);
+    }
+
+    CollisionWorld world(RoundedHull shape, Vector3dc place) {
+        return world(shape, place, STILL);
+    }
+
+    /** The portals that were near since the last arrival, one bit each. */
+    long active() {
+        return active;
     }
 
     Sweep lastSweep() {
@@ -37,7 +65,7 @@ final class Mover {
         planes.clear();
         rest.set(way);
         for (int i = 0; i < MAX_SLIDES && rest.lengthSquared() > 0; i++) {
-            boolean hit = sweep.cast(world, shape, place, rest);
+            boolean hit = cast(shape, place, rest);
             advance(place, rest, sweep.fraction());
             if (!hit) {
                 return;
@@ -48,9 +76,13 @@ final class Mover {
         }
     }
 
+    private boolean cast(RoundedHull shape, Vector3dc place, Vector3dc way) {
+        return sweep.cast(world(shape, place, way), shape, place, way);
+    }
+
     /** Moves straight until something is met; true when it was. */
     boolean advanceUntilHit(RoundedHull shape, Vector3d place, Vector3dc way) {
-        boolean hit = sweep.cast(world, shape, place, way);
+        boolean hit = cast(shape, place, way);
         if (!hit || sweep.fraction() * way.length() > AT_REST_METRES) {
             advance(place, way, sweep.fraction());
         }
@@ -59,13 +91,13 @@ final class Mover {
 
     /** Whether anything stands in the way. */
     boolean isBlocked(RoundedHull shape, Vector3dc place, Vector3dc way) {
-        return sweep.cast(world, shape, place, way);
+        return cast(shape, place, way);
     }
 
     /** Lowers {@code place} onto what lies at most {@code metres} below; stays where it is when nothing does. */
     boolean lower(RoundedHull shape, Vector3d place, double metres) {
         down.set(0, -metres, 0);
-        if (!sweep.cast(world, shape, place, down)) {
+        if (!cast(shape, place, down)) {
             return false;
         }
         double way = metres * sweep.fraction();

@@ -6,12 +6,27 @@ import nephele.engine.sim.PlayerBody.Stance;
 /**
  * The player after a tick.
  *
- * @param eyeMetres above the feet now; lags behind stairs and crouching so that the view moves smoothly
+ * @param feet where they are when upright: straight below the body's centre, also when the body leans
+ * @param eyeMetres above the feet now, along the body; lags behind stairs and crouching so that the view moves smoothly
  * @param ground upward unit normal of what the player stands on, {@code null} in the air
  * @param jumpHeld whether jump was held in this tick: it has to be let go before the next jump
+ * @param tilt how far a portal has left body and view from upright
  */
 public record PlayerState(
-        Vec3 feet, Vec3 velocity, Heading heading, double eyeMetres, Stance stance, Vec3 ground, boolean jumpHeld) {
+        Vec3 feet,
+        Vec3 velocity,
+        Heading heading,
+        double eyeMetres,
+        Stance stance,
+        Vec3 ground,
+        boolean jumpHeld,
+        Tilt tilt) {
+    /** Upright. */
+    public PlayerState(
+            Vec3 feet, Vec3 velocity, Heading heading, double eyeMetres, Stance stance, Vec3 ground, boolean jumpHeld) {
+        this(feet, velocity, heading, eyeMetres, stance, ground, jumpHeld, Tilt.UPRIGHT);
+    }
+
     public static PlayerState standing(Vec3 feet, Heading heading) {
         return new PlayerState(feet, Vec3.ZERO, heading, Stance.STANDING.eyeMetres(), Stance.STANDING, null, false);
     }
@@ -21,16 +36,32 @@ public record PlayerState(
     }
 
     public PlayerState withVelocity(Vec3 changed) {
-        return new PlayerState(feet, changed, heading, eyeMetres, stance, null, jumpHeld);
+        return new PlayerState(feet, changed, heading, eyeMetres, stance, null, jumpHeld, tilt);
     }
 
     /** Continues at another place, in the air until something is felt below. */
     public PlayerState withFeet(Vec3 changed) {
-        return new PlayerState(changed, velocity, heading, eyeMetres, stance, null, jumpHeld);
+        return new PlayerState(changed, velocity, heading, eyeMetres, stance, null, jumpHeld, tilt);
+    }
+
+    /** The middle of the body: it is where the player is, on one side of every portal. */
+    public Vec3 centre() {
+        return new Vec3(feet.x(), feet.y() + stance.centreAboveFeet(), feet.z());
+    }
+
+    /** Where the eye is, of a leaning body too. */
+    public Vec3 eye() {
+        if (tilt.isBodyUpright()) {
+            return new Vec3(feet.x(), feet.y() + eyeMetres, feet.z());
+        }
+        Vec3 centre = centre();
+        double above = eyeMetres - stance.centreAboveFeet();
+        Vec3 up = tilt.up();
+        return new Vec3(centre.x() + above * up.x(), centre.y() + above * up.y(), centre.z() + above * up.z());
     }
 
     boolean isFinite() {
-        return isFinite(feet) && isFinite(velocity) && Double.isFinite(eyeMetres);
+        return isFinite(feet) && isFinite(velocity) && Double.isFinite(eyeMetres) && tilt.isFinite();
     }
 
     private static boolean isFinite(Vec3 v) {
@@ -44,6 +75,6 @@ public record PlayerState(
         hash = StateHash.join(hash, Double.doubleToLongBits(eyeMetres));
         hash = StateHash.join(hash, stance.ordinal());
         hash = ground == null ? StateHash.join(hash, 0) : StateHash.join(hash, ground);
-        return StateHash.join(hash, jumpHeld ? 1 : 0);
+        return tilt.hash(StateHash.join(hash, jumpHeld ? 1 : 0));
     }
 }

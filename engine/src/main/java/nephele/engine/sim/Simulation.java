@@ -1,9 +1,11 @@
 package nephele.engine.sim;
 
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
 
 /**
  * The rules: a state and an input give the next state, and nothing else matters. Allocates little more than the state.
@@ -16,6 +18,9 @@ public final class Simulation {
     private final SimSettings settings;
     private final SimState start;
     private final PlayerStep playerStep;
+    private final CollisionWorld statics;
+    private SeamedWorld seamed;
+    private Portals seamedFor;
     private final double lowest;
     private final FaultLog faults;
 
@@ -36,7 +41,8 @@ public final class Simulation {
                 ? Changeable.NOTHING
                 : new Changeable(level.portals(), Shots.NONE, Holding.NOTHING, TickTrace.NONE);
         start = new SimState(0, 1, 0, standing(level.start()), around);
-        playerStep = new PlayerStep(statics, 1.0 / settings.ticksPerSecond());
+        playerStep = new PlayerStep(1.0 / settings.ticksPerSecond());
+        this.statics = statics;
         lowest = statics.size() == 0
                 ? Double.NEGATIVE_INFINITY
                 : statics.extent().minY() - FALL_METRES;
@@ -62,12 +68,27 @@ public final class Simulation {
 
     /** The state one tick later. A tick that would give numbers that are not finite leaves the player standing still. */
     public SimState step(SimState before, PlayerInput input) {
-        PlayerState after = before.player().isFinite() ? playerStep.step(before.player(), input) : null;
+        SeamedWorld world = seamed(before.around().portals());
+        PlayerState after = before.player().isFinite() ? playerStep.step(world, before.player(), input) : null;
         if (after == null || !after.isFinite()) {
             faults.fault(before.tick(), "the player's state is not finite: " + before.player());
             return next(before, before.faults() + 1, stopped(before.player()));
         }
-        return next(before, before.faults(), after.feet().y() < lowest ? start.player() : after);
+        int dropped = playerStep.hasDroppedTime() ? 1 : 0;
+        if (dropped > 0) {
+            faults.fault(
+                    before.tick(), "more than " + Passing.MOST_HOPS + " portals in a tick: the rest of it is dropped");
+        }
+        return next(before, before.faults() + dropped, after.feet().y() < lowest ? start.player() : after);
+    }
+
+    /** Portals change by shots alone, and then all of them: the last set's world is kept. */
+    private SeamedWorld seamed(Portals portals) {
+        if (seamedFor != portals) {
+            seamedFor = portals;
+            seamed = SeamedWorld.of(statics, portals);
+        }
+        return seamed;
     }
 
     private static SimState next(SimState before, int faults, PlayerState player) {

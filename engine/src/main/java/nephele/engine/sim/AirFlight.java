@@ -1,0 +1,134 @@
+package nephele.engine.sim;
+
+import static nephele.engine.sim.PlayerBody.GRAVITY;
+import static nephele.engine.sim.PlayerBody.STEEPEST_GROUND_UP;
+
+import org.joml.Vector3d;
+
+/** The player in the air: an exact arc, slides along what it meets, lands, and crosses portals at the exact time. */
+final class AirFlight {
+    private final Mover mover;
+    private final GroundWalk walk;
+    private final Passing passing;
+    private final Wish wish = new Wish();
+    private final Vector3d way = new Vector3d();
+    private final Vector3d acceleration = new Vector3d();
+
+    AirFlight(Mover mover, GroundWalk walk, Passing passing) {
+        this.mover = mover;
+        this.walk = walk;
+        this.passing = passing;
+    }
+
+    /** Flies for a tick: up to each entry on the arc, and from its exit with the time that is left. */
+    void fly(PlayerMotion player, PlayerInput input, double seconds) {
+        double left = seconds;
+        for (int i = 0; passing.hasPortals() && i <= 2 * Passing.MOST_HOPS; i++) {
+            wish.of(player, input);
+            accelerate(player, left);
+            double t = passing.timeToEntry(player, acceleration, left);
+            if (passing.hasDropped()) {
+                return;
+            }
+            if (t >= left) {
+                break;
+            }
+            boolean met = flyFor(player, t);
+            if (met) {
+                passing.follow(player);
+            } else {
+                passing.enter(player);
+            }
+            left -= t;
+            if (player.grounded || passing.hasDropped()) {
+                return;
+            }
+        }
+        wish.of(player, input);
+        if (!flyFor(player, left)) {
+            land(player, way.y);
+        }
+        passing.follow(player);
+    }
+
+    /** The exact ballistic way: v t − g t² / 2 (velocity Verlet under constant acceleration). True when it met something. */
+    private boolean flyFor(PlayerMotion player, double seconds) {
+        Vector3d velocity = player.velocity;
+        way.set(velocity).mul(seconds);
+        steer(velocity, seconds);
+        way.y -= GRAVITY * seconds * seconds / 2;
+        velocity.y -= GRAVITY * seconds;
+        double fall = way.y;
+        double heightBefore = player.place.y;
+        double vX = velocity.x;
+        double vZ = velocity.z;
+        mover.slide(player.shape(), player.place, way);
+        if (mover.planes().size() == 0) {
+            return false;
+        }
+        mover.planes().clip(velocity);
+        boolean wedged = fall < 0 && mover.planes().size() >= 2 && player.place.y - heightBefore > fall / 100;
+        if (fall < 0 && walk.land(player.shape(), player.place)) {
+            touchDown(player, vX, vZ);
+        } else if (wedged) {
+            player.ground.set(0, 1, 0);
+            player.grounded = true;
+            velocity.y = 0;
+        }
+        return true;
+    }
+
+    /** After a way that met nothing there may still be ground within touch. */
+    private void land(PlayerMotion player, double fall) {
+        if (fall < 0 && walk.land(player.shape(), player.place)) {
+            touchDown(player, player.velocity.x, player.velocity.z);
+        }
+    }
+
+    /** Slopes that carry do not push: the horizontal speed stays, but for steep surfaces met in the same tick. */
+    private void touchDown(PlayerMotion player, double vX, double vZ) {
+        Vector3d velocity = player.velocity;
+        player.grounded = true;
+        player.ground.set(walk.ground());
+        velocity.set(vX, 0, vZ);
+        for (int i = 0; i < mover.planes().size(); i++) {
+            double into = velocity.dot(mover.planes().normal(i));
+            if (mover.planes().normal(i).y() < STEEPEST_GROUND_UP && into < 0) {
+                velocity.sub(way.set(mover.planes().normal(i)).mul(into));
+            }
+        }
+        velocity.y = 0;
+    }
+
+    /** Gravity, and what steering for {@code seconds} would add. */
+    private void accelerate(PlayerMotion player, double seconds) {
+        double vX = player.velocity.x;
+        double vZ = player.velocity.z;
+        steer(player.velocity, seconds);
+        acceleration.set((player.velocity.x - vX) / seconds, -GRAVITY, (player.velocity.z - vZ) / seconds);
+        player.velocity.x = vX;
+        player.velocity.z = vZ;
+    }
+
+    /** Adds speed only as far as the wish goes and never beyond what was flown already; lets go of nothing. */
+    private void steer(Vector3d velocity, double seconds) {
+        double wished = wish.length();
+        if (wished == 0) {
+            return;
+        }
+        double along = (velocity.x * wish.x() + velocity.z * wish.z()) / wished;
+        double gain = Math.min(PlayerBody.AIR_ACCELERATION * seconds, wished - along);
+        if (gain <= 0) {
+            return;
+        }
+        double before = Math.sqrt(velocity.x * velocity.x + velocity.z * velocity.z);
+        double x = velocity.x + wish.x() / wished * gain;
+        double z = velocity.z + wish.z() / wished * gain;
+        double limit = Math.max(before, wished);
+        double scale = Math.min(1, limit / Math.sqrt(x * x + z * z));
+        way.x += (x * scale - velocity.x) * seconds / 2;
+        way.z += (z * scale - velocity.z) * seconds / 2;
+        velocity.x = x * scale;
+        velocity.z = z * scale;
+    }
+}

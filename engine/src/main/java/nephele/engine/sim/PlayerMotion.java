@@ -1,0 +1,105 @@
+package nephele.engine.sim;
+
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Passage;
+import nephele.engine.sim.PlayerBody.Stance;
+import org.joml.Vector3d;
+
+/** The player in the middle of a tick. */
+final class PlayerMotion {
+    /** What a passage between level portals may leave of a walker's vertical speed, as a share of the speed. */
+    private static final double LEVEL = 1e-9;
+
+    /** The centre of the capsule. */
+    final Vector3d place = new Vector3d();
+
+    final Vector3d velocity = new Vector3d();
+    final Vector3d ground = new Vector3d();
+    boolean grounded;
+    double eye;
+    private Stance stance;
+    private Look look;
+    private RoundedHull shape;
+    private double feetBefore;
+    private double centreBefore;
+
+    void load(PlayerState s) {
+        stance = s.stance();
+        feetBefore = s.feet().y();
+        centreBefore = feetBefore + stance.centreAboveFeet();
+        place.set(s.feet().x(), centreBefore, s.feet().z());
+        velocity.set(s.velocity().x(), s.velocity().y(), s.velocity().z());
+        eye = s.eyeMetres();
+        look(new Look(s.heading(), s.tilt()));
+        // Whatever throws a player upwards lifts it off the ground.
+        grounded = s.isGrounded() && velocity.y <= 0;
+        if (grounded) {
+            ground.set(s.ground().x(), s.ground().y(), s.ground().z());
+        }
+    }
+
+    /** Adds the rise to the feet's old height: to and fro between feet and centre, rounding would creep. */
+    PlayerState store(boolean jumpHeld) {
+        Vec3 feet = new Vec3(place.x, feetBefore + (place.y - centreBefore), place.z);
+        Vec3 speed = new Vec3(velocity.x, velocity.y, velocity.z);
+        Vec3 normal = grounded ? new Vec3(ground.x, ground.y, ground.z) : null;
+        return new PlayerState(feet, speed, look.heading(), eye, stance, normal, jumpHeld, look.tilt());
+    }
+
+    Stance stance() {
+        return stance;
+    }
+
+    Look look() {
+        return look;
+    }
+
+    /** The capsule as it leans now. */
+    RoundedHull shape() {
+        return shape;
+    }
+
+    void look(Look changed) {
+        look = changed;
+        shape = shape(stance, look.tilt().up());
+    }
+
+    /** Of a stance's height and a body's axis. */
+    static RoundedHull shape(Stance stance, Vec3 up) {
+        if (up.equals(Tilt.UPRIGHT.up())) {
+            return stance.shape();
+        }
+        double half = stance.heightMetres() / 2 - PlayerBody.RADIUS;
+        return RoundedHull.capsule(new Vec3(up.x() * half, up.y() * half, up.z() * half), PlayerBody.RADIUS);
+    }
+
+    /** Grows or shrinks towards the feet, which stay where they are. */
+    void change(Stance wanted) {
+        double rise = wanted.centreAboveFeet() - stance.centreAboveFeet();
+        Vec3 up = look.tilt().up();
+        place.add(up.x() * rise, up.y() * rise, up.z() * rise);
+        // An upright player's feet keep their bits; a leaning one's nominal feet move.
+        feetBefore += rise * (up.y() - 1);
+        centreBefore = place.y;
+        stance = wanted;
+        look(look);
+    }
+
+    /** Goes on at the other side of a portal. */
+    void enter(Passage passage) {
+        passage.point(place);
+        passage.direction(velocity);
+        look(look.through(passage));
+        feetBefore = place.y - stance.centreAboveFeet();
+        centreBefore = place.y;
+        if (!grounded) {
+            return;
+        }
+        passage.direction(ground);
+        grounded = ground.y >= PlayerBody.STEEPEST_GROUND_UP;
+        if (Math.abs(velocity.y) <= LEVEL * velocity.length()) {
+            velocity.y = 0;
+        }
+    }
+}

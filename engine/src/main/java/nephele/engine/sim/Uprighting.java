@@ -1,0 +1,78 @@
+package nephele.engine.sim;
+
+import nephele.engine.collision.Recovery;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+
+/**
+ * Turns a player that came out of a portal leaning: the view at once and steadily, the body about its centre as far as
+ * there is room, never into a solid. In an aperture it waits where turning would make it strike the rim.
+ */
+final class Uprighting {
+    private static final double RADIANS_PER_SECOND = 2 * Math.PI;
+    private static final double LOOK_AHEAD_SECONDS = 0.3;
+
+    private final Mover mover;
+    private final Recovery recovery;
+    private final double radians;
+    private final Vector3d way = new Vector3d();
+    private final Vector3d raised = new Vector3d();
+
+    Uprighting(Mover mover, Recovery recovery, double seconds) {
+        this.mover = mover;
+        this.recovery = recovery;
+        radians = RADIANS_PER_SECOND * seconds;
+    }
+
+    void turn(PlayerMotion player) {
+        Tilt tilt = player.look().tilt();
+        if (tilt.isUpright()) {
+            return;
+        }
+        Heading heading = player.look().heading();
+        player.look(new Look(heading, tilt.viewNearer(radians)));
+        if (!tilt.isBodyUpright()) {
+            Vec3 up = tilt.bodyNearer(radians, forward(heading));
+            RoundedHull turned = PlayerMotion.shape(player.stance(), up);
+            if (hasRoom(player, turned) || standsUp(player, turned)) {
+                player.look(new Look(heading, player.look().tilt().withBody(up)));
+            }
+        }
+    }
+
+    private static Vec3 forward(Heading heading) {
+        return new Vec3(-StrictMath.sin(heading.yawRadians()), 0, -StrictMath.cos(heading.yawRadians()));
+    }
+
+    private boolean hasRoom(PlayerMotion player, RoundedHull turned) {
+        if (!recovery.isFree(mover.world(turned, player.place), turned, player.place)) {
+            return false;
+        }
+        if (mover.active() == 0) {
+            return true;
+        }
+        way.set(player.velocity).mul(LOOK_AHEAD_SECONDS);
+        mover.isBlocked(player.shape(), player.place, way);
+        double free = mover.lastSweep().fraction();
+        mover.isBlocked(turned, player.place, way);
+        return mover.lastSweep().fraction() >= free;
+    }
+
+    /** Who lies on something rises as the body turns. */
+    private boolean standsUp(PlayerMotion player, RoundedHull turned) {
+        double rise = player.shape().least(1) - turned.least(1);
+        if (!(rise > 0) || !player.grounded) {
+            return false;
+        }
+        raised.set(player.place);
+        if (mover.advanceUntilHit(player.shape(), raised, way.set(0, rise, 0))) {
+            return false;
+        }
+        boolean free = recovery.isFree(mover.world(turned, raised), turned, raised);
+        if (free) {
+            player.place.set(raised);
+        }
+        return free;
+    }
+}

@@ -1,0 +1,44 @@
+package nephele.engine.sim;
+
+import nephele.engine.sim.PlayerBody.Stance;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** The horizontal velocity that an input asks for. */
+final class Wish {
+    private final Vector3d velocity = new Vector3d();
+
+    void of(PlayerMotion player, PlayerInput input) {
+        Heading heading = player.look().heading();
+        double sin = StrictMath.sin(heading.yawRadians());
+        double cos = StrictMath.cos(heading.yawRadians());
+        double forward = input.forwardPercent() / 100.0;
+        double right = input.rightPercent() / 100.0;
+        velocity.set(right * cos - forward * sin, 0, -right * sin - forward * cos);
+        double length = velocity.length();
+        velocity.mul(speed(player.stance(), input) / Math.max(1, length));
+    }
+
+    private static double speed(Stance stance, PlayerInput input) {
+        if (stance == Stance.CROUCHED) {
+            return PlayerBody.CROUCH_SPEED;
+        }
+        return input.holds(Action.RUN) ? PlayerBody.RUN_SPEED : PlayerBody.WALK_SPEED;
+    }
+
+    Vector3dc velocity() {
+        return velocity;
+    }
+
+    double length() {
+        return velocity.length();
+    }
+
+    double x() {
+        return velocity.x;
+    }
+
+    double z() {
+        return velocity.z;
+    }
+}
