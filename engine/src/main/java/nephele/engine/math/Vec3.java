@@ -1,10 +1,15 @@
 package nephele.engine.math;
 
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /** Three doubles as a value: what immutable records hold. Arithmetic belongs to JOML's mutable {@link Vector3d}. */
 public record Vec3(double x, double y, double z) {
     public static final Vec3 ZERO = new Vec3(0, 0, 0);
+
+    public static Vec3 of(Vector3dc v) {
+        return new Vec3(v.x(), v.y(), v.z());
+    }
 
     /** A fresh mutable copy for calculations. */
     public Vector3d toVector() {

@@ -1,22 +1,42 @@
 package nephele.engine.sim;
 
+import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.portal.Portals;
 
 /**
  * What can change in a level besides the player. Parts that the level does not ask for are their empty constants: they
  * cost nothing and leave the hash as it is without them.
  *
+ * @param bodies in the level's order
  * @param portals the level's fixed ones, in its order, then those that were shot, in the order of their first shots: an
  *     index once given keeps its meaning
  * @param shots which of them are the gun's
  * @param holding what the player holds
  * @param trace what the last tick did
  */
-public record Changeable(Portals portals, Shots shots, Holding holding, TickTrace trace) {
-    public static final Changeable NOTHING = new Changeable(Portals.NONE, Shots.NONE, Holding.NOTHING, TickTrace.NONE);
+public record Changeable(Bodies bodies, Portals portals, Shots shots, Holding holding, TickTrace trace) {
+    public static final Changeable NOTHING =
+            new Changeable(Bodies.NONE, Portals.NONE, Shots.NONE, Holding.NOTHING, TickTrace.NONE);
+
+    Changeable with(Bodies changed) {
+        return new Changeable(changed, portals, shots, holding, trace);
+    }
+
+    Changeable with(Holding changed) {
+        return new Changeable(bodies, portals, shots, changed, trace);
+    }
+
+    Changeable with(Portals changed, Shots now) {
+        return new Changeable(bodies, changed, now, holding, trace);
+    }
+
+    Changeable with(TickTrace changed) {
+        return changed == trace ? this : new Changeable(bodies, portals, shots, holding, changed);
+    }
 
     long hash(long seed) {
-        long hash = portals.size() == 0 ? seed : PortalHash.join(seed, portals);
+        long hash = bodies.size() == 0 ? seed : bodies.hash(seed);
+        hash = portals.size() == 0 ? hash : PortalHash.join(hash, portals);
         return trace.hash(holding.hash(shots.hash(hash)));
     }
 }

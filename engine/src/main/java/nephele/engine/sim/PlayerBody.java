@@ -6,6 +6,7 @@ import nephele.engine.collision.Sweep;
 /** The player's measures and abilities; metres, seconds (DESIGN, section 3). */
 public final class PlayerBody {
     public static final double RADIUS = 0.3;
+    public static final double MASS_KILOGRAMS = 80;
     public static final double GRAVITY = 9.81;
     public static final double WALK_SPEED = 4;
     public static final double RUN_SPEED = 6;

@@ -1,33 +1,52 @@
 package nephele.engine.sim;
 
+import java.util.List;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
-import nephele.engine.level.PortalGun;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
+import nephele.engine.portal.placement.Gun;
+import nephele.engine.portal.placement.Placement;
+import nephele.engine.portal.placement.Surfaces;
 
 /**
- * What the simulation takes from a level and what never changes, but for the portals to begin with.
+ * What the simulation takes from a level, and what never changes but for the portals and bodies to begin with.
  *
  * @param statics everything solid that never moves
  * @param start where the player begins
  * @param portals the fixed ones
  * @param gun {@code null}: the player has none
  */
-public record SimLevel(CollisionWorld statics, PlayerStart start, Portals portals, PortalGun gun) {
+public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodies, Portals portals, Placement gun) {
     private static final PlayerStart ORIGIN = new PlayerStart(Vec3.ZERO, 0, 0);
+    private static final BodyTable NO_BODIES = new BodyTable(List.of());
 
     public SimLevel {
         start = start == null ? ORIGIN : start;
     }
 
     public static SimLevel of(Level level) {
-        return new SimLevel(CollisionWorld.of(level), level.player(), Portals.of(level), level.portalGun());
+        return new SimLevel(
+                CollisionWorld.of(level),
+                level.player(),
+                BodyTable.of(level),
+                Portals.of(level),
+                level.portalGun() == null ? null : new Placement(Surfaces.of(level), Gun.of(level.portalGun())));
     }
 
     /** Solids alone. */
     public static SimLevel of(CollisionWorld statics, PlayerStart start) {
-        return new SimLevel(statics, start, Portals.NONE, null);
+        return new SimLevel(statics, start, NO_BODIES, Portals.NONE, null);
+    }
+
+    /** What can change, as it is at tick 0. */
+    Changeable begin(Spaces spaces) {
+        if (bodies.size() == 0 && portals.size() == 0) {
+            return Changeable.NOTHING;
+        }
+        Portals open = spaces.of(portals).portals();
+        return new Changeable(bodies.start(), open, Shots.NONE, Holding.NOTHING, TickTrace.NONE);
     }
 }

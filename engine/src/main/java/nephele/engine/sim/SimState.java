@@ -19,7 +19,7 @@ public record SimState(long tick, long random, int faults, PlayerState player, C
     }
 
     public SimState with(Changeable changed) {
-        return new SimState(tick, random, faults, player, changed);
+        return changed == around ? this : new SimState(tick, random, faults, player, changed);
     }
 
     /** 64 bits over every bit of the state, equal on every machine. */

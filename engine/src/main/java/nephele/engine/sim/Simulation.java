@@ -1,11 +1,14 @@
 package nephele.engine.sim;
 
+import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.SeamedWorld;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Portals;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.placement.Placed;
 
 /**
  * The rules: a state and an input give the next state, and nothing else matters. Allocates little more than the state.
@@ -18,9 +21,10 @@ public final class Simulation {
     private final SimSettings settings;
     private final SimState start;
     private final PlayerStep playerStep;
-    private final CollisionWorld statics;
-    private SeamedWorld seamed;
-    private Portals seamedFor;
+    private final Spaces spaces;
+    private final BodiesTick bodiesTick;
+    private final Hands hands;
+    private final int actionsOfHands;
     private final double lowest;
     private final FaultLog faults;
 
@@ -37,12 +41,13 @@ public final class Simulation {
         this.settings = settings;
         this.faults = faults;
         var statics = level.statics();
-        Changeable around = level.portals().size() == 0
-                ? Changeable.NOTHING
-                : new Changeable(level.portals(), Shots.NONE, Holding.NOTHING, TickTrace.NONE);
-        start = new SimState(0, 1, 0, standing(level.start()), around);
-        playerStep = new PlayerStep(1.0 / settings.ticksPerSecond());
-        this.statics = statics;
+        double seconds = 1.0 / settings.ticksPerSecond();
+        spaces = new Spaces(statics);
+        start = new SimState(0, 1, 0, standing(level.start()), level.begin(spaces));
+        playerStep = new PlayerStep(seconds);
+        bodiesTick = new BodiesTick(level.bodies(), spaces, seconds);
+        hands = new Hands(level, spaces, seconds);
+        actionsOfHands = level.gun() == null && level.bodies().size() == 0 ? 0 : Action.OF_HANDS;
         lowest = statics.size() == 0
                 ? Double.NEGATIVE_INFINITY
                 : statics.extent().minY() - FALL_METRES;
@@ -66,33 +71,54 @@ public final class Simulation {
         return start.withPlayer(standing(elsewhere));
     }
 
-    /** The state one tick later. A tick that would give numbers that are not finite leaves the player standing still. */
+    /** What a shot would do in a state, for who shows it before; {@code null} in a level without a gun. */
+    public Placed aim(SimState state, Shots.Colour shot) {
+        return hands.aim(state, shot);
+    }
+
+    /**
+     * The state one tick later:
+     *
+     * <ol>
+     *   <li>what the hands do: shots change the portals, something is picked up, let go or thrown;
+     *   <li>the player looks, walks or flies;
+     *   <li>what is held is driven, and all bodies move;
+     *   <li>the line to what is held follows both, or breaks.
+     * </ol>
+     */
     public SimState step(SimState before, PlayerInput input) {
-        SeamedWorld world = seamed(before.around().portals());
+        List<TickEvent> events = actionsOfHands == 0 ? List.of() : new ArrayList<>(0);
+        SimState acted = actionsOfHands == 0 ? before : hands.act(before, input, events);
+        SimState walked = movePlayer(acted, input);
+        SimState moved = bodiesTick.step(walked, hands.drive(acted, input));
+        CrossingWord crossed = walked.around().trace().playerCrossed();
+        SimState followed = hands.follow(moved, crossed, events);
+        TickTrace trace = TickTrace.of(input.actions() & actionsOfHands, crossed, events);
+        return followed.with(followed.around().with(trace));
+    }
+
+    /** A tick that would give numbers that are not finite leaves the player standing still. */
+    private SimState movePlayer(SimState before, PlayerInput input) {
+        SeamedWorld world = spaces.of(before.around().portals()).seamed();
         PlayerState after = before.player().isFinite() ? playerStep.step(world, before.player(), input) : null;
         if (after == null || !after.isFinite()) {
             faults.fault(before.tick(), "the player's state is not finite: " + before.player());
-            return next(before, before.faults() + 1, stopped(before.player()));
+            return next(before, before.faults() + 1, stopped(before.player()), CrossingWord.EMPTY);
+        }
+        if (after.feet().y() < lowest) {
+            return next(before, before.faults(), start.player(), CrossingWord.EMPTY);
         }
         int dropped = playerStep.hasDroppedTime() ? 1 : 0;
         if (dropped > 0) {
             faults.fault(
                     before.tick(), "more than " + Passing.MOST_HOPS + " portals in a tick: the rest of it is dropped");
         }
-        return next(before, before.faults() + dropped, after.feet().y() < lowest ? start.player() : after);
+        return next(before, before.faults() + dropped, after, playerStep.crossed());
     }
 
-    /** Portals change by shots alone, and then all of them: the last set's world is kept. */
-    private SeamedWorld seamed(Portals portals) {
-        if (seamedFor != portals) {
-            seamedFor = portals;
-            seamed = SeamedWorld.of(statics, portals);
-        }
-        return seamed;
-    }
-
-    private static SimState next(SimState before, int faults, PlayerState player) {
-        return new SimState(before.tick() + 1, before.random(), faults, player, before.around());
+    private static SimState next(SimState before, int faults, PlayerState player, CrossingWord crossed) {
+        Changeable around = before.around().with(TickTrace.of(0, crossed, List.of()));
+        return new SimState(before.tick() + 1, before.random(), faults, player, around);
     }
 
     private PlayerState stopped(PlayerState broken) {

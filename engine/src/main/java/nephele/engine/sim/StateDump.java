@@ -1,9 +1,15 @@
 package nephele.engine.sim;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.level.RecordFile;
 import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
 
 /** A state for people and scripts to look at: what {@code simulate --dump} writes. */
 public record StateDump(
@@ -16,8 +22,56 @@ public record StateDump(
         @Written(required = true) double eyeMetres,
         @Written(required = true) PlayerBody.Stance stance,
         @Written Vec3 ground,
-        @Written(required = true) int faults) {
+        @Written(required = true) int faults,
+        @Written(most = 100_000) List<DumpedBody> bodies,
+        @Written(most = 1000) List<DumpedPortal> portals,
+        @Written DumpedHolding holding) {
     private static final RecordFile<StateDump> FILE = RecordFile.of("state", 1, StateDump.class);
+
+    /** A body's motion; orientation as the quaternion's vector, its scalar is not negative. */
+    public record DumpedBody(
+            @Written(required = true) Vec3 centre,
+            @Written(required = true) Vec3 orientation,
+            @Written(required = true) Vec3 velocity,
+            @Written(required = true) Vec3 spin,
+            @Written boolean asleep) {
+        static DumpedBody of(Bodies bodies, int body) {
+            BodyState state = bodies.state(body);
+            var q = state.orientation();
+            double sign = q.w < 0 ? -1 : 1;
+            Vec3 vector = new Vec3(sign * q.x, sign * q.y, sign * q.z);
+            return new DumpedBody(state.centre(), vector, state.velocity(), state.spin(), bodies.isAsleep(body));
+        }
+    }
+
+    /** Where a portal is, and the index of the one that it leads to, −1 for none. */
+    public record DumpedPortal(
+            @Written(required = true) String id,
+            @Written(required = true) Vec3 centre,
+            @Written(required = true) Vec3 normal,
+            @Written(required = true) Vec3 up,
+            @Written(required = true) int leadsTo) {
+        static DumpedPortal of(Portals portals, int index) {
+            Portal portal = portals.portal(index);
+            return new DumpedPortal(
+                    portal.id(),
+                    portal.centre(),
+                    portal.normal(),
+                    portal.frame().up(),
+                    portals.partner(index));
+        }
+    }
+
+    /** What is held, and the ids of the portals on the way to it. */
+    public record DumpedHolding(
+            @Written(required = true) int body, @Written(most = 1000) List<String> through, @Written int ticksUnseen) {
+        static DumpedHolding of(Holding held, Portals portals) {
+            List<String> through = IntStream.range(0, held.word().length())
+                    .mapToObj(i -> portals.portal(held.word().entry(i)).id())
+                    .toList();
+            return held.isHolding() ? new DumpedHolding(held.body(), through, held.ticksUnseen()) : null;
+        }
+    }
 
     public static StateDump of(SimState state) {
         PlayerState player = state.player();
@@ -31,7 +85,14 @@ public record StateDump(
                 player.eyeMetres(),
                 player.stance(),
                 player.ground(),
-                state.faults());
+                state.faults(),
+                IntStream.range(0, state.around().bodies().size())
+                        .mapToObj(i -> DumpedBody.of(state.around().bodies(), i))
+                        .toList(),
+                IntStream.range(0, state.around().portals().size())
+                        .mapToObj(i -> DumpedPortal.of(state.around().portals(), i))
+                        .toList(),
+                DumpedHolding.of(state.around().holding(), state.around().portals()));
     }
 
     /** The file's text. */

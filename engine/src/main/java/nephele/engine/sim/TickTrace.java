@@ -17,8 +17,13 @@ public record TickTrace(int pressed, CrossingWord playerCrossed, List<TickEvent>
         events = List.copyOf(events);
     }
 
+    static TickTrace of(int pressed, CrossingWord playerCrossed, List<TickEvent> events) {
+        boolean isNone = pressed == 0 && playerCrossed.length() == 0 && events.isEmpty();
+        return isNone ? NONE : new TickTrace(pressed, playerCrossed, events);
+    }
+
     long hash(long seed) {
-        if (pressed == 0 && playerCrossed.length() == 0 && events.isEmpty()) {
+        if (equals(NONE)) {
             return seed;
         }
         long hash = StateHash.join(StateHash.join(seed, pressed), playerCrossed);

@@ -6,6 +6,8 @@ import nephele.engine.collision.RoundedHull;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
 
 /**
  * What never changes about the bodies of a level; they are named by their index. Inertia of even density: box
@@ -121,6 +123,32 @@ public final class BodyTable {
             default ->
                 RoundedHull.box(new Vec3(half[3 * body], 0, 0), new Vec3(0, half[3 * body + 1], 0), new Vec3(0, 0, r));
         };
+    }
+
+    /** The shape of a body that is turned like this, around the centre of mass. */
+    public RoundedHull hull(int body, Quaterniond orientation) {
+        double r = half[3 * body + 2];
+        return switch (kind[body]) {
+            case SPHERE -> RoundedHull.sphere(r);
+            case CAPSULE -> RoundedHull.capsule(turned(orientation, 0, half[3 * body + 1], 0), r);
+            default ->
+                RoundedHull.box(
+                        turned(orientation, half[3 * body], 0, 0),
+                        turned(orientation, 0, half[3 * body + 1], 0),
+                        turned(orientation, 0, 0, r));
+        };
+    }
+
+    private static Vec3 turned(Quaterniond orientation, double x, double y, double z) {
+        return Vec3.of(orientation.transform(new Vector3d(x, y, z)));
+    }
+
+    /** The radius of the ball around the centre that holds the body, however it is turned. */
+    public double reachMetres(int body) {
+        double x = half[3 * body];
+        double y = half[3 * body + 1];
+        double z = half[3 * body + 2];
+        return kind[body] == BOX ? Math.sqrt(x * x + y * y + z * z) : y + z;
     }
 
     int kind(int body) {

@@ -15,5 +15,7 @@ public enum Refusal {
     /** The surface has no place for the aperture, however far it were moved. */
     TOO_SMALL,
     /** The surface has a place, but farther from the aim than a portal slides. */
-    EDGE
+    EDGE,
+    /** What stands in the gun's old portals cannot be put on its side of them. */
+    OCCUPIED
 }

@@ -1,0 +1,76 @@
+package nephele.engine.sim;
+
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.PathTrace.End;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * What the player's hands hold, and along which line. They reach along the line of sight, through portals; its word is
+ * kept and follows whoever goes through a portal.
+ */
+final class Carry {
+    /** From the eye to a body's surface. */
+    static final double REACH_METRES = 2.5;
+    /** A held body is let go when nothing has led to it for this long: a moment behind a door frame loses nothing. */
+    static final double GRACE_SECONDS = 0.5;
+
+    private final BodiesInWay bodies;
+    private final int graceTicks;
+    private final Vector3d point = new Vector3d();
+
+    Carry(BodiesInWay bodies, double secondsPerTick) {
+        this.bodies = bodies;
+        graceTicks = (int) Math.ceil(GRACE_SECONDS / secondsPerTick);
+    }
+
+    /** What a hand that reaches out now would hold. */
+    Holding reach(SimState state, PortalSpace space) {
+        Portals portals = space.portals();
+        bodies.at(state.around().bodies(), portals);
+        var sight = new Sight(portals, (from, way) -> bodies.free(from, way, space.free(from, way)));
+        PlayerEye.direction(PlayerEye.view(state.player()), point).mul(REACH_METRES);
+        End end = sight.look(state.player(), point.add(PlayerEye.eye(state.player(), new Vector3d())));
+        if (end != End.BLOCKED || bodies.met() == BodiesInWay.NOTHING) {
+            return Holding.NOTHING;
+        }
+        CrossingWord word = sight.word();
+        boolean sticksOut = bodies.through() != Portals.CLOSED;
+        return new Holding(bodies.met(), sticksOut ? word.then(bodies.through(), portals) : word, 0);
+    }
+
+    /** The same line after a tick in which its ends may have gone through portals. */
+    static Holding follow(Holding held, CrossingWord player, Bodies bodies, Portals portals) {
+        if (!held.isHolding()) {
+            return held;
+        }
+        CrossingWord word = held.word();
+        for (int i = 0; i < player.length(); i++) {
+            word = word.afterEntering(player.entry(i), portals);
+        }
+        for (int i = 0; i < bodies.crossings(held.body()); i++) {
+            word = word.then(bodies.crossing(held.body(), i), portals);
+        }
+        return new Holding(held.body(), word, held.ticksUnseen());
+    }
+
+    /** The same, or {@link Holding#NOTHING} when the line has been broken too long. */
+    Holding keepInSight(Holding held, PlayerState player, Bodies now, PortalSpace space) {
+        if (!held.isHolding() || isSeen(held, player, now, space)) {
+            return held.unseenFor(0);
+        }
+        return held.ticksUnseen() < graceTicks ? held.unseenFor(held.ticksUnseen() + 1) : Holding.NOTHING;
+    }
+
+    /** Whether the straight line to the body's centre goes through just the portals of the word and no solid. */
+    private static boolean isSeen(Holding held, PlayerState player, Bodies now, PortalSpace space) {
+        if (!held.isOpen(space.portals())) {
+            return false;
+        }
+        Vector3dc there = held.pointHere(now.centre(held.body(), new Vector3d()), space.portals());
+        var sight = new Sight(space.portals(), space::free);
+        return sight.look(player, there) == End.ARRIVED && sight.word().equals(held.word());
+    }
+}

@@ -1,0 +1,133 @@
+package nephele.engine.sim;
+
+import java.util.List;
+import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portals;
+import nephele.engine.portal.placement.Placed;
+import nephele.engine.portal.placement.Refusal;
+import nephele.engine.sim.TickEvent.Handled;
+import nephele.engine.sim.TickEvent.Handled.Kind;
+
+/**
+ * What a player does with gun and hands, before anything moves in a tick. Only an action that was not held in the tick
+ * before counts. While something is held, the first trigger throws it.
+ */
+final class Hands {
+    static final double HEAVIEST_KILOGRAMS = 50;
+
+    private final SimLevel level;
+    private final Spaces spaces;
+    private final PortalShots shots;
+    private final Carry carry;
+    private final HeldDrive drive;
+    private final Occupants occupants;
+
+    Hands(SimLevel level, Spaces spaces, double secondsPerTick) {
+        this.level = level;
+        this.spaces = spaces;
+        var inWay = new BodiesInWay(level.bodies());
+        shots = level.gun() == null ? null : new PortalShots(level.gun(), inWay);
+        carry = new Carry(inWay, secondsPerTick);
+        drive = new HeldDrive(level.bodies(), secondsPerTick);
+        occupants = new Occupants(level.bodies());
+    }
+
+    /** The state in which everything then moves: other portals, something else held. */
+    SimState act(SimState before, PlayerInput input, List<TickEvent> events) {
+        int fresh = input.actions() & ~before.around().trace().pressed();
+        SimState state = before;
+        if (state.around().holding().isHolding()) {
+            state = letGo(state, fresh, events);
+        } else {
+            state = is(Action.CARRY, fresh) && level.bodies().size() > 0 ? pickUp(state, events) : state;
+            state = is(Action.FIRE_FIRST, fresh) ? fire(state, Shots.Colour.FIRST, events) : state;
+        }
+        return is(Action.FIRE_SECOND, fresh) ? fire(state, Shots.Colour.SECOND, events) : state;
+    }
+
+    private static boolean is(Action action, int pressed) {
+        return (pressed & action.bit()) != 0;
+    }
+
+    private SimState letGo(SimState state, int fresh, List<TickEvent> events) {
+        Holding held = state.around().holding();
+        Portals portals = state.around().portals();
+        if ((is(Action.THROW, fresh) || is(Action.FIRE_FIRST, fresh)) && held.isOpen(portals)) {
+            BodyState thrown = drive.thrown(state, portals);
+            events.add(new Handled(Kind.THROWN, held.body()));
+            Changeable around = state.around().with(Holding.NOTHING);
+            return state.with(around.with(around.bodies().with(held.body(), thrown)));
+        }
+        if (is(Action.CARRY, fresh)) {
+            events.add(new Handled(Kind.DROPPED, held.body()));
+            return state.with(state.around().with(Holding.NOTHING));
+        }
+        return state;
+    }
+
+    private SimState pickUp(SimState state, List<TickEvent> events) {
+        Holding grasp = carry.reach(state, spaces.of(state.around().portals()));
+        if (!grasp.isHolding()) {
+            events.add(new TickEvent.NothingInReach());
+            return state;
+        }
+        boolean tooHeavy = level.bodies().massKilograms(grasp.body()) > HEAVIEST_KILOGRAMS;
+        events.add(new Handled(tooHeavy ? Kind.TOO_HEAVY : Kind.PICKED_UP, grasp.body()));
+        return tooHeavy ? state : state.with(state.around().with(grasp));
+    }
+
+    /** What a shot would do now, for who draws it before; {@code null} without a gun. */
+    Placed aim(SimState state, Shots.Colour shot) {
+        return shots == null
+                ? null
+                : shots.aim(state, shot, spaces.of(state.around().portals()));
+    }
+
+    private SimState fire(SimState state, Shots.Colour shot, List<TickEvent> events) {
+        if (shots == null) {
+            return state;
+        }
+        Placed placed = aim(state, shot);
+        if (placed instanceof Placed.Fits fits) {
+            Changeable around = state.around();
+            Shots now = PortalShots.shotsWith(shot, around);
+            PortalSpace old = spaces.of(around.portals());
+            PortalSpace next = spaces.of(PortalShots.portalsWith(fits.portal(), shot, now, around.portals()));
+            SimState settled = occupants.settle(state, old, next);
+            if (settled != null) {
+                events.add(new TickEvent.PortalOpened(shot, now.portal(shot)));
+                return settled.with(settled.around().with(next.portals(), now));
+            }
+            Vec3 where = fits.portal().centre();
+            events.add(new TickEvent.PortalRefused(shot, Refusal.OCCUPIED, where));
+        } else if (placed instanceof Placed.Refused refused) {
+            events.add(new TickEvent.PortalRefused(shot, refused.reason(), refused.where()));
+        }
+        return state;
+    }
+
+    /** What a held body does in this tick; {@code null} when nothing is held or nothing leads to it. */
+    BodyState drive(SimState state, PlayerInput input) {
+        Portals portals = state.around().portals();
+        Holding held = state.around().holding();
+        return held.isHolding() && held.isOpen(portals) ? drive.motion(state, input, spaces.of(portals)) : null;
+    }
+
+    /** After everything has moved: the line to what is held, or its end. */
+    SimState follow(SimState moved, CrossingWord playerCrossed, List<TickEvent> events) {
+        Changeable around = moved.around();
+        Holding held = around.holding();
+        if (!held.isHolding()) {
+            return moved;
+        }
+        PortalSpace space = spaces.of(around.portals());
+        Holding along = Carry.follow(held, playerCrossed, around.bodies(), space.portals());
+        Holding kept = carry.keepInSight(along, moved.player(), around.bodies(), space);
+        if (!kept.isHolding()) {
+            events.add(new Handled(Kind.LOST, held.body()));
+        }
+        return moved.with(around.with(kept));
+    }
+}

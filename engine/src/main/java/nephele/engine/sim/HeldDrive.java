@@ -1,0 +1,103 @@
+package nephele.engine.sim;
+
+import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3d;
+
+/**
+ * Moves a held body to a place before the eye: a velocity that brings it there without overshooting, within what arms
+ * can do. It goes with the player's own motion; forces are limited, so that nothing gains more than a push.
+ */
+final class HeldDrive {
+    /** Between the player and the nearest side of what is held. */
+    private static final double GAP_METRES = 0.35;
+
+    private static final double RATE_PER_SECOND = 15;
+    private static final double FASTEST = 8;
+    private static final double STRONGEST_NEWTON = 1500;
+    /** Light things would otherwise jump. */
+    private static final double HARDEST_ACCELERATION = 120;
+
+    private static final double FASTEST_SPIN = 12;
+    private static final double THROW_SPEED = 8;
+    private static final double THROW_NEWTON_SECONDS = 160;
+
+    private final BodyTable table;
+    private final double seconds;
+    private final Vector3d target = new Vector3d();
+    private final Vector3d eye = new Vector3d();
+    private final Vector3d ahead = new Vector3d();
+    private final Vector3d carried = new Vector3d();
+
+    HeldDrive(BodyTable table, double secondsPerTick) {
+        this.table = table;
+        seconds = secondsPerTick;
+    }
+
+    /** The motion that a held body starts this tick with. */
+    BodyState motion(SimState state, PlayerInput input, PortalSpace space) {
+        Holding held = state.around().holding();
+        Portals portals = space.portals();
+        BodyState body = state.around().bodies().state(held.body());
+        PlayerState player = state.player();
+        held.pointThere(place(held, player, space), portals).sub(body.centre().toVector());
+        Vec3 own = player.velocity();
+        held.directionThere(carried.set(own.x(), own.y(), own.z()), portals);
+        Vector3d velocity = approach(target, acceleration(held.body())).add(carried);
+        limitChange(velocity, body.velocity().toVector(), acceleration(held.body()) * seconds);
+        return body.moving(Vec3.of(velocity), spin(held, input, portals));
+    }
+
+    private double acceleration(int body) {
+        return Math.min(HARDEST_ACCELERATION, STRONGEST_NEWTON / table.massKilograms(body));
+    }
+
+    /** Where the body's centre belongs, in the player's space, as if there were no portals. */
+    private Vector3d place(Holding held, PlayerState player, PortalSpace space) {
+        double reach = table.reachMetres(held.body());
+        PlayerEye.eye(player, eye);
+        PlayerEye.direction(PlayerEye.view(player), ahead);
+        double metres = PlayerBody.RADIUS + GAP_METRES + reach;
+        var sight = new Sight(space.portals(), space::free);
+        sight.look(player, target.set(eye).fma(metres + reach, ahead));
+        double free = Math.max(0, Math.min(metres, sight.freeMetres() - reach / 2));
+        return target.set(eye).fma(free, ahead);
+    }
+
+    /** Towards a place as far off as {@code way}: fast, but never so fast that it could not stop there. */
+    private Vector3d approach(Vector3d way, double acceleration) {
+        double metres = way.length();
+        if (metres == 0) {
+            return way;
+        }
+        double stopping = 0.7 * Math.sqrt(2 * acceleration * metres);
+        double speed =
+                Math.min(FASTEST, Math.min(stopping, metres * -StrictMath.expm1(-RATE_PER_SECOND * seconds) / seconds));
+        return way.mul(speed / metres);
+    }
+
+    private static void limitChange(Vector3d velocity, Vector3d before, double most) {
+        velocity.sub(before);
+        double change = velocity.length();
+        velocity.mul(change > most ? most / change : 1).add(before);
+    }
+
+    /** What is held turns as the player does. */
+    private Vec3 spin(Holding held, PlayerInput input, Portals portals) {
+        double yaw = Math.toRadians(input.turnLeftMillidegrees() / 1000.0) / seconds;
+        double limited = Math.max(-FASTEST_SPIN, Math.min(FASTEST_SPIN, yaw));
+        return Vec3.of(held.directionThere(carried.set(0, limited, 0), portals));
+    }
+
+    /** The motion of a body that is thrown where the player looks. */
+    BodyState thrown(SimState state, Portals portals) {
+        Holding held = state.around().holding();
+        BodyState body = state.around().bodies().state(held.body());
+        double speed = Math.min(THROW_SPEED, THROW_NEWTON_SECONDS / table.massKilograms(held.body()));
+        Vec3 own = state.player().velocity();
+        PlayerEye.direction(PlayerEye.view(state.player()), ahead).mul(speed).add(own.x(), own.y(), own.z());
+        return body.moving(Vec3.of(held.directionThere(ahead, portals)), body.spin());
+    }
+}

@@ -1,0 +1,127 @@
+package nephele.engine.sim;
+
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.Recovery;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.Sweep;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * Who stands in a portal when it is moved: the side of the centre decides. What has lost its room is swept out along the
+ * old portal's normal, or a short way out of what it is in now; when neither leads to a free place, the portal stays.
+ */
+final class Occupants {
+    private static final Vector3dc STILL = new Vector3d();
+
+    private final BodyTable table;
+    private final Recovery recovery = new Recovery();
+    private final Sweep sweep = new Sweep();
+    private final Vector3d centre = new Vector3d();
+    private final Vector3d push = new Vector3d();
+    private PortalSpace before;
+    private PortalSpace after;
+
+    Occupants(BodyTable table) {
+        this.table = table;
+    }
+
+    /** The state with everybody in free places of the new space; {@code null} when somebody finds none. */
+    SimState settle(SimState state, PortalSpace from, PortalSpace to) {
+        before = from;
+        after = to;
+        PlayerState player = player(state.player());
+        Bodies bodies = player == null ? null : bodies(state.around().bodies());
+        return bodies == null
+                ? null
+                : state.withPlayer(player).with(state.around().with(bodies));
+    }
+
+    private PlayerState player(PlayerState player) {
+        PlayerEye.centre(player, centre);
+        if (!clear(PlayerMotion.shape(player.stance(), player.tilt().up()))) {
+            return null;
+        }
+        Vec3 feet = player.feet();
+        return isPushed() ? player.withFeet(new Vec3(feet.x() + push.x, feet.y() + push.y, feet.z() + push.z)) : player;
+    }
+
+    private Bodies bodies(Bodies bodies) {
+        Bodies settled = bodies;
+        var orientation = new Quaterniond();
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.centre(i, centre);
+            if (!clear(table.hull(i, bodies.orientation(i, orientation)))) {
+                return null;
+            }
+            if (isPushed()) {
+                BodyState state = bodies.state(i);
+                Vec3 place = Vec3.of(centre.add(push));
+                settled = settled.with(i, new BodyState(place, state.orientation(), state.velocity(), state.spin()));
+            }
+        }
+        return settled;
+    }
+
+    private boolean isPushed() {
+        return push.lengthSquared() > 0;
+    }
+
+    /** Finds the push for a shape at {@code centre}; false when there is none. */
+    private boolean clear(RoundedHull shape) {
+        push.zero();
+        long was = before.active(shape, centre, STILL);
+        if (was == 0 && after.active(shape, centre, STILL) == 0 || isFree(shape)) {
+            return true;
+        }
+        // What was in a wall before is no worse off now.
+        if (!recovery.isFree(before.around(was), shape, centre)) {
+            return true;
+        }
+        for (int i = 0; i < before.portals().size(); i++) {
+            if ((was & 1L << i) != 0 && outOf(before.portals().portal(i), shape)) {
+                return true;
+            }
+        }
+        return recovery.find(world(shape), shape, centre, push) && arrives(shape);
+    }
+
+    private CollisionWorld world(RoundedHull shape) {
+        return after.around(after.active(shape, centre, push));
+    }
+
+    private boolean isFree(RoundedHull shape) {
+        return recovery.isFree(world(shape), shape, centre);
+    }
+
+    /** Out of a portal's plane, until all of the shape is before it. */
+    private boolean outOf(Portal portal, RoundedHull shape) {
+        Vec3 n = portal.normal();
+        double behind = 0;
+        for (int i = 0; i < shape.corePoints(); i++) {
+            double along = n.x() * shape.core(i, 0) + n.y() * shape.core(i, 1) + n.z() * shape.core(i, 2);
+            behind = Math.max(behind, shape.radiusMetres() - along);
+        }
+        double metres = behind + Sweep.SKIN_METRES - portal.inFront(centre.x, centre.y, centre.z);
+        push.set(n.x(), n.y(), n.z()).mul(Math.max(0, metres));
+        return arrives(shape);
+    }
+
+    /** Whether nothing is in the push's way and its end is free; without, there is no push. */
+    private boolean arrives(RoundedHull shape) {
+        boolean blocked = sweep.cast(world(shape), shape, centre, push);
+        centre.add(push);
+        boolean free = !blocked && isFree(shape);
+        centre.sub(push);
+        if (!free) {
+            push.zero();
+        }
+        return free;
+    }
+}

@@ -1,0 +1,109 @@
+package nephele.engine.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Crossing;
+import nephele.engine.portal.Obstacles;
+import nephele.engine.portal.PathTrace;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import nephele.engine.portal.placement.Aim;
+import nephele.engine.portal.placement.Placed;
+import nephele.engine.portal.placement.Placement;
+import nephele.engine.portal.placement.Refusal;
+import org.joml.Vector3d;
+
+/**
+ * The portal gun. A shot flies straight from the eye along the view, to the first surface: it goes through no portal, as
+ * in the games of the genre, so a portal is always made in sight of its own surroundings. Both portals lead to each
+ * other as soon as there are two.
+ */
+final class PortalShots {
+    private static final double FARTHEST_METRES = 1e5;
+    /** A portal this near a wall is in it: whether another one fits beside it is for the placement to say. */
+    private static final double IN_WALL_METRES = 0.01;
+
+    private final Placement placement;
+    private final BodiesInWay bodies;
+
+    PortalShots(Placement placement, BodiesInWay bodies) {
+        this.placement = placement;
+        this.bodies = bodies;
+    }
+
+    /** What a shot would do now. */
+    Placed aim(SimState state, Shots.Colour shot, PortalSpace space) {
+        Changeable around = state.around();
+        int own = around.shots().portal(shot);
+        Aim aim = aim(state.player(), space.portals());
+        Vec3 blocked = portalInTheWay(aim, own, space);
+        if (blocked != null) {
+            return new Placed.Refused(Refusal.OVERLAPS_OTHER, blocked);
+        }
+        List<Portal> others = new ArrayList<>();
+        for (int i = 0; i < around.portals().size(); i++) {
+            if (i != own) {
+                others.add(around.portals().portal(i));
+            }
+        }
+        return placement.place(shot.portalId(), aim, others, bodies.at(around.bodies(), space.portals()));
+    }
+
+    /** From where the eye really is: it may be beyond a portal that the body's centre is before. */
+    private static Aim aim(PlayerState player, Portals portals) {
+        Vector3d centre = PlayerEye.centre(player, new Vector3d());
+        Vector3d way = PlayerEye.eye(player, new Vector3d()).sub(centre);
+        var toEye = new PathTrace(portals, Obstacles.NONE);
+        toEye.walk(centre, way);
+        Basis view = PlayerEye.view(player);
+        return new Aim(
+                Vec3.of(toEye.place()),
+                new Basis(carried(toEye, view.right()), carried(toEye, view.up()), carried(toEye, view.back())));
+    }
+
+    private static Vec3 carried(PathTrace along, Vec3 direction) {
+        return Vec3.of(along.carryDirection(direction.toVector()));
+    }
+
+    /** Where a shot meets a portal that stands free of any wall, {@code null} for nowhere. */
+    private static Vec3 portalInTheWay(Aim aim, int own, PortalSpace space) {
+        Vector3d eye = aim.eye().toVector();
+        Vector3d way = aim.direction().toVector().mul(FARTHEST_METRES);
+        way.mul(space.free(eye, way));
+        way.mul(Math.max(0, 1 - IN_WALL_METRES / way.length()));
+        var crossing = new Crossing();
+        boolean meets = crossing.find(space.portals(), eye, way, new Vector3d(), 1);
+        return meets && crossing.portal() != own ? Vec3.of(crossing.place()) : null;
+    }
+
+    /** The portals with another one; a first shot gets the next index. */
+    static Shots shotsWith(Shots.Colour shot, Changeable around) {
+        boolean isNew = around.shots().portal(shot) == Shots.UNFIRED;
+        return isNew ? around.shots().with(shot, around.portals().size()) : around.shots();
+    }
+
+    /** All portals after a shot: those fixed as they were, the two of the gun linked. */
+    static Portals portalsWith(Portal made, Shots.Colour shot, Shots shots, Portals before) {
+        List<Portal> portals = new ArrayList<>();
+        List<Integer> partners = new ArrayList<>();
+        for (int i = 0; i < before.size(); i++) {
+            portals.add(before.portal(i));
+            partners.add(before.partner(i));
+        }
+        int index = shots.portal(shot);
+        if (index == portals.size()) {
+            portals.add(made);
+            partners.add(Portals.CLOSED);
+        } else {
+            portals.set(index, made);
+        }
+        int other = shots.portal(shot.other());
+        if (other != Shots.UNFIRED) {
+            partners.set(index, other);
+            partners.set(other, index);
+        }
+        return new Portals(portals, partners);
+    }
+}

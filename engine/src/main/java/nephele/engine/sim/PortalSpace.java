@@ -1,0 +1,47 @@
+package nephele.engine.sim;
+
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.RayCast;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.rigid.Surroundings;
+import nephele.engine.math.Ray;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3dc;
+
+/** What follows from the level and the portals of a tick. Its portals are closed where the exit is no place to come out. */
+final class PortalSpace implements Surroundings {
+    private final SeamedWorld seamed;
+    private final Portals portals;
+    private final RayCast cast = new RayCast();
+
+    PortalSpace(CollisionWorld statics, Portals given) {
+        seamed = SeamedWorld.of(statics, given);
+        portals = seamed.portals();
+    }
+
+    SeamedWorld seamed() {
+        return seamed;
+    }
+
+    /** How much of a way is free of solids, portals aside. */
+    double free(Vector3dc from, Vector3dc way) {
+        var ray = new Ray(from.x(), from.y(), from.z(), way.x(), way.y(), way.z());
+        return cast.cast(seamed.statics(), ray, 1) ? cast.distance() : 1;
+    }
+
+    @Override
+    public Portals portals() {
+        return portals;
+    }
+
+    @Override
+    public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
+        return seamed.active(shape, at, way);
+    }
+
+    @Override
+    public CollisionWorld around(long active) {
+        return seamed.around(active);
+    }
+}

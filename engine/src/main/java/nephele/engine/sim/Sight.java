@@ -1,0 +1,55 @@
+package nephele.engine.sim;
+
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Obstacles;
+import nephele.engine.portal.PathTrace;
+import nephele.engine.portal.PathTrace.End;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * A line of sight: from a player's centre to the eye, which may lie beyond a portal, and from there straight on through
+ * portals up to an obstacle. One for one set of portals, reused; the accessors speak of the last line.
+ */
+final class Sight {
+    private final Portals portals;
+    private final PathTrace body;
+    private final PathTrace view;
+    private final Vector3d centre = new Vector3d();
+    private final Vector3d way = new Vector3d();
+    private double metres;
+
+    Sight(Portals portals, Obstacles obstacles) {
+        this.portals = portals;
+        body = new PathTrace(portals, Obstacles.NONE);
+        view = new PathTrace(portals, obstacles);
+    }
+
+    /**
+     * @param towards what is looked at, or in the direction of what; in the space of the player's centre, as if there
+     *     were no portals between
+     */
+    End look(PlayerState player, Vector3dc towards) {
+        PlayerEye.centre(player, centre);
+        PlayerEye.eye(player, way);
+        Vector3d line = new Vector3d(towards).sub(way);
+        body.walk(centre, way.sub(centre));
+        metres = line.length();
+        return view.walk(body.place(), body.carryDirection(line));
+    }
+
+    /** How far the eye sees along the line. */
+    double freeMetres() {
+        return metres * view.freeFraction();
+    }
+
+    /** From the player's centre to the line's end. */
+    CrossingWord word() {
+        CrossingWord word = body.word();
+        for (int i = 0; i < view.crossings(); i++) {
+            word = word.then(view.entered(i), portals);
+        }
+        return word;
+    }
+}
