@@ -17,6 +17,8 @@ public final class Collider {
     private final double[] vertices;
     private final double[] planes;
     private final double[] edges;
+    /** Made when the first body comes near. */
+    private ContactHull contactHull;
 
     public Collider(String solidId, ConvexPolyhedron shape) {
         this.solidId = solidId;
@@ -68,6 +70,14 @@ public final class Collider {
             }
         }
         return directions;
+    }
+
+    /** For contact points of bodies. */
+    public ContactHull contactHull() {
+        if (contactHull == null) {
+            contactHull = new ContactHull(this);
+        }
+        return contactHull;
     }
 
     public String solidId() {

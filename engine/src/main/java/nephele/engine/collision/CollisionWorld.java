@@ -112,6 +112,18 @@ public final class CollisionWorld {
         found.sort();
     }
 
+    /** The same for six numbers of an array from {@code at} on: three least, three greatest. */
+    public void overlapping(double[] box, int at, ItemList found) {
+        found.clear();
+        if (base == null) {
+            index.overlapping(box, at, found);
+        } else {
+            base.index.overlapping(box, at, present(found));
+            index.overlapping(box, at, own(found));
+        }
+        found.sort();
+    }
+
     /**
      * Fills {@code found} with the colliders that a shape may touch on its way, in ascending order.
      *

@@ -21,6 +21,10 @@ public final class RoundedHull {
             square = Math.max(square, core[i] * core[i] + core[i + 1] * core[i + 1] + core[i + 2] * core[i + 2]);
         }
         reachMetres = Math.sqrt(square) + radiusMetres;
+        bound();
+    }
+
+    private void bound() {
         for (int axis = 0; axis < 3; axis++) {
             least[axis] = Double.POSITIVE_INFINITY;
             greatest[axis] = Double.NEGATIVE_INFINITY;
@@ -58,6 +62,28 @@ public final class RoundedHull {
             corners[3 * i + 2] = sx * halfX.z() + sy * halfY.z() + sz * halfZ.z();
         }
         return new RoundedHull(corners, 0);
+    }
+
+    /** The same shape, for an owner who wants to {@link #turn} it. */
+    public RoundedHull copy() {
+        return new RoundedHull(core.clone(), radiusMetres);
+    }
+
+    /**
+     * Becomes another shape turned: for an owner who keeps one shape for many queries, and hands it to nobody else.
+     *
+     * @param axes from {@code at} on nine numbers: where the axes x, y and z of the upright shape point
+     */
+    public void turn(RoundedHull upright, double[] axes, int at) {
+        for (int i = 0; i < core.length; i += 3) {
+            double x = upright.core[i];
+            double y = upright.core[i + 1];
+            double z = upright.core[i + 2];
+            for (int axis = 0; axis < 3; axis++) {
+                core[i + axis] = axes[at + axis] * x + axes[at + 3 + axis] * y + axes[at + 6 + axis] * z;
+            }
+        }
+        bound();
     }
 
     public double radiusMetres() {

@@ -105,6 +105,44 @@ public final class SpatialIndex {
                 && box.minZ() <= bounds[at + 5];
     }
 
+    /** Every item whose box meets the one that stands in {@code box} from {@code at} on: three least, three greatest. */
+    public void overlapping(double[] box, int at, ItemVisitor found) {
+        overlappingSlots(box, at, 0, tree.unbounded(), found);
+        if (tree.nodes() > 0) {
+            overlappingNode(0, box, at, found);
+        }
+    }
+
+    private void overlappingNode(int node, double[] box, int at, ItemVisitor found) {
+        if (!overlaps(tree.nodeBounds(), 6 * node, box, at)) {
+            return;
+        }
+        int right = tree.right()[node];
+        if (right < 0) {
+            overlappingSlots(box, at, tree.first()[node], tree.end()[node], found);
+        } else {
+            overlappingNode(node + 1, box, at, found);
+            overlappingNode(right, box, at, found);
+        }
+    }
+
+    private void overlappingSlots(double[] box, int at, int firstSlot, int endSlot, ItemVisitor found) {
+        for (int slot = firstSlot; slot < endSlot; slot++) {
+            if (overlaps(tree.slotBounds(), 6 * slot, box, at)) {
+                found.item(tree.itemAtSlot()[slot]);
+            }
+        }
+    }
+
+    private static boolean overlaps(double[] bounds, int i, double[] box, int j) {
+        return bounds[i] <= box[j + 3]
+                && box[j] <= bounds[i + 3]
+                && bounds[i + 1] <= box[j + 4]
+                && box[j + 1] <= bounds[i + 4]
+                && bounds[i + 2] <= box[j + 5]
+                && box[j + 2] <= bounds[i + 5];
+    }
+
     /**
      * The nearest hit by the caller's own test, the lowest item among equally near ones.
      *

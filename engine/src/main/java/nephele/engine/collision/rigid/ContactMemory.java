@@ -39,6 +39,10 @@ final class ContactMemory {
         return impulses[IMPULSES * entry + row];
     }
 
+    void copyImpulses(int entry, float[] out, int outEntry) {
+        System.arraycopy(impulses, IMPULSES * entry, out, IMPULSES * outEntry, IMPULSES);
+    }
+
     long hash(long before) {
         long hash = BitHash.join(before, (long) keys.length);
         for (int i = 0; i < keys.length; i++) {

@@ -21,7 +21,8 @@ public final class Influences {
 
     /** A capsule that goes its own way; bodies meet it as if it had a mass, and what they give it is summed up. */
     public static final class Character {
-        final RoundedHull shape;
+        final RoundedHull upright;
+        final RoundedHull scratch;
         final double massKilograms;
         final Vector3d centre = new Vector3d();
         final Vector3d velocity = new Vector3d();
@@ -29,7 +30,8 @@ public final class Influences {
         private final double halfAxisMetres;
 
         Character(double radiusMetres, double heightMetres, double massKilograms) {
-            shape = RoundedHull.uprightCapsule(radiusMetres, heightMetres);
+            upright = RoundedHull.uprightCapsule(radiusMetres, heightMetres);
+            scratch = upright.copy();
             this.massKilograms = massKilograms;
             halfAxisMetres = heightMetres / 2 - radiusMetres;
         }
@@ -39,7 +41,7 @@ public final class Influences {
         }
 
         double radiusMetres() {
-            return shape.radiusMetres();
+            return upright.radiusMetres();
         }
 
         public void move(Vector3dc newCentre, Vector3dc newVelocity) {
@@ -96,8 +98,8 @@ public final class Influences {
         return characters.size();
     }
 
-    Character character(int index) {
-        return characters.get(index);
+    List<Character> characterList() {
+        return characters;
     }
 
     int driven() {

@@ -1,0 +1,266 @@
+package nephele.engine.collision.rigid;
+
+/**
+ * Contact of two boxes: the fifteen axes of Gottschalk, Lin and Manocha (1996), in the frame of the first as in Ericson,
+ * Real-Time Collision Detection (2005), section 4.4.1; then the face of one clipped by the other, or the nearest points
+ * of two edges. Reused.
+ */
+final class BoxPair {
+    /** Axes of edges this parallel separate nothing that a face does not. */
+    private static final double PARALLEL_SQUARE = 1e-6;
+
+    private final FaceClip clip;
+    private final double[] dots = new double[9];
+    private final double[] size = new double[9];
+    /** Separation along the three axes of either box. */
+    private final double[] gap = new double[6];
+    /** Signed distance of the centres along them, from the first to the second. */
+    private final double[] along = new double[6];
+
+    private Poses poses;
+    private int a;
+    private int b;
+    private double dX;
+    private double dY;
+    private double dZ;
+    private double edgeGap;
+    private int edge;
+    private double tolerance;
+
+    BoxPair(FaceClip clip) {
+        this.clip = clip;
+    }
+
+    /** Fills {@code out} with the points nearer than {@code reach}. */
+    void touch(Poses where, int first, int second, double reach, Manifold out) {
+        poses = where;
+        a = first;
+        b = second;
+        double[] c = poses.centre;
+        dX = c[3 * b] - c[3 * a];
+        dY = c[3 * b + 1] - c[3 * a + 1];
+        dZ = c[3 * b + 2] - c[3 * a + 2];
+        out.clear();
+        if (!facesWithin(reach)) {
+            return;
+        }
+        double least = Math.min(poses.leastHalf(a), poses.leastHalf(b));
+        tolerance = Math.min(1e-3, 0.02 * least);
+        int face = bestFace();
+        if (!edgesWithin(reach)) {
+            return;
+        }
+        if (edgeGap > gap[face] + tolerance) {
+            edgePoint(out);
+            return;
+        }
+        for (int attempt = 0; attempt < 3 && gap[face] > Double.NEGATIVE_INFINITY; attempt++) {
+            if (facePoints(face, reach, out)) {
+                return;
+            }
+            gap[face] = Double.NEGATIVE_INFINITY;
+            face = bestFace();
+        }
+    }
+
+    private boolean facesWithin(double reach) {
+        double[] x = poses.axes;
+        double[] h = poses.half;
+        for (int i = 0; i < 3; i++) {
+            int p = 9 * a + 3 * i;
+            for (int j = 0; j < 3; j++) {
+                int q = 9 * b + 3 * j;
+                double dot = x[p] * x[q] + x[p + 1] * x[q + 1] + x[p + 2] * x[q + 2];
+                dots[3 * i + j] = dot;
+                size[3 * i + j] = Math.abs(dot);
+            }
+            along[i] = x[p] * dX + x[p + 1] * dY + x[p + 2] * dZ;
+            gap[i] = Math.abs(along[i])
+                    - h[3 * a + i]
+                    - h[3 * b] * size[3 * i]
+                    - h[3 * b + 1] * size[3 * i + 1]
+                    - h[3 * b + 2] * size[3 * i + 2];
+            if (gap[i] > reach) {
+                return false;
+            }
+        }
+        for (int j = 0; j < 3; j++) {
+            int q = 9 * b + 3 * j;
+            along[3 + j] = x[q] * dX + x[q + 1] * dY + x[q + 2] * dZ;
+            gap[3 + j] = Math.abs(along[3 + j])
+                    - h[3 * b + j]
+                    - h[3 * a] * size[j]
+                    - h[3 * a + 1] * size[3 + j]
+                    - h[3 * a + 2] * size[6 + j];
+            if (gap[3 + j] > reach) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The face of the first box wins where it is about as good, so that the choice stays. */
+    private int bestFace() {
+        int best = 0;
+        for (int i = 1; i < 6; i++) {
+            best = gap[i] > gap[best] + (i < 3 ? tolerance / 8 : tolerance) ? i : best;
+        }
+        return best;
+    }
+
+    private boolean edgesWithin(double reach) {
+        edgeGap = Double.NEGATIVE_INFINITY;
+        double[] h = poses.half;
+        for (int i = 0; i < 3; i++) {
+            int i1 = (i + 1) % 3;
+            int i2 = (i + 2) % 3;
+            for (int j = 0; j < 3; j++) {
+                double square = 1 - dots[3 * i + j] * dots[3 * i + j];
+                if (square < PARALLEL_SQUARE) {
+                    continue;
+                }
+                int j1 = (j + 1) % 3;
+                int j2 = (j + 2) % 3;
+                double length = Math.sqrt(square);
+                double distance = Math.abs(along[i2] * dots[3 * i1 + j] - along[i1] * dots[3 * i2 + j]);
+                double ra = h[3 * a + i1] * size[3 * i2 + j] + h[3 * a + i2] * size[3 * i1 + j];
+                double rb = h[3 * b + j1] * size[3 * i + j2] + h[3 * b + j2] * size[3 * i + j1];
+                double separation = (distance - ra - rb) / length;
+                if (separation > reach) {
+                    return false;
+                }
+                if (separation > edgeGap + tolerance / 8) {
+                    edgeGap = separation;
+                    edge = 3 * i + j;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** False when the faces lie beside each other: then this axis says nothing. */
+    private boolean facePoints(int face, double reach, Manifold out) {
+        boolean ofFirst = face < 3;
+        int i = ofFirst ? face : face - 3;
+        int reference = ofFirst ? a : b;
+        int incident = ofFirst ? b : a;
+        double[] x = poses.axes;
+        double[] h = poses.half;
+        // From the reference box to the other one.
+        double sign = (along[face] < 0) == ofFirst ? -1 : 1;
+        int r = 9 * reference + 3 * i;
+        double nX = sign * x[r];
+        double nY = sign * x[r + 1];
+        double nZ = sign * x[r + 2];
+        addIncidentFace(incident, i, ofFirst, nX, nY, nZ);
+        double rX = ofFirst ? 0 : dX;
+        double rY = ofFirst ? 0 : dY;
+        double rZ = ofFirst ? 0 : dZ;
+        for (int k = 1; k < 3; k++) {
+            int axis = (i + k) % 3;
+            int s = 9 * reference + 3 * axis;
+            double centre = rX * x[s] + rY * x[s + 1] + rZ * x[s + 2];
+            clip.side(x[s], x[s + 1], x[s + 2], centre + h[3 * reference + axis], 2 * k);
+            clip.side(-x[s], -x[s + 1], -x[s + 2], h[3 * reference + axis] - centre, 2 * k + 1);
+        }
+        if (clip.isSliver()) {
+            return false;
+        }
+        out.code = face + (sign > 0 ? 6 : 0);
+        double turn = ofFirst ? -1 : 1;
+        out.normal(turn * nX, turn * nY, turn * nZ);
+        double distance = rX * nX + rY * nY + rZ * nZ + h[3 * reference + i];
+        clip.keep(nX, nY, nZ, distance, reach, out);
+        return true;
+    }
+
+    private void addIncidentFace(int incident, int referenceAxis, boolean ofFirst, double nX, double nY, double nZ) {
+        double[] x = poses.axes;
+        double[] h = poses.half;
+        int j = 0;
+        for (int k = 1; k < 3; k++) {
+            double now = ofFirst ? size[3 * referenceAxis + k] : size[3 * k + referenceAxis];
+            double best = ofFirst ? size[3 * referenceAxis + j] : size[3 * j + referenceAxis];
+            j = now > best + 1e-9 ? k : j;
+        }
+        int q = 9 * incident + 3 * j;
+        double sign = x[q] * nX + x[q + 1] * nY + x[q + 2] * nZ > 0 ? -1 : 1;
+        double reach = sign * h[3 * incident + j];
+        double cX = (ofFirst ? dX : 0) + reach * x[q];
+        double cY = (ofFirst ? dY : 0) + reach * x[q + 1];
+        double cZ = (ofFirst ? dZ : 0) + reach * x[q + 2];
+        int u = 9 * incident + 3 * ((j + 1) % 3);
+        int v = 9 * incident + 3 * ((j + 2) % 3);
+        double hu = h[3 * incident + (j + 1) % 3];
+        double hv = h[3 * incident + (j + 2) % 3];
+        clip.start(tolerance);
+        int id = sign > 0 ? 0 : 4;
+        for (int k = 0; k < 4; k++) {
+            double su = k == 0 || k == 3 ? hu : -hu;
+            double sv = k < 2 ? hv : -hv;
+            clip.corner(
+                    cX + su * x[u] + sv * x[v],
+                    cY + su * x[u + 1] + sv * x[v + 1],
+                    cZ + su * x[u + 2] + sv * x[v + 2],
+                    id + k);
+        }
+    }
+
+    private void edgePoint(Manifold out) {
+        int i = edge / 3;
+        int j = edge % 3;
+        double[] x = poses.axes;
+        int p = 9 * a + 3 * i;
+        int q = 9 * b + 3 * j;
+        double nX = x[p + 1] * x[q + 2] - x[p + 2] * x[q + 1];
+        double nY = x[p + 2] * x[q] - x[p] * x[q + 2];
+        double nZ = x[p] * x[q + 1] - x[p + 1] * x[q];
+        double length = Math.sqrt(nX * nX + nY * nY + nZ * nZ);
+        // From the first box to the second.
+        length = nX * dX + nY * dY + nZ * dZ < 0 ? -length : length;
+        nX /= length;
+        nY /= length;
+        nZ /= length;
+        double[] onA = edgeMiddle(a, i, nX, nY, nZ, onFirst);
+        double[] onB = edgeMiddle(b, j, -nX, -nY, -nZ, onSecond);
+        double wX = onB[0] + dX - onA[0];
+        double wY = onB[1] + dY - onA[1];
+        double wZ = onB[2] + dZ - onA[2];
+        double dot = dots[edge];
+        double wa = wX * x[p] + wY * x[p + 1] + wZ * x[p + 2];
+        double wb = wX * x[q] + wY * x[q + 1] + wZ * x[q + 2];
+        double s = (wa - dot * wb) / (1 - dot * dot);
+        double limit = poses.half[3 * a + i];
+        s = Math.max(-limit, Math.min(limit, s));
+        double half = edgeGap / 2;
+        out.normal(-nX, -nY, -nZ);
+        out.code = 12 + edge;
+        out.add(
+                onA[0] + s * x[p] + half * nX,
+                onA[1] + s * x[p + 1] + half * nY,
+                onA[2] + s * x[p + 2] + half * nZ,
+                edgeGap,
+                0);
+    }
+
+    private final double[] onFirst = new double[3];
+    private final double[] onSecond = new double[3];
+
+    /** The middle of the edge along an axis that lies farthest along n, relative to the box's centre. */
+    private double[] edgeMiddle(int box, int axis, double nX, double nY, double nZ, double[] into) {
+        double[] x = poses.axes;
+        into[0] = 0;
+        into[1] = 0;
+        into[2] = 0;
+        for (int k = 1; k < 3; k++) {
+            int other = (axis + k) % 3;
+            int at = 9 * box + 3 * other;
+            double h = poses.half[3 * box + other];
+            h = x[at] * nX + x[at + 1] * nY + x[at + 2] * nZ < 0 ? -h : h;
+            into[0] += h * x[at];
+            into[1] += h * x[at + 1];
+            into[2] += h * x[at + 2];
+        }
+        return into;
+    }
+}

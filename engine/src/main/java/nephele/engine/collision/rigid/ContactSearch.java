@@ -1,0 +1,228 @@
+package nephele.engine.collision.rigid;
+
+import java.util.Arrays;
+import nephele.engine.collision.Collider;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.math.ItemList;
+
+/** Finds who touches whom in a tick, makes the solver's rows of it and remembers what they carried. Reused. */
+final class ContactSearch {
+    /** Surfaces nearer than this are looked at even where nothing moves. */
+    static final double REACH_METRES = 0.01;
+
+    private static final double SLOP_METRES = 5e-4;
+
+    private final BodyTable table;
+    private final Poses poses;
+    private final Motions motions;
+    private final ContactRows rows;
+    private final NarrowPhase narrow;
+    private final SweepAndPrune pairs = new SweepAndPrune();
+    private final MemoryIndex memory = new MemoryIndex();
+    private final Manifold manifold = new Manifold();
+    private final ItemList near = new ItemList();
+    private final double[] offset = new double[3];
+
+    private TickBodies bodies;
+    private Influences influences;
+    private double seconds;
+    private boolean woke;
+
+    ContactSearch(BodyTable table, Poses poses, Motions motions, ContactRows rows) {
+        this.table = table;
+        this.poses = poses;
+        this.motions = motions;
+        this.rows = rows;
+        narrow = new NarrowPhase(table, poses);
+    }
+
+    NarrowPhase narrow() {
+        return narrow;
+    }
+
+    void index(ContactMemory last) {
+        memory.index(last);
+    }
+
+    /** Wakes the sleepers that somebody who moves is about to touch. */
+    boolean wakeTouched(TickBodies now, Influences from, double tickSeconds) {
+        begin(now, from, tickSeconds);
+        woke = false;
+        boolean anyAsleep = false;
+        for (int body = 0; body < bodies.count; body++) {
+            anyAsleep |= bodies.rest[body] == Bodies.ASLEEP;
+        }
+        if (anyAsleep) {
+            pairs.visit(poses, this::wakePair);
+        }
+        return woke;
+    }
+
+    private void begin(TickBodies now, Influences from, double tickSeconds) {
+        bodies = now;
+        influences = from;
+        seconds = tickSeconds;
+    }
+
+    private void wakePair(int a, int b) {
+        int sleeper = isAsleep(a) ? a : isAsleep(b) ? b : -1;
+        if (sleeper < 0 || !moves(sleeper == a ? b : a)) {
+            return;
+        }
+        narrow.touch(a, b, reach(a, b), influences.characterList(), manifold);
+        if (manifold.count > 0) {
+            bodies.wake(sleeper);
+            woke = true;
+        }
+    }
+
+    private boolean isAsleep(int shape) {
+        int owner = poses.owner[shape];
+        return owner < bodies.count && bodies.rest[owner] == Bodies.ASLEEP;
+    }
+
+    private boolean moves(int shape) {
+        int owner = poses.owner[shape];
+        if (owner < bodies.count) {
+            return bodies.isAwake(owner);
+        }
+        return influences.characterList().get(owner - bodies.count).velocity.lengthSquared() > 1e-4;
+    }
+
+    /** How near surfaces must be to matter in this tick. */
+    private double reach(int a, int b) {
+        int u = 6 * poses.owner[a];
+        int v = 6 * poses.owner[b];
+        double[] m = motions.velocity;
+        double x = m[u] - m[v];
+        double y = m[u + 1] - m[v + 1];
+        double z = m[u + 2] - m[v + 2];
+        double way = seconds * (Math.sqrt(x * x + y * y + z * z) + turning(a) + turning(b));
+        double least = Math.min(poses.leastHalf(a), poses.leastHalf(b));
+        return Math.min(REACH_METRES, least / 2) / 2 + Math.min(way, least / 2);
+    }
+
+    private double reach(int body) {
+        double[] m = motions.velocity;
+        int u = 6 * body;
+        double way = seconds * (Math.sqrt(m[u] * m[u] + m[u + 1] * m[u + 1] + m[u + 2] * m[u + 2]) + turning(body));
+        double least = poses.leastHalf(body);
+        return Math.min(REACH_METRES, least / 2) / 2 + Math.min(way, least / 2);
+    }
+
+    private double turning(int shape) {
+        double[] m = motions.velocity;
+        int w = 6 * poses.owner[shape] + 3;
+        double square = m[w] * m[w] + m[w + 1] * m[w + 1] + m[w + 2] * m[w + 2];
+        return square < 1e-12 ? 0 : Math.sqrt(square) * poses.radius(shape);
+    }
+
+    /** Rows for every contact of somebody who is awake: first with the static world, then with each other. */
+    void findContacts(TickBodies now, Surroundings surroundings, Influences from, double tickSeconds) {
+        begin(now, from, tickSeconds);
+        rows.clear();
+        int shapes = poses.count;
+        int scratch = poses.add(BodyTable.BOX, motions.count - 1, -1);
+        poses.upright(scratch);
+        for (int body = 0; body < bodies.count; body++) {
+            if (bodies.isAwake(body)) {
+                withStatics(body, surroundings.around(0), scratch);
+            }
+        }
+        poses.count = shapes;
+        pairs.visit(poses, this::pair);
+    }
+
+    private void withStatics(int body, CollisionWorld world, int scratch) {
+        world.overlapping(poses.bounds, 6 * body, near);
+        double reach = reach(body);
+        for (int i = 0; i < near.size(); i++) {
+            Collider solid = world.collider(near.get(i));
+            narrow.touch(body, solid, reach, scratch, manifold);
+            if (manifold.count > 0) {
+                Arrays.fill(offset, 0);
+                long key = ContactKey.withSolid(body, near.get(i));
+                add(
+                        body,
+                        motions.count - 1,
+                        key,
+                        table.body(body).friction(),
+                        table.body(body).restitution());
+            }
+        }
+    }
+
+    private void pair(int a, int b) {
+        int ownerA = poses.owner[a];
+        int ownerB = poses.owner[b];
+        boolean bodyA = ownerA < bodies.count;
+        boolean bodyB = ownerB < bodies.count;
+        boolean awake = bodyA && bodies.isAwake(ownerA) || bodyB && bodies.isAwake(ownerB);
+        if (!awake) {
+            return;
+        }
+        narrow.touch(a, b, reach(a, b), influences.characterList(), manifold);
+        if (manifold.count == 0) {
+            return;
+        }
+        for (int i = 0; i < 3; i++) {
+            offset[i] = poses.centre[3 * b + i] - poses.centre[3 * a + i];
+        }
+        double friction = Math.sqrt((bodyA ? table.body(ownerA).friction() : 0.3)
+                * (bodyB ? table.body(ownerB).friction() : 0.3));
+        double restitution = Math.max(
+                bodyA ? table.body(ownerA).restitution() : 0,
+                bodyB ? table.body(ownerB).restitution() : 0);
+        add(ownerA, ownerB, ContactKey.between(ownerA, ownerB, poses.through[a]), friction, restitution);
+    }
+
+    private void add(int ownerA, int ownerB, long parties, double friction, double restitution) {
+        int m = rows.add(manifold, ownerA, ownerB, offset, null);
+        rows.key[m] = ContactKey.with(parties, manifold.code, manifold.count);
+        rows.head[ContactRows.HEAD * m + ContactRows.FRICTION] = friction;
+        rows.head[ContactRows.HEAD * m + ContactRows.RESTITUTION] = restitution;
+        rows.head[ContactRows.HEAD * m + ContactRows.SLOP] = Math.min(SLOP_METRES, poses.leastHalf(ownerA) / 50);
+        memory.recall(rows, m);
+    }
+
+    /** What carried something in this tick, and what sleepers had. */
+    ContactMemory remember(ContactMemory last, TickBodies now) {
+        int kept = 0;
+        for (int i = 0; i < last.size(); i++) {
+            kept += isKept(last.key(i), now) ? 1 : 0;
+        }
+        int carried = 0;
+        for (int m = 0; m < rows.count; m++) {
+            carried += rows.carries(m) ? 1 : 0;
+        }
+        long[] keys = new long[kept + carried];
+        int[] features = new int[kept + carried];
+        float[] impulses = new float[(kept + carried) * ContactMemory.IMPULSES];
+        int at = 0;
+        for (int i = 0; i < last.size(); i++) {
+            if (isKept(last.key(i), now)) {
+                keys[at] = last.key(i);
+                features[at] = last.features(i);
+                last.copyImpulses(i, impulses, at++);
+            }
+        }
+        for (int m = 0; m < rows.count; m++) {
+            if (rows.carries(m)) {
+                keys[at] = rows.key[m];
+                features[at] = rows.features[m];
+                rows.writeImpulses(m, impulses, ContactMemory.IMPULSES * at++);
+            }
+        }
+        return new ContactMemory(keys, features, impulses);
+    }
+
+    /** Nobody of these was awake in this tick: what they had is not among the rows. */
+    private boolean isKept(long key, TickBodies now) {
+        int a = ContactKey.first(key);
+        int b = ContactKey.second(key);
+        return a < now.count
+                && motions.inverseMass[a] == 0
+                && (b < 0 || b >= now.count || motions.inverseMass[b] == 0)
+                && now.rest[a] == Bodies.ASLEEP;
+    }
+}

@@ -1,0 +1,251 @@
+package nephele.engine.collision.rigid;
+
+/**
+ * Sequential impulses in small steps (Catto 2005; Macklin et al. 2019, "Small Steps in Physics Simulation"; Catto 2024,
+ * "Solver2D"): each substep starts from what the contacts carried before, goes once over all rows with a push that
+ * takes overlap back, moves, and goes over them again without the push, so that no speed is left of it.
+ */
+final class ContactSolver {
+    /**
+     * How often a substep goes over the points of one manifold before the next: with once only, the order of the points
+     * sets towers rocking.
+     */
+    private static final int ROUNDS_A_MANIFOLD = 3;
+
+    /** Overlap is taken back at no more than this. */
+    private static final double PUSH_METRES_PER_SECOND = 2;
+
+    /** Share of the overlap that a substep takes back. */
+    private static final double PUSH_SHARE = 0.1;
+
+    private static final double BOUNCE_ABOVE_METRES_PER_SECOND = 0.3;
+
+    private final Motions motions;
+    private final ContactRows contacts;
+    private final double[] va = new double[6];
+    private final double[] vb = new double[6];
+
+    ContactSolver(Motions motions, ContactRows contacts) {
+        this.motions = motions;
+        this.contacts = contacts;
+    }
+
+    /** Remembers how fast surfaces approach, for bounces. */
+    void begin() {
+        for (int m = 0; m < contacts.count; m++) {
+            for (int i = 0; i < contacts.points[m]; i++) {
+                int row = contacts.first[m] + i;
+                contacts.rows[ContactRows.ROW * row + ContactRows.APPROACH] = contacts.partingSpeed(m, row);
+            }
+        }
+    }
+
+    void warmStart() {
+        double[] head = contacts.head;
+        double[] rows = contacts.rows;
+        for (int m = 0; m < contacts.count; m++) {
+            int h = ContactRows.HEAD * m;
+            load(m);
+            double f = head[h + ContactRows.FRICTION_IMPULSE];
+            if (f != 0) {
+                apply(head, h + ContactRows.U_A, head, h + ContactRows.U_ANGULAR + 6, m, f);
+            }
+            f = head[h + ContactRows.FRICTION_IMPULSE + 1];
+            if (f != 0) {
+                apply(head, h + ContactRows.W_A, head, h + ContactRows.W_ANGULAR + 6, m, f);
+            }
+            f = head[h + ContactRows.FRICTION_IMPULSE + 2];
+            if (f != 0) {
+                applyTwist(head, h, f);
+            }
+            int r = ContactRows.ROW * contacts.first[m];
+            for (int i = 0; i < contacts.points[m]; i++, r += ContactRows.ROW) {
+                double impulse = rows[r + ContactRows.IMPULSE];
+                if (impulse != 0) {
+                    apply(head, h + ContactRows.N_A, rows, r + 6, m, impulse);
+                }
+            }
+            store(m);
+        }
+    }
+
+    /** @param push whether overlap is taken back */
+    void solve(double h, boolean push) {
+        for (int m = 0; m < contacts.count; m++) {
+            load(m);
+            rubbing(m);
+            for (int round = 0; round < ROUNDS_A_MANIFOLD; round++) {
+                pressing(m, 1 / h, push);
+            }
+            store(m);
+        }
+    }
+
+    private void load(int m) {
+        System.arraycopy(motions.velocity, 6 * contacts.slotA[m], va, 0, 6);
+        System.arraycopy(motions.velocity, 6 * contacts.slotB[m], vb, 0, 6);
+    }
+
+    private void store(int m) {
+        System.arraycopy(va, 0, motions.velocity, 6 * contacts.slotA[m], 6);
+        System.arraycopy(vb, 0, motions.velocity, 6 * contacts.slotB[m], 6);
+    }
+
+    private void rubbing(int m) {
+        double[] head = contacts.head;
+        int h = ContactRows.HEAD * m;
+        double pressed = 0;
+        int r = ContactRows.ROW * contacts.first[m] + ContactRows.IMPULSE;
+        for (int i = 0; i < contacts.points[m]; i++, r += ContactRows.ROW) {
+            pressed += contacts.rows[r];
+        }
+        int f = h + ContactRows.FRICTION_IMPULSE;
+        double limit = head[h + ContactRows.FRICTION] * pressed;
+        if (limit == 0 && head[f] == 0 && head[f + 1] == 0 && head[f + 2] == 0) {
+            return;
+        }
+        turning(h, limit * head[h + ContactRows.TWIST_RADIUS]);
+        double u = head[f]
+                - head[h + ContactRows.MASS] * speed(head, h + ContactRows.U_A, head, h + ContactRows.U_ANGULAR);
+        double w = head[f + 1]
+                - head[h + ContactRows.MASS + 1] * speed(head, h + ContactRows.W_A, head, h + ContactRows.W_ANGULAR);
+        double square = u * u + w * w;
+        if (square > limit * limit) {
+            double scale = limit / Math.sqrt(square);
+            u *= scale;
+            w *= scale;
+        }
+        apply(head, h + ContactRows.U_A, head, h + ContactRows.U_ANGULAR + 6, m, u - head[f]);
+        apply(head, h + ContactRows.W_A, head, h + ContactRows.W_ANGULAR + 6, m, w - head[f + 1]);
+        head[f] = u;
+        head[f + 1] = w;
+    }
+
+    private void turning(int h, double limit) {
+        double[] head = contacts.head;
+        int f = h + ContactRows.FRICTION_IMPULSE + 2;
+        double speed = head[h] * va[3]
+                + head[h + 1] * va[4]
+                + head[h + 2] * va[5]
+                - head[h + 3] * vb[3]
+                - head[h + 4] * vb[4]
+                - head[h + 5] * vb[5];
+        double t = head[f] - head[h + ContactRows.MASS + 2] * speed;
+        t = Math.max(-limit, Math.min(limit, t));
+        applyTwist(head, h, t - head[f]);
+        head[f] = t;
+    }
+
+    private void pressing(int m, double perSecond, boolean push) {
+        double[] head = contacts.head;
+        double[] rows = contacts.rows;
+        int h = ContactRows.HEAD * m;
+        int r = ContactRows.ROW * contacts.first[m];
+        for (int i = 0; i < contacts.points[m]; i++, r += ContactRows.ROW) {
+            double gap = rows[r + ContactRows.GAP] + moved(m, h, r);
+            double aim = 0;
+            if (gap > 0) {
+                aim = gap * perSecond;
+            } else if (push) {
+                aim = Math.max(
+                        PUSH_SHARE * perSecond * Math.min(0, gap + head[h + ContactRows.SLOP]),
+                        -PUSH_METRES_PER_SECOND);
+            }
+            double now = rows[r + ContactRows.IMPULSE];
+            double impulse = Math.max(0, now - rows[r + ContactRows.ROW_MASS] * (speed(head, h, rows, r) + aim));
+            rows[r + ContactRows.IMPULSE] = impulse;
+            rows[r + ContactRows.GREATEST] = Math.max(rows[r + ContactRows.GREATEST], impulse);
+            if (impulse != now) {
+                apply(head, h, rows, r + 6, m, impulse - now);
+            }
+        }
+    }
+
+    /** How much the surfaces have parted since the tick began. */
+    private double moved(int m, int h, int r) {
+        double[] d = motions.moved;
+        double[] n = contacts.head;
+        double[] rows = contacts.rows;
+        int a = 6 * contacts.slotA[m];
+        int b = 6 * contacts.slotB[m];
+        return n[h] * d[a]
+                + n[h + 1] * d[a + 1]
+                + n[h + 2] * d[a + 2]
+                + rows[r] * d[a + 3]
+                + rows[r + 1] * d[a + 4]
+                + rows[r + 2] * d[a + 5]
+                - n[h + 3] * d[b]
+                - n[h + 4] * d[b + 1]
+                - n[h + 5] * d[b + 2]
+                - rows[r + 3] * d[b + 3]
+                - rows[r + 4] * d[b + 4]
+                - rows[r + 5] * d[b + 5];
+    }
+
+    private double speed(double[] linear, int l, double[] angular, int k) {
+        return linear[l] * va[0]
+                + linear[l + 1] * va[1]
+                + linear[l + 2] * va[2]
+                + angular[k] * va[3]
+                + angular[k + 1] * va[4]
+                + angular[k + 2] * va[5]
+                - linear[l + 3] * vb[0]
+                - linear[l + 4] * vb[1]
+                - linear[l + 5] * vb[2]
+                - angular[k + 3] * vb[3]
+                - angular[k + 4] * vb[4]
+                - angular[k + 5] * vb[5];
+    }
+
+    /** @param k where the angular parts times the reciprocal inertia stand */
+    private void apply(double[] linear, int l, double[] angular, int k, int m, double impulse) {
+        double ia = impulse * motions.inverseMass[contacts.slotA[m]];
+        double ib = impulse * motions.inverseMass[contacts.slotB[m]];
+        va[0] += ia * linear[l];
+        va[1] += ia * linear[l + 1];
+        va[2] += ia * linear[l + 2];
+        va[3] += impulse * angular[k];
+        va[4] += impulse * angular[k + 1];
+        va[5] += impulse * angular[k + 2];
+        vb[0] -= ib * linear[l + 3];
+        vb[1] -= ib * linear[l + 4];
+        vb[2] -= ib * linear[l + 5];
+        vb[3] -= impulse * angular[k + 3];
+        vb[4] -= impulse * angular[k + 4];
+        vb[5] -= impulse * angular[k + 5];
+    }
+
+    private void applyTwist(double[] head, int h, double impulse) {
+        int k = h + ContactRows.TWIST;
+        for (int i = 0; i < 3; i++) {
+            va[3 + i] += impulse * head[k + i];
+            vb[3 + i] -= impulse * head[k + 3 + i];
+        }
+    }
+
+    /** Gives back the share of the approach that a bounce keeps (Newton), once, after all else. */
+    void bounce() {
+        double[] rows = contacts.rows;
+        for (int m = 0; m < contacts.count; m++) {
+            double share = contacts.head[ContactRows.HEAD * m + ContactRows.RESTITUTION];
+            if (share == 0) {
+                continue;
+            }
+            load(m);
+            int h = ContactRows.HEAD * m;
+            int r = ContactRows.ROW * contacts.first[m];
+            for (int i = 0; i < contacts.points[m]; i++, r += ContactRows.ROW) {
+                double approach = rows[r + ContactRows.APPROACH];
+                if (approach > -BOUNCE_ABOVE_METRES_PER_SECOND || rows[r + ContactRows.GREATEST] == 0) {
+                    continue;
+                }
+                double now = rows[r + ContactRows.IMPULSE];
+                double speed = speed(contacts.head, h, rows, r) + share * approach;
+                double impulse = Math.max(0, now - rows[r + ContactRows.ROW_MASS] * speed);
+                rows[r + ContactRows.IMPULSE] = impulse;
+                apply(contacts.head, h, rows, r + 6, m, impulse - now);
+            }
+            store(m);
+        }
+    }
+}

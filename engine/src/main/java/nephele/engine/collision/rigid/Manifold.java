@@ -1,0 +1,69 @@
+package nephele.engine.collision.rigid;
+
+/**
+ * Where two shapes touch or are about to: up to four points with one normal, which points from the second shape to the
+ * first. Points are relative to the first shape's centre, half-way between the surfaces. Reused for every pair.
+ */
+final class Manifold {
+    static final int MOST = 4;
+
+    double nX;
+    double nY;
+    double nZ;
+    int count;
+    /** Which features meet: the faces or edges, 8 bits. */
+    int code;
+
+    final double[] point = new double[3 * MOST];
+    /** Metres between the surfaces, negative when they overlap. */
+    final double[] separation = new double[MOST];
+    /** 8 bits a point that stay while the point is the same one. */
+    final int[] feature = new int[MOST];
+
+    void clear() {
+        count = 0;
+    }
+
+    void normal(double x, double y, double z) {
+        nX = x;
+        nY = y;
+        nZ = z;
+    }
+
+    void add(double x, double y, double z, double metres, int id) {
+        point[3 * count] = x;
+        point[3 * count + 1] = y;
+        point[3 * count + 2] = z;
+        separation[count] = metres;
+        feature[count] = id & 0xff;
+        count++;
+    }
+
+    /** Drops a point; the last takes its place. */
+    void remove(int index) {
+        count--;
+        if (index < count) {
+            System.arraycopy(point, 3 * count, point, 3 * index, 3);
+            separation[index] = separation[count];
+            feature[index] = feature[count];
+        }
+    }
+
+    int features() {
+        int packed = 0;
+        for (int i = 0; i < count; i++) {
+            packed |= feature[i] << (8 * i);
+        }
+        return packed;
+    }
+
+    /** Takes the points as seen from the other shape: {@code dX}, y, z is this shape's centre minus the other's. */
+    void swap(double dX, double dY, double dZ) {
+        normal(-nX, -nY, -nZ);
+        for (int i = 0; i < count; i++) {
+            point[3 * i] += dX;
+            point[3 * i + 1] += dY;
+            point[3 * i + 2] += dZ;
+        }
+    }
+}

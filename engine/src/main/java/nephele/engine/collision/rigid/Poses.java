@@ -1,0 +1,132 @@
+package nephele.engine.collision.rigid;
+
+import java.util.Arrays;
+
+/**
+ * Where every shape of a tick is: the bodies, then the characters, then images of both beyond portals, then one place
+ * for a static box. Arrays, because hundreds of them are looked at in every tick.
+ */
+final class Poses {
+    int count;
+    /** {@link BodyTable#SPHERE}, {@link BodyTable#CAPSULE} or {@link BodyTable#BOX}. */
+    int[] kind = new int[0];
+
+    /** Whose motion a contact changes: index of a body, or of a character after the bodies. */
+    int[] owner = new int[0];
+    /** The portal that an image is seen through (the one its owner is active on), or −1. */
+    int[] through = new int[0];
+
+    double[] centre = new double[0];
+    /** Where the axes of the shape point: x, y, z of each. */
+    double[] axes = new double[0];
+
+    double[] half = new double[0];
+    /** Least and greatest coordinates, grown by what may happen in the tick. */
+    double[] bounds = new double[0];
+
+    void clear() {
+        count = 0;
+    }
+
+    int add(int itsKind, int itsOwner, int itsPortal) {
+        if (count == kind.length) {
+            grow(Math.max(16, 2 * count));
+        }
+        kind[count] = itsKind;
+        owner[count] = itsOwner;
+        through[count] = itsPortal;
+        return count++;
+    }
+
+    private void grow(int capacity) {
+        kind = Arrays.copyOf(kind, capacity);
+        owner = Arrays.copyOf(owner, capacity);
+        through = Arrays.copyOf(through, capacity);
+        centre = Arrays.copyOf(centre, 3 * capacity);
+        axes = Arrays.copyOf(axes, 9 * capacity);
+        half = Arrays.copyOf(half, 3 * capacity);
+        bounds = Arrays.copyOf(bounds, 6 * capacity);
+    }
+
+    void place(int shape, double x, double y, double z) {
+        centre[3 * shape] = x;
+        centre[3 * shape + 1] = y;
+        centre[3 * shape + 2] = z;
+    }
+
+    void halves(int shape, double x, double y, double z) {
+        half[3 * shape] = x;
+        half[3 * shape + 1] = y;
+        half[3 * shape + 2] = z;
+    }
+
+    /** From a unit quaternion. */
+    void turn(int shape, double x, double y, double z, double w) {
+        int at = 9 * shape;
+        axes[at] = 1 - 2 * (y * y + z * z);
+        axes[at + 1] = 2 * (x * y + w * z);
+        axes[at + 2] = 2 * (x * z - w * y);
+        axes[at + 3] = 2 * (x * y - w * z);
+        axes[at + 4] = 1 - 2 * (x * x + z * z);
+        axes[at + 5] = 2 * (y * z + w * x);
+        axes[at + 6] = 2 * (x * z + w * y);
+        axes[at + 7] = 2 * (y * z - w * x);
+        axes[at + 8] = 1 - 2 * (x * x + y * y);
+    }
+
+    void upright(int shape) {
+        turn(shape, 0, 0, 0, 1);
+    }
+
+    /** How far the shape reaches from its centre along an axis of the world. */
+    double extent(int shape, int axis) {
+        int h = 3 * shape;
+        int a = 9 * shape + axis;
+        if (kind[shape] == BodyTable.BOX) {
+            return half[h] * Math.abs(axes[a])
+                    + half[h + 1] * Math.abs(axes[a + 3])
+                    + half[h + 2] * Math.abs(axes[a + 6]);
+        }
+        return half[h + 1] * Math.abs(axes[a + 3]) + half[h + 2];
+    }
+
+    /** Bounds that hold the shape during a displacement and a margin around it. */
+    void bound(int shape, double wayX, double wayY, double wayZ, double margin) {
+        bound(shape, 0, wayX, margin);
+        bound(shape, 1, wayY, margin);
+        bound(shape, 2, wayZ, margin);
+    }
+
+    private void bound(int shape, int axis, double way, double margin) {
+        double reach = extent(shape, axis) + margin;
+        double c = centre[3 * shape + axis];
+        bounds[6 * shape + axis] = c - reach + Math.min(0, way);
+        bounds[6 * shape + 3 + axis] = c + reach + Math.max(0, way);
+    }
+
+    boolean overlap(int a, int b) {
+        int i = 6 * a;
+        int j = 6 * b;
+        return bounds[i] <= bounds[j + 3]
+                && bounds[j] <= bounds[i + 3]
+                && bounds[i + 1] <= bounds[j + 4]
+                && bounds[j + 1] <= bounds[i + 4]
+                && bounds[i + 2] <= bounds[j + 5]
+                && bounds[j + 2] <= bounds[i + 5];
+    }
+
+    /** Half of the shape's least thickness. */
+    double leastHalf(int shape) {
+        return kind[shape] == BodyTable.BOX
+                ? Math.min(half[3 * shape], Math.min(half[3 * shape + 1], half[3 * shape + 2]))
+                : half[3 * shape + 2];
+    }
+
+    /** No point of the shape is farther from its centre. */
+    double radius(int shape) {
+        double x = half[3 * shape];
+        double y = half[3 * shape + 1];
+        double z = half[3 * shape + 2];
+        return kind[shape] == BodyTable.BOX ? Math.sqrt(x * x + y * y + z * z) : y + z;
+    }
+}
