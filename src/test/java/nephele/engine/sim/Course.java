@@ -9,8 +9,12 @@ import nephele.engine.collision.CollisionWorld;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Brush;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.PortalShape;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
 
 /** A small place to walk in, built by the test, and the player in it. Floors have their top at y = 0 unless said. */
 final class Course {
@@ -18,6 +22,8 @@ final class Course {
     private final Vec3 origin;
     private PlayerStart start;
     private SimSettings settings = SimSettings.DEFAULT;
+    private final List<Portal> portals = new ArrayList<>();
+    private final List<Integer> partners = new ArrayList<>();
     private Simulation simulation;
     private SimState state;
 
@@ -74,6 +80,26 @@ final class Course {
                 Map.of()));
     }
 
+    /** Two linked rectangular openings, 1.2 m wide and 2.1 m high, each by centre, normal and up. */
+    Course pair(Vec3[] a, Vec3[] b) {
+        return pair(a, b, Aperture.of(PortalShape.RECTANGLE, 1.2, 2.1));
+    }
+
+    Course pair(Vec3[] a, Vec3[] b, Aperture aperture) {
+        int first = portals.size();
+        for (Vec3[] end : new Vec3[][] {a, b}) {
+            Vec3 centre = at(end[0].x(), end[0].y(), end[0].z());
+            portals.add(new Portal("portal" + portals.size(), centre, Portal.facing(end[1], end[2]), aperture));
+        }
+        partners.add(first + 1);
+        partners.add(first);
+        return this;
+    }
+
+    Portals portals() {
+        return portals.isEmpty() ? Portals.NONE : new Portals(portals, partners);
+    }
+
     Course startAt(double x, double y, double z) {
         start = new PlayerStart(at(x, y, z), 0, 0);
         return this;
@@ -90,7 +116,7 @@ final class Course {
 
     Simulation simulation() {
         if (simulation == null) {
-            simulation = new Simulation(world(), start, settings, FaultLog.SILENT);
+            simulation = new Simulation(new SimLevel(world(), start, portals(), null), settings, FaultLog.SILENT);
             state = simulation.start();
         }
         return simulation;
