@@ -116,7 +116,7 @@ final class Course {
 
     Simulation simulation() {
         if (simulation == null) {
-            simulation = new Simulation(new SimLevel(world(), start, portals(), null), settings, FaultLog.SILENT);
+            simulation = new Simulation(SimLevel.of(world(), start, portals()), settings, FaultLog.SILENT);
             state = simulation.start();
         }
         return simulation;

@@ -38,7 +38,12 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
 
     /** Solids alone. */
     public static SimLevel of(CollisionWorld statics, PlayerStart start) {
-        return new SimLevel(statics, start, NO_BODIES, Portals.NONE, null);
+        return of(statics, start, Portals.NONE);
+    }
+
+    /** Solids and portals. */
+    public static SimLevel of(CollisionWorld statics, PlayerStart start, Portals portals) {
+        return new SimLevel(statics, start, NO_BODIES, portals, null);
     }
 
     /** What can change, as it is at tick 0. */
