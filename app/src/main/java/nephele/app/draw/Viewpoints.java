@@ -61,8 +61,7 @@ public final class Viewpoints {
     }
 
     /** What a player sees whose eye is there. */
-    public static View ofEye(Vec3 eye, double yawRadians, double pitchRadians, double aspect) {
-        var basis = Basis.ofYawPitch(yawRadians, pitchRadians);
+    public static View ofEye(Vec3 eye, Basis basis, double aspect) {
         return new View(
                 View.MAIN,
                 eye,
@@ -75,7 +74,10 @@ public final class Viewpoints {
     private static View ofPlayer(PlayerStart start, double aspect) {
         var eye = new Vec3(
                 start.feet().x(), start.feet().y() + EYE_METRES, start.feet().z());
-        return ofEye(eye, Math.toRadians(start.yawDegrees()), Math.toRadians(start.pitchDegrees()), aspect);
+        return ofEye(
+                eye,
+                Basis.ofYawPitch(Math.toRadians(start.yawDegrees()), Math.toRadians(start.pitchDegrees())),
+                aspect);
     }
 
     private static OfFrame ofCamera(Camera camera, double aspect) {

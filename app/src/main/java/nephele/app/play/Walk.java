@@ -69,6 +69,6 @@ public final class Walk {
     /** The player's view between the last two ticks. */
     public View view(double aspect) {
         var pose = PlayerPose.between(before, after, clock.share());
-        return Viewpoints.ofEye(pose.eye(), pose.yawRadians(), pose.pitchRadians(), aspect);
+        return Viewpoints.ofEye(pose.eye(), pose.view(), aspect);
     }
 }

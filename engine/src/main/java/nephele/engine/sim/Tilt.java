@@ -35,6 +35,10 @@ public record Tilt(Vec3 up, double x, double y, double z, double w) {
         return up.equals(VERTICAL);
     }
 
+    boolean isViewLevel() {
+        return w == 1;
+    }
+
     boolean isUpright() {
         return equals(UPRIGHT);
     }
