@@ -36,6 +36,10 @@ final class BodiesTick {
         }
         Changeable around = walked.around();
         influences.clearDriven();
+        influences.clearPassing();
+        if (around.holding().isHolding()) {
+            influences.passCharacters(around.holding().body());
+        }
         if (drive != null) {
             influences.drive(around.holding().body(), drive.velocity(), drive.spin());
         }

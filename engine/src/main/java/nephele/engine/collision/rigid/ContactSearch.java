@@ -66,7 +66,7 @@ final class ContactSearch {
 
     private void wakePair(int a, int b) {
         int sleeper = isAsleep(a) ? a : isAsleep(b) ? b : -1;
-        if (sleeper < 0 || !moves(sleeper == a ? b : a)) {
+        if (sleeper < 0 || !moves(sleeper == a ? b : a) || !canMeet(poses.owner[a], poses.owner[b])) {
             return;
         }
         narrow.touch(a, b, reach(a, b), influences.characterList(), manifold);
@@ -87,6 +87,12 @@ final class ContactSearch {
             return bodies.isAwake(owner);
         }
         return influences.characterList().get(owner - bodies.count).velocity.lengthSquared() > 1e-4;
+    }
+
+    private boolean canMeet(int ownerA, int ownerB) {
+        boolean bodyA = ownerA < bodies.count;
+        boolean bodyB = ownerB < bodies.count;
+        return bodyA == bodyB || influences.meetsCharacters(bodyA ? ownerA : ownerB);
     }
 
     /** How near surfaces must be to matter in this tick. */
@@ -158,7 +164,7 @@ final class ContactSearch {
         boolean bodyA = ownerA < bodies.count;
         boolean bodyB = ownerB < bodies.count;
         boolean awake = bodyA && bodies.isAwake(ownerA) || bodyB && bodies.isAwake(ownerB);
-        if (!awake) {
+        if (!awake || !canMeet(ownerA, ownerB)) {
             return;
         }
         narrow.touch(a, b, reach(a, b), influences.characterList(), manifold);

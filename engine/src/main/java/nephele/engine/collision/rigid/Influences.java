@@ -57,6 +57,7 @@ public final class Influences {
 
     private final List<Character> characters = new ArrayList<>();
     private final ItemList driven = new ItemList();
+    private final ItemList passing = new ItemList();
     private double[] drives = new double[12];
 
     /** An upright capsule by its whole height. */
@@ -92,6 +93,24 @@ public final class Influences {
         drives[at + 3] = spin.x();
         drives[at + 4] = spin.y();
         drives[at + 5] = spin.z();
+    }
+
+    /** Characters and this body do not meet: it is held by one, or was until now and is not apart from it yet. */
+    public void passCharacters(int body) {
+        passing.item(body);
+    }
+
+    public void clearPassing() {
+        passing.clear();
+    }
+
+    boolean meetsCharacters(int body) {
+        for (int i = 0; i < passing.size(); i++) {
+            if (passing.get(i) == body) {
+                return false;
+            }
+        }
+        return true;
     }
 
     int characters() {
