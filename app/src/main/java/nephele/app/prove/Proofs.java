@@ -12,6 +12,7 @@ public final class Proofs {
             new MutantsProof(),
             new RayProof(),
             new RotationProof(),
+            new PlacementProof(),
             new SeparationProof(),
             new SoakProof());
 

@@ -17,6 +17,15 @@ final class Outline {
 
     private static final double LEAST_PART = 1e-9;
 
+    /** A little more than a crack's width, which is how far a corner seems to reach. */
+    private static final double CORNER = 1.2 * Tolerance.CRACK;
+
+    /** The tip of a hole of 6° or more is shorter where it is as narrow as a crack. */
+    private static final double LONGEST_TIP = 20 * Tolerance.CRACK;
+
+    /** In the middle of a tip the gap is wider than this; where noise happens to close a crack it is less. */
+    private static final double NARROW = Tolerance.CRACK / 10;
+
     private final ShapeSet polygons;
     private final ItemList near = new ItemList();
     private final List<ConvexPolygon> parts = new ArrayList<>();
@@ -38,56 +47,91 @@ final class Outline {
 
     private void add(int polygon, int edge) {
         ConvexPolygon p = polygons.shape(polygon);
-        Line far = Line.beyond(p, edge, Tolerance.CRACK + BEYOND_CRACK);
-        Line close = Line.beyond(p, edge, BEYOND_CRACK);
+        Line line = Line.beyond(p, edge, Tolerance.CRACK + BEYOND_CRACK);
         near.clear();
-        polygons.overlapping(far.bounds().grown(Tolerance.CRACK), near);
-        List<double[]> covered = new ArrayList<>();
-        List<double[]> touched = new ArrayList<>();
+        polygons.overlapping(line.bounds().grown(2 * Tolerance.CRACK), near);
+        Neighbours others = new Neighbours(p, edge);
         for (int i = 0; i < near.size(); i++) {
             if (near.get(i) != polygon) {
-                keep(far.near(polygons.shape(near.get(i)), Tolerance.CRACK), covered);
-                keep(close.within(polygons.shape(near.get(i))), touched);
+                others.add(polygons.shape(near.get(i)));
             }
         }
-        covered.sort((a, b) -> Arrays.compare(a, b));
+        others.covered.sort((a, b) -> Arrays.compare(a, b));
         double from = 0;
-        for (double[] span : covered) {
-            part(far, edgeOf(p, edge), new double[] {from, Math.min(span[0], far.length())}, touched);
+        for (double[] span : others.covered) {
+            part(others, from, Math.min(span[0], line.length()));
             from = Math.max(from, span[1]);
         }
-        part(far, edgeOf(p, edge), new double[] {from, far.length()}, touched);
+        part(others, from, line.length());
     }
 
-    private static void keep(double[] span, List<double[]> spans) {
-        if (span != null) {
-            spans.add(span);
+    private void part(Neighbours others, double from, double to) {
+        if (to - from > LEAST_PART) {
+            double low = others.tip(from, -1);
+            double high = others.tip(to, 1);
+            Line edge = others.edge;
+            parts.add(ConvexPolygon.of(new double[] {edge.atX(low), edge.atY(low), edge.atX(high), edge.atY(high)}));
         }
     }
 
-    /**
-     * Beside a corner that points into the union, an edge seems to lie in a crack; so a part reaches on up to where the
-     * edge is in another polygon without doubt.
-     */
-    private void part(Line line, Line edge, double[] span, List<double[]> touched) {
-        if (span[1] - span[0] <= LEAST_PART) {
-            return;
+    /** Where along an edge the other polygons are. */
+    private static final class Neighbours {
+        private final Line edge;
+        private final Line far;
+        private final Line close;
+        private final Line between;
+        /** In a polygon or in a crack beside one. */
+        private final List<double[]> covered = new ArrayList<>();
+        /** In a polygon without doubt. */
+        private final List<double[]> touched = new ArrayList<>();
+        /** Not farther from a polygon than a wide crack of noise is. */
+        private final List<double[]> noisy = new ArrayList<>();
+
+        Neighbours(ConvexPolygon polygon, int number) {
+            edge = Line.beyond(polygon, number, 0);
+            far = Line.beyond(polygon, number, Tolerance.CRACK + BEYOND_CRACK);
+            close = Line.beyond(polygon, number, BEYOND_CRACK);
+            between = Line.beyond(polygon, number, NARROW);
         }
-        double from = span[0];
-        double to = span[1];
-        if (to - from > 4 * Tolerance.CRACK) {
-            from = Math.max(0, from - 2 * Tolerance.CRACK);
-            to = Math.min(line.length(), to + 2 * Tolerance.CRACK);
-            for (double[] inside : touched) {
-                from = inside[0] < span[0] ? Math.max(from, Math.min(inside[1], span[0])) : from;
-                to = inside[1] > span[1] ? Math.min(to, Math.max(inside[0], span[1])) : to;
+
+        void add(ConvexPolygon other) {
+            keep(far.near(other, Tolerance.CRACK), covered);
+            keep(close.within(other), touched);
+            keep(between.within(other), noisy);
+        }
+
+        private static void keep(double[] span, List<double[]> spans) {
+            if (span != null) {
+                spans.add(span);
             }
         }
-        parts.add(ConvexPolygon.of(new double[] {edge.atX(from), edge.atY(from), edge.atX(to), edge.atY(to)}));
-    }
 
-    private static Line edgeOf(ConvexPolygon polygon, int edge) {
-        return Line.beyond(polygon, edge, 0);
+        /**
+         * Beside a corner that points into the union, and in the tip of a hole, an edge seems to lie in a crack. So a part
+         * that ends at {@code at} reaches on to where the edge is in another polygon without doubt, if that is near and
+         * the way there leads along a gap that narrows.
+         *
+         * @param sense 1 for the part's far end, −1 for its near end
+         */
+        double tip(double at, int sense) {
+            double end = sense > 0 ? edge.length() : 0;
+            for (double[] span : touched) {
+                double side = sense > 0 ? span[0] : span[1];
+                boolean beyond = sense > 0 ? span[1] > at : span[0] < at;
+                if (beyond && sense * side < sense * end) {
+                    end = sense * Math.max(sense * side, sense * at);
+                }
+            }
+            double doubtful = Math.abs(end - at);
+            if (doubtful <= CORNER || doubtful <= LONGEST_TIP && !isNoisy((at + end) / 2)) {
+                return end;
+            }
+            return at + sense * Tolerance.CRACK / 2;
+        }
+
+        private boolean isNoisy(double at) {
+            return noisy.stream().anyMatch(span -> span[0] <= at && at <= span[1]);
+        }
     }
 
     /** A stretch of a straight line. */

@@ -1,0 +1,21 @@
+package nephele.app.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** C.2 row 22 and the placement row of issue 3 at a hundredth of the full count. */
+class PlacementProofTest {
+    @Test
+    void noBetterAnswerIsFound() {
+        ProofResult result = new PlacementProof().run(0, 1_000, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(0, result.failures());
+        double placed = result.figures().get(0).value();
+        double slid = result.figures().get(1).value();
+        assertTrue(placed > 200 && placed < 800, placed + " portals");
+        assertTrue(slid > 100 && slid < placed, slid + " slid");
+    }
+}
