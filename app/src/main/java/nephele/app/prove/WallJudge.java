@@ -43,7 +43,8 @@ final class WallJudge {
             case OVERLAPS_OTHER -> overlapsOther();
             case EDGE -> edge();
             case TOO_SMALL -> nearer(alone, 20, null) == null ? null : "there is a place";
-            case NOTHING_HIT, OUT_OF_RANGE, MOVING_SURFACE -> "the wall is in range: " + reason;
+            case NOTHING_HIT, OUT_OF_RANGE, MOVING_SURFACE, OCCUPIED ->
+                "the wall is in range and nobody near: " + reason;
         };
     }
 
