@@ -3,6 +3,7 @@ package nephele.engine.collision.rigid;
 import java.util.List;
 import nephele.engine.math.BitHash;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
@@ -134,6 +135,11 @@ public final class Bodies {
         float[] woken = rest.clone();
         woken[body] = 0;
         return new Bodies(moved, woken, contacts, passages);
+    }
+
+    /** The same where nothing moved: crossings of the tick before are forgotten, and the portals are these. */
+    Bodies at(Portals portals) {
+        return passages.isAt(portals) ? this : new Bodies(motion, rest, contacts, passages.at(portals));
     }
 
     /** 64 bits over every bit that the next tick depends on. */

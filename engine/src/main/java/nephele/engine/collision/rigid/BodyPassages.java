@@ -25,6 +25,14 @@ final class BodyPassages {
         this.entered = entered;
     }
 
+    boolean isAt(Portals now) {
+        return portals == now && entered == null;
+    }
+
+    BodyPassages at(Portals now) {
+        return active == null ? NONE : new BodyPassages(now, active, null);
+    }
+
     Portals portals() {
         return portals;
     }

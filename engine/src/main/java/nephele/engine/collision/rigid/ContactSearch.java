@@ -11,6 +11,7 @@ final class ContactSearch {
     static final double REACH_METRES = 0.01;
 
     private static final double SLOP_METRES = 5e-4;
+    private static final double CHARACTER_FRICTION = 0.3;
 
     private final BodyTable table;
     private final Poses poses;
@@ -22,6 +23,9 @@ final class ContactSearch {
     private final Manifold manifold = new Manifold();
     private final ItemList near = new ItemList();
     private final double[] offset = new double[3];
+    private final double[] turn = new double[9];
+    private final double[] relative = new double[3];
+    private final Activity activity;
 
     private TickBodies bodies;
     private Influences influences;
@@ -34,6 +38,11 @@ final class ContactSearch {
         this.motions = motions;
         this.rows = rows;
         narrow = new NarrowPhase(table, poses);
+        activity = new Activity(poses, narrow);
+    }
+
+    Activity activity() {
+        return activity;
     }
 
     NarrowPhase narrow() {
@@ -66,14 +75,19 @@ final class ContactSearch {
 
     private void wakePair(int a, int b) {
         int sleeper = isAsleep(a) ? a : isAsleep(b) ? b : -1;
-        if (sleeper < 0 || !moves(sleeper == a ? b : a) || !canMeet(poses.owner[a], poses.owner[b])) {
+        if (sleeper < 0 || !moves(sleeper == a ? b : a) || !canMeet(a, b)) {
             return;
         }
-        narrow.touch(a, b, reach(a, b), influences.characterList(), manifold);
+        meet(a, b);
         if (manifold.count > 0) {
-            bodies.wake(sleeper);
+            bodies.wake(poses.owner[sleeper]);
             woke = true;
         }
+    }
+
+    private void meet(int a, int b) {
+        narrow.touch(a, b, reach(a, b), influences.characterList(), manifold);
+        activity.keepValid(manifold, a, b);
     }
 
     private boolean isAsleep(int shape) {
@@ -89,10 +103,13 @@ final class ContactSearch {
         return influences.characterList().get(owner - bodies.count).velocity.lengthSquared() > 1e-4;
     }
 
-    private boolean canMeet(int ownerA, int ownerB) {
+    private boolean canMeet(int a, int b) {
+        int ownerA = poses.owner[a];
+        int ownerB = poses.owner[b];
         boolean bodyA = ownerA < bodies.count;
         boolean bodyB = ownerB < bodies.count;
-        return bodyA == bodyB || influences.meetsCharacters(bodyA ? ownerA : ownerB);
+        boolean apart = bodyA != bodyB && !influences.meetsCharacters(bodyA ? ownerA : ownerB);
+        return !apart && activity.isPair(a, b);
     }
 
     /** How near surfaces must be to matter in this tick. */
@@ -100,9 +117,16 @@ final class ContactSearch {
         int u = 6 * poses.owner[a];
         int v = 6 * poses.owner[b];
         double[] m = motions.velocity;
-        double x = m[u] - m[v];
-        double y = m[u + 1] - m[v + 1];
-        double z = m[u + 2] - m[v + 2];
+        System.arraycopy(m, v, relative, 0, 3);
+        if (poses.through[b] >= 0) {
+            activity.turn(poses.through[b], turn);
+            for (int i = 0; i < 3; i++) {
+                relative[i] = turn[i] * m[v] + turn[3 + i] * m[v + 1] + turn[6 + i] * m[v + 2];
+            }
+        }
+        double x = m[u] - relative[0];
+        double y = m[u + 1] - relative[1];
+        double z = m[u + 2] - relative[2];
         double way = seconds * (Math.sqrt(x * x + y * y + z * z) + turning(a) + turning(b));
         double least = Math.min(poses.leastHalf(a), poses.leastHalf(b));
         return Math.min(REACH_METRES, least / 2) / 2 + Math.min(way, least / 2);
@@ -132,7 +156,7 @@ final class ContactSearch {
         poses.upright(scratch);
         for (int body = 0; body < bodies.count; body++) {
             if (bodies.isAwake(body)) {
-                withStatics(body, surroundings.around(0), scratch);
+                withStatics(body, surroundings.around(bodies.active(body)), scratch);
             }
         }
         poses.count = shapes;
@@ -151,6 +175,7 @@ final class ContactSearch {
                 add(
                         body,
                         motions.count - 1,
+                        null,
                         key,
                         table.body(body).friction(),
                         table.body(body).restitution());
@@ -158,32 +183,39 @@ final class ContactSearch {
         }
     }
 
+    /** The first shape is a real one, the second may be an image: bodies come before images. */
     private void pair(int a, int b) {
         int ownerA = poses.owner[a];
         int ownerB = poses.owner[b];
         boolean bodyA = ownerA < bodies.count;
         boolean bodyB = ownerB < bodies.count;
         boolean awake = bodyA && bodies.isAwake(ownerA) || bodyB && bodies.isAwake(ownerB);
-        if (!awake || !canMeet(ownerA, ownerB)) {
+        if (!awake || !canMeet(a, b)) {
             return;
         }
-        narrow.touch(a, b, reach(a, b), influences.characterList(), manifold);
+        meet(a, b);
         if (manifold.count == 0) {
             return;
         }
         for (int i = 0; i < 3; i++) {
             offset[i] = poses.centre[3 * b + i] - poses.centre[3 * a + i];
         }
-        double friction = Math.sqrt((bodyA ? table.body(ownerA).friction() : 0.3)
-                * (bodyB ? table.body(ownerB).friction() : 0.3));
+        double friction = Math.sqrt((bodyA ? table.body(ownerA).friction() : CHARACTER_FRICTION)
+                * (bodyB ? table.body(ownerB).friction() : CHARACTER_FRICTION));
         double restitution = Math.max(
                 bodyA ? table.body(ownerA).restitution() : 0,
                 bodyB ? table.body(ownerB).restitution() : 0);
-        add(ownerA, ownerB, ContactKey.between(ownerA, ownerB, poses.through[a]), friction, restitution);
+        int portal = poses.through[b];
+        double[] turned = null;
+        if (portal >= 0) {
+            activity.turn(portal, turn);
+            turned = turn;
+        }
+        add(ownerA, ownerB, turned, ContactKey.between(ownerA, ownerB, portal), friction, restitution);
     }
 
-    private void add(int ownerA, int ownerB, long parties, double friction, double restitution) {
-        int m = rows.add(manifold, ownerA, ownerB, offset, null);
+    private void add(int ownerA, int ownerB, double[] turned, long parties, double friction, double restitution) {
+        int m = rows.add(manifold, ownerA, ownerB, offset, turned);
         rows.key[m] = ContactKey.with(parties, manifold.code, manifold.count);
         rows.head[ContactRows.HEAD * m + ContactRows.FRICTION] = friction;
         rows.head[ContactRows.HEAD * m + ContactRows.RESTITUTION] = restitution;
@@ -199,7 +231,7 @@ final class ContactSearch {
         }
         int carried = 0;
         for (int m = 0; m < rows.count; m++) {
-            carried += rows.carries(m) ? 1 : 0;
+            carried += isCarried(m, now) ? 1 : 0;
         }
         long[] keys = new long[kept + carried];
         int[] features = new int[kept + carried];
@@ -213,13 +245,22 @@ final class ContactSearch {
             }
         }
         for (int m = 0; m < rows.count; m++) {
-            if (rows.carries(m)) {
+            if (isCarried(m, now)) {
                 keys[at] = rows.key[m];
                 features[at] = rows.features[m];
                 rows.writeImpulses(m, impulses, ContactMemory.IMPULSES * at++);
             }
         }
         return new ContactMemory(keys, features, impulses);
+    }
+
+    /** What somebody felt who then went through a portal is of no use behind it. */
+    private boolean isCarried(int m, TickBodies now) {
+        int a = ContactKey.first(rows.key[m]);
+        int b = ContactKey.second(rows.key[m]);
+        return rows.carries(m)
+                && !(a < now.count && now.hasCrossed(a))
+                && !(b >= 0 && b < now.count && now.hasCrossed(b));
     }
 
     /** Nobody of these was awake in this tick: what they had is not among the rows. */

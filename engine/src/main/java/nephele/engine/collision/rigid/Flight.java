@@ -2,11 +2,16 @@ package nephele.engine.collision.rigid;
 
 import nephele.engine.collision.Sweep;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Crossing;
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portals;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
  * Moves one body to the end of the tick: along the exact arc p + v t + g t² / 2 when nothing pressed on it, along the
- * solver's displacement otherwise. Reused.
+ * solver's displacement otherwise; through every portal that its centre enters, and not into what it could get past
+ * unseen. Reused.
  */
 final class Flight {
     private final BodyTable table;
@@ -15,9 +20,15 @@ final class Flight {
     private final Poses poses;
     private final Spin spin = new Spin();
     private final Sweep sweep = new Sweep();
+    private final Crossing crossing = new Crossing();
     private final Vector3d place = new Vector3d();
+    private final Vector3d velocity = new Vector3d();
+    private final Vector3d pull = new Vector3d();
     private final Vector3d way = new Vector3d();
+    private final Vector3d turning = new Vector3d();
+    private final Quaterniond orientation = new Quaterniond();
     private Surroundings surroundings;
+    private Portals portals;
     private double seconds;
 
     Flight(BodyTable table, Vec3 gravity, NarrowPhase narrow, Poses poses) {
@@ -29,6 +40,7 @@ final class Flight {
 
     void begin(Surroundings around, double tickSeconds) {
         surroundings = around;
+        portals = around.portals();
         seconds = tickSeconds;
     }
 
@@ -36,20 +48,12 @@ final class Flight {
     void fly(TickBodies bodies, int body, boolean falls) {
         double[] m = bodies.motion;
         int at = Bodies.STRIDE * body;
-        double weight = falls ? 1 : 0;
-        double half = seconds * seconds / 2 * weight;
-        way.set(
-                m[at + 7] * seconds + gravity.x() * half,
-                m[at + 8] * seconds + gravity.y() * half,
-                m[at + 9] * seconds + gravity.z() * half);
-        double share = freeShare(bodies, body);
-        double t = share * seconds;
-        m[at] += m[at + 7] * t + gravity.x() * weight * t * t / 2;
-        m[at + 1] += m[at + 8] * t + gravity.y() * weight * t * t / 2;
-        m[at + 2] += m[at + 9] * t + gravity.z() * weight * t * t / 2;
-        m[at + 7] += gravity.x() * weight * t;
-        m[at + 8] += gravity.y() * weight * t;
-        m[at + 9] += gravity.z() * weight * t;
+        velocity.set(m[at + 7], m[at + 8], m[at + 9]);
+        pull.set(gravity.x(), gravity.y(), gravity.z()).mul(falls ? 1 : 0);
+        travel(bodies, body, seconds);
+        m[at + 7] = velocity.x;
+        m[at + 8] = velocity.y;
+        m[at + 9] = velocity.z;
         spin.turn(m, at, seconds, table, body);
     }
 
@@ -58,13 +62,77 @@ final class Flight {
         double[] m = bodies.motion;
         int at = Bodies.STRIDE * body;
         int d = 6 * body;
-        way.set(motions.moved[d], motions.moved[d + 1], motions.moved[d + 2]);
-        double share = freeShare(bodies, body);
-        m[at] += share * way.x;
-        m[at + 1] += share * way.y;
-        m[at + 2] += share * way.z;
         System.arraycopy(motions.velocity, d, m, at + Bodies.VELOCITY, 6);
         Spin.turnBy(m, at, motions.moved[d + 3], motions.moved[d + 4], motions.moved[d + 5]);
+        velocity.set(motions.moved[d], motions.moved[d + 1], motions.moved[d + 2]);
+        pull.zero();
+        travel(bodies, body, 1);
+        for (int i = 0; i < bodies.crossings(body); i++) {
+            mapVelocity(m, at, portals.passage(bodies.crossing(body, i)));
+        }
+    }
+
+    private void mapVelocity(double[] m, int at, Passage passage) {
+        turning.set(m[at + 7], m[at + 8], m[at + 9]);
+        passage.direction(turning);
+        m[at + 7] = turning.x;
+        m[at + 8] = turning.y;
+        m[at + 9] = turning.z;
+    }
+
+    /** From the body's place with {@link #velocity} and {@link #pull}, portal by portal, for so long. */
+    private void travel(TickBodies bodies, int body, double duration) {
+        double[] m = bodies.motion;
+        int at = Bodies.STRIDE * body;
+        place.set(m[at], m[at + 1], m[at + 2]);
+        double left = duration;
+        while (left > 0) {
+            boolean enters = portals.size() > 0 && crossing.find(portals, place, velocity, pull, left);
+            double t = enters ? crossing.seconds() : left;
+            velocity.mul(t, way).fma(t * t / 2, pull);
+            double share = freeShare(bodies, body);
+            if (share < 1) {
+                advance(share * t);
+                break;
+            }
+            if (!enters) {
+                advance(t);
+                break;
+            }
+            if (!bodies.enter(body, crossing.portal())) {
+                break;
+            }
+            velocity.fma(t, pull);
+            place.set(crossing.place());
+            pass(m, at, portals.passage(crossing.portal()));
+            left -= t;
+        }
+        m[at] = place.x;
+        m[at + 1] = place.y;
+        m[at + 2] = place.z;
+    }
+
+    private void advance(double t) {
+        place.fma(t, velocity).fma(t * t / 2, pull);
+        velocity.fma(t, pull);
+    }
+
+    private void pass(double[] m, int at, Passage passage) {
+        passage.point(place);
+        passage.direction(velocity);
+        int q = at + Bodies.ORIENTATION;
+        orientation.set(m[q], m[q + 1], m[q + 2], m[q + 3]);
+        passage.orientation(orientation);
+        m[q] = orientation.x;
+        m[q + 1] = orientation.y;
+        m[q + 2] = orientation.z;
+        m[q + 3] = orientation.w;
+        int w = at + Bodies.SPIN;
+        turning.set(m[w], m[w + 1], m[w + 2]);
+        passage.direction(turning);
+        m[w] = turning.x;
+        m[w + 1] = turning.y;
+        m[w + 2] = turning.z;
     }
 
     /** Which share of the way is free of solids; looked at only when the body could get past one unseen. */
@@ -73,8 +141,13 @@ final class Flight {
         if (way.lengthSquared() <= limit * limit) {
             return 1;
         }
-        int at = Bodies.STRIDE * body;
-        place.set(bodies.motion[at], bodies.motion[at + 1], bodies.motion[at + 2]);
-        return sweep.cast(surroundings.around(0), narrow.turnedHull(body), place, way) ? sweep.fraction() : 1;
+        double[] m = bodies.motion;
+        int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
+        if (bodies.hasCrossed(body)) {
+            poses.turn(body, m[q], m[q + 1], m[q + 2], m[q + 3]);
+        }
+        var hull = narrow.turnedHull(body);
+        long mask = portals.size() == 0 ? 0 : surroundings.active(hull, place, way);
+        return sweep.cast(surroundings.around(mask), hull, place, way) ? sweep.fraction() : 1;
     }
 }

@@ -46,22 +46,26 @@ public final class RigidStep {
             return before;
         }
         load(before, influences);
-        wakeNeighbours(before.contacts());
         place(influences, seconds);
+        search.activity().find(bodies, before.passages(), surroundings, gravity, seconds);
+        wakeNeighbours(before.contacts());
+        setMasses(influences);
+        search.activity().addImages(surroundings, influences, motions, seconds);
         search.index(before.contacts());
         if (search.wakeTouched(bodies, influences, seconds)) {
             wakeNeighbours(before.contacts());
             setMasses(influences);
         }
         if (isAllAsleep()) {
-            return before;
+            return before.at(surroundings.portals());
         }
         search.findContacts(bodies, surroundings, influences, seconds);
         solve(influences, seconds);
         move(before, surroundings, seconds);
         fallAsleep(seconds);
         giveImpulses(influences);
-        return new Bodies(bodies.motion, bodies.rest, search.remember(before.contacts(), bodies), BodyPassages.NONE);
+        ContactMemory carried = search.remember(before.contacts(), bodies);
+        return new Bodies(bodies.motion, bodies.rest, carried, bodies.passages(surroundings.portals()));
     }
 
     private void load(Bodies before, Influences influences) {
@@ -154,7 +158,6 @@ public final class RigidStep {
                     c.velocity.z * seconds,
                     ContactSearch.REACH_METRES);
         }
-        setMasses(influences);
     }
 
     private void setMasses(Influences influences) {

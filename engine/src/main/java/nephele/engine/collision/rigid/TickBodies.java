@@ -1,10 +1,19 @@
 package nephele.engine.collision.rigid;
 
+import java.util.Arrays;
+import nephele.engine.portal.Portals;
+
 /** The bodies of one tick while it is worked on: what the next {@link Bodies} will be made of. */
 final class TickBodies {
     double[] motion = new double[0];
     float[] rest = new float[0];
     int count;
+    /** Masks of the portals that each body is active on; {@code null} where there are no portals. */
+    long[] active;
+    /** As in {@link BodyPassages}; {@code null} while nobody crossed. */
+    private byte[] entered;
+    /** Bodies whose way through portals was longer than a tick may have. */
+    int cutShort;
 
     private static final double LARGEST = 1e12;
 
@@ -12,6 +21,9 @@ final class TickBodies {
         motion = before.motion().clone();
         rest = before.rest().clone();
         count = rest.length;
+        active = null;
+        entered = null;
+        cutShort = 0;
         for (int body = 0; body < count; body++) {
             if (!isFinite(body)) {
                 freeze(body, before);
@@ -53,5 +65,45 @@ final class TickBodies {
         if (rest[body] == Bodies.ASLEEP) {
             rest[body] = 0;
         }
+    }
+
+    long active(int body) {
+        return active == null ? 0 : active[body];
+    }
+
+    /** Writes down that a body went through a portal; false when that was one too many. */
+    boolean enter(int body, int portal) {
+        if (entered == null) {
+            entered = new byte[BodyPassages.MOST * count];
+            Arrays.fill(entered, (byte) Portals.CLOSED);
+        }
+        for (int i = 0; i < BodyPassages.MOST; i++) {
+            if (entered[BodyPassages.MOST * body + i] == Portals.CLOSED) {
+                entered[BodyPassages.MOST * body + i] = (byte) portal;
+                return true;
+            }
+        }
+        cutShort++;
+        return false;
+    }
+
+    boolean hasCrossed(int body) {
+        return entered != null && entered[BodyPassages.MOST * body] != Portals.CLOSED;
+    }
+
+    int crossings(int body) {
+        int count = 0;
+        while (entered != null && count < BodyPassages.MOST && crossing(body, count) != Portals.CLOSED) {
+            count++;
+        }
+        return count;
+    }
+
+    int crossing(int body, int place) {
+        return entered[BodyPassages.MOST * body + place];
+    }
+
+    BodyPassages passages(Portals portals) {
+        return active == null ? BodyPassages.NONE : new BodyPassages(portals, active, entered);
     }
 }

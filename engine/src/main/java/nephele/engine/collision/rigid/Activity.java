@@ -1,0 +1,201 @@
+package nephele.engine.collision.rigid;
+
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import org.joml.Matrix3d;
+import org.joml.Vector3d;
+
+/**
+ * Who is active on which portal in a tick, and the images that others meet: the active shape as it is seen through the
+ * portal, in the space before the partner. Reused.
+ */
+final class Activity {
+    /** A part of a shape may touch an aperture's edge by this and still be through it. */
+    private static final double EDGE_METRES = 2e-3;
+
+    private final Poses poses;
+    private final NarrowPhase narrow;
+    private final Vector3d place = new Vector3d();
+    private final Vector3d way = new Vector3d();
+    private Portals portals = Portals.NONE;
+    private long[] characterMasks = new long[0];
+    private TickBodies bodies;
+
+    Activity(Poses poses, NarrowPhase narrow) {
+        this.poses = poses;
+        this.narrow = narrow;
+    }
+
+    /** Finds the masks of all bodies; wakes who is active on portals that have changed, before or now. */
+    void find(TickBodies now, BodyPassages last, Surroundings surroundings, Vec3 gravity, double seconds) {
+        bodies = now;
+        portals = surroundings.portals();
+        if (portals.size() == 0 && last.portals().size() == 0) {
+            return;
+        }
+        bodies.active = new long[bodies.count];
+        boolean changed = portals != last.portals();
+        for (int body = 0; body < bodies.count; body++) {
+            if (!bodies.isAwake(body) && !changed) {
+                bodies.active[body] = last.active(body);
+                continue;
+            }
+            int at = Bodies.STRIDE * body;
+            double[] m = bodies.motion;
+            place.set(m[at], m[at + 1], m[at + 2]);
+            way.set(m[at + 7], m[at + 8], m[at + 9])
+                    .add(gravity.x() * seconds / 2, gravity.y() * seconds / 2, gravity.z() * seconds / 2)
+                    .mul(bodies.isAwake(body) ? seconds : 0);
+            bodies.active[body] = surroundings.active(narrow.turnedHull(body), place, way);
+            if (changed && (bodies.active[body] | last.active(body)) != 0) {
+                bodies.wake(body);
+            }
+        }
+    }
+
+    /** Adds an image to the poses for every portal that somebody is active on. */
+    void addImages(Surroundings surroundings, Influences influences, Motions motions, double seconds) {
+        if (portals.size() == 0) {
+            return;
+        }
+        for (int body = 0; body < bodies.count; body++) {
+            addImages(body, bodies.active[body], motions, seconds);
+        }
+        if (characterMasks.length < influences.characters()) {
+            characterMasks = new long[influences.characters()];
+        }
+        for (int i = 0; i < influences.characters(); i++) {
+            Influences.Character c = influences.characterList().get(i);
+            c.velocity.mul(seconds, way);
+            characterMasks[i] = surroundings.active(c.upright, c.centre, way);
+            addImages(bodies.count + i, characterMasks[i], motions, seconds);
+        }
+    }
+
+    private void addImages(int owner, long mask, Motions motions, double seconds) {
+        for (long left = mask; left != 0; left &= left - 1) {
+            int portal = Long.numberOfTrailingZeros(left);
+            Passage passage = portals.passage(portal);
+            if (passage == null) {
+                continue;
+            }
+            int image = poses.add(poses.kind[owner], owner, portal);
+            place.set(poses.centre[3 * owner], poses.centre[3 * owner + 1], poses.centre[3 * owner + 2]);
+            passage.point(place);
+            poses.place(image, place.x, place.y, place.z);
+            System.arraycopy(poses.half, 3 * owner, poses.half, 3 * image, 3);
+            for (int axis = 0; axis < 9; axis += 3) {
+                int from = 9 * owner + axis;
+                way.set(poses.axes[from], poses.axes[from + 1], poses.axes[from + 2]);
+                passage.direction(way);
+                poses.axes[9 * image + axis] = way.x;
+                poses.axes[9 * image + axis + 1] = way.y;
+                poses.axes[9 * image + axis + 2] = way.z;
+            }
+            double[] v = motions.velocity;
+            way.set(v[6 * owner], v[6 * owner + 1], v[6 * owner + 2]);
+            passage.direction(way).mul(seconds);
+            poses.bound(image, way.x, way.y, way.z, 2 * ContactSearch.REACH_METRES);
+        }
+    }
+
+    long mask(int owner) {
+        if (portals.size() == 0) {
+            return 0;
+        }
+        return owner < bodies.count ? bodies.active[owner] : characterMasks[owner - bodies.count];
+    }
+
+    /**
+     * Whether two shapes are to be looked at: an image meets what is real, and of two images that say the same of a pair
+     * one is enough.
+     */
+    boolean isPair(int a, int b) {
+        int real = poses.through[a] < 0 ? a : b;
+        int image = real == a ? b : a;
+        if (poses.through[real] >= 0) {
+            return false;
+        }
+        if (poses.through[image] < 0) {
+            return true;
+        }
+        int portal = poses.through[image];
+        int partner = portals.partner(portal);
+        int owner = poses.owner[image];
+        int met = poses.owner[real];
+        boolean twice = (mask(met) & 1L << partner) != 0;
+        if (owner == met) {
+            return owner < bodies.count && (!twice || portal < partner);
+        }
+        return !twice || owner < met;
+    }
+
+    /** From directions in the met one's space to those in the space of the image's owner: nine numbers, by rows. */
+    void turn(int portal, double[] out) {
+        Matrix3d r = portals.passage(portal).rotation();
+        out[0] = r.m00;
+        out[1] = r.m01;
+        out[2] = r.m02;
+        out[3] = r.m10;
+        out[4] = r.m11;
+        out[5] = r.m12;
+        out[6] = r.m20;
+        out[7] = r.m21;
+        out[8] = r.m22;
+    }
+
+    /** Drops the points at which only one of the two really is; points are relative to the first, which is real. */
+    void keepValid(Manifold manifold, int a, int b) {
+        int portal = poses.through[b];
+        long maskA = mask(poses.owner[a]);
+        long maskB = mask(poses.owner[b]);
+        if ((maskA | maskB) == 0) {
+            return;
+        }
+        for (int i = manifold.count - 1; i >= 0; i--) {
+            place.set(
+                    poses.centre[3 * a] + manifold.point[3 * i],
+                    poses.centre[3 * a + 1] + manifold.point[3 * i + 1],
+                    poses.centre[3 * a + 2] + manifold.point[3 * i + 2]);
+            long throughA = through(maskA, 3 * a, place);
+            boolean valid;
+            if (portal < 0) {
+                valid = throughA == through(maskB, 3 * b, place);
+            } else {
+                int partner = portals.partner(portal);
+                portals.passage(partner).point(place);
+                long throughB = through(maskB, 3 * poses.owner[b], place);
+                valid = (throughA == 0 && throughB == 1L << portal) || (throughA == 1L << partner && throughB == 0);
+            }
+            if (!valid) {
+                manifold.remove(i);
+            }
+        }
+    }
+
+    /** The portals of a mask beyond which a point of a shape lies: the way there from the shape's centre leads through. */
+    private long through(long mask, int centre, Vector3d point) {
+        long through = 0;
+        for (long left = mask; left != 0; left &= left - 1) {
+            int i = Long.numberOfTrailingZeros(left);
+            Portal portal = portals.portal(i);
+            double behind = portal.inFront(point.x, point.y, point.z);
+            if (behind >= 0) {
+                continue;
+            }
+            double x = poses.centre[centre];
+            double y = poses.centre[centre + 1];
+            double z = poses.centre[centre + 2];
+            double before = Math.max(0, portal.inFront(x, y, z));
+            double share = before / (before - behind);
+            double across = portal.across(x, y, z) * (1 - share) + portal.across(point.x, point.y, point.z) * share;
+            double upward = portal.upward(x, y, z) * (1 - share) + portal.upward(point.x, point.y, point.z) * share;
+            if (portal.aperture().outside(across, upward) <= EDGE_METRES) {
+                through |= 1L << i;
+            }
+        }
+        return through;
+    }
+}

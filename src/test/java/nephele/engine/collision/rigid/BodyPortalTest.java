@@ -1,0 +1,253 @@
+package nephele.engine.collision.rigid;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.level.Body;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Bodies and portals: section 5 of the notes on portals, each with the bound there. */
+class BodyPortalTest {
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+    private static final Vec3 DOWN = new Vec3(0, -1, 0);
+
+    private static Vec3 v(double x, double y, double z) {
+        return new Vec3(x, y, z);
+    }
+
+    /** Two rooms whose walls at z = 0 and x = 20 hold a portal pair at floor level. */
+    private static BodyScene rooms(double width, double height) {
+        return new BodyScene()
+                .floor()
+                .box(-10, 0, -1, 10, 5, 0)
+                .box(20, 0, -10, 21, 5, 10)
+                .pair(v(0, height / 2, 0), v(0, 0, 1), v(20, height / 2, 0), v(-1, 0, 0), width, height);
+    }
+
+    /** Section 5 row 2: a rod of 1 mm crosses once, and leaves alike at every tick rate. */
+    @ParameterizedTest
+    @CsvSource({"0.001, 30", "0.001, 240", "1, 60", "10, 30", "100, 120", "1000, 30", "1000, 240"})
+    void rodCrossesOnce(double speed, double rate) {
+        BodyScene scene = new BodyScene()
+                .weightless()
+                .box(-50, -50, -1, 50, 50, 0)
+                .box(-50, -50, 2000, 50, 50, 2001)
+                .pair(v(0, 0, 0), v(0, 0, 1), v(10, 0, 2000), v(0, 0, -1), 1.2, 2.1);
+        int rod = scene.add(new Body.Box("rod", v(0, 0, 0), v(0.001, 0.001, 0.4), 1, null, 0.6, 0));
+        scene.start();
+        double before = Math.max(0.0004, Math.min(0.3, speed));
+        scene.set(rod, new BodyState(v(0.1, 0.3, before), new Quaterniond(), v(0, 0, -speed), Vec3.ZERO));
+        int ticks = (int) Math.ceil(2.5 * before / speed * rate);
+        int crossings = 0;
+        for (int i = 0; i < ticks; i++) {
+            scene.tick(1 / rate);
+            crossings += scene.now.crossings(rod);
+        }
+        assertEquals(1, crossings);
+        assertEquals(0, scene.centre(rod).distance(10.1, 0.3, 2000 + before - speed * ticks / rate), 1e-3);
+        assertEquals(0, scene.velocity(rod).distance(0, 0, -speed), 1e-9 * speed);
+    }
+
+    /** Section 5 row 3: through many portals in one tick, in order, and the motion kept. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 5, 8})
+    void manyPortalsInOneTick(int hops) {
+        BodyScene scene = new BodyScene().weightless();
+        for (int i = 0; i < hops; i++) {
+            scene.pair(v(0, 10 * i, 0), v(0, 0, 1), v(0, 10 * (i + 1), 1), v(0, 0, 1), 2, 2);
+        }
+        int ball = scene.add(new Body.Sphere("ball", v(0, 0, 1), 0.1, 1, null, 0.6, 0));
+        scene.start();
+        // Each exit looks back along the way: turned about, the ball flies on towards +z and never meets the next entry.
+        scene.velocity(ball, v(0, 0, -300), Vec3.ZERO);
+        scene.tick(1 / 60.0);
+        assertEquals(1, scene.now.crossings(ball));
+        assertEquals(0, scene.centre(ball).distance(0, 10, 1 + 300 / 60.0 - 1), 1e-9);
+    }
+
+    /** Section 5 row 4. */
+    @Test
+    void endlessFallGathersSpeedExactly() {
+        BodyScene scene = new BodyScene()
+                .box(-5, -1, -5, 5, 0, 5)
+                .box(-5, 3, -5, 5, 4, 5)
+                .pair(v(0, 0, 0), UP, v(0, 3, 0), DOWN, 1.2, 1.2);
+        int cube = scene.cube(0.5, v(0, 1.5, 0));
+        scene.start();
+        long passes = 0;
+        while (passes < 10_000) {
+            scene.tick(1 / 120.0);
+            passes += scene.now.crossings(cube);
+        }
+        double fall = 1.5 - scene.centre(cube).y + 3.0 * passes;
+        assertEquals(1, scene.velocity(cube).lengthSquared() / (2 * 9.81 * fall), 1e-9);
+    }
+
+    /** Section 5 row 5: from floor to floor the apex stays. */
+    @ParameterizedTest
+    @ValueSource(doubles = {30, 60, 120, 240})
+    void floorToFloorKeepsTheApex(double rate) {
+        BodyScene scene = new BodyScene().floor().pair(v(0, 0, 0), UP, v(10, 0, 0), UP, 1.2, 1.2);
+        int cube = scene.cube(0.5, v(0, 2, 0));
+        scene.start();
+        int passes = 0;
+        double worst = 0;
+        while (passes < 1000) {
+            scene.tick(1 / rate);
+            passes += scene.now.crossings(cube);
+            double apex = scene.centre(cube).y + scene.velocity(cube).lengthSquared() / (2 * 9.81);
+            worst = Math.max(worst, Math.abs(apex - 2));
+        }
+        assertTrue(worst <= 1e-6, "apex off by " + worst);
+    }
+
+    /** Section 5 row 6: an oblique fall keeps what it has sideways. */
+    @Test
+    void obliqueFallKeepsItsSidewaysSpeed() {
+        BodyScene scene = new BodyScene()
+                .box(-500, -1, -5, 500, 0, 5)
+                .box(-500, 3, -5, 500, 4, 5)
+                .pair(v(0, 0, 0), UP, v(0, 3, 0), DOWN, 800, 4);
+        int cube = scene.cube(0.5, v(0, 1.5, 0));
+        scene.start().velocity(cube, v(0.7, 0, 0), Vec3.ZERO);
+        scene.run(20, 120);
+        assertEquals(0.7, Math.abs(scene.velocity(cube).x), 1e-12);
+    }
+
+    /** A box that slides through a portal at floor level goes as through an open doorway. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 0.3", "1.5, 0.9", "3, 0.5", "6, 0.9"})
+    void slidingThroughIsAsThroughADoorway(double speed, double size) {
+        BodyScene portal = rooms(1.2, 2.1);
+        BodyScene doorway = new BodyScene()
+                .floor()
+                .box(-10, 0, -1, -0.6, 5, 0)
+                .box(0.6, 0, -1, 10, 5, 0)
+                .box(-0.6, 2.1, -1, 0.6, 5, 0);
+        Body box = new Body.Box("box", v(0, size / 2, 1), v(size, size, size), 1, null, 0.05, 0);
+        for (BodyScene scene : List.of(portal, doorway)) {
+            scene.add(box);
+            scene.start().velocity(0, v(0, 0, -speed), Vec3.ZERO);
+        }
+        for (int i = 0; i < 300; i++) {
+            portal.tick(1 / 120.0);
+            doorway.tick(1 / 120.0);
+            Vector3d there = portal.centre(0);
+            Vector3d here = doorway.centre(0);
+            Vector3d mapped = there.x > 10 ? new Vector3d(-there.z, there.y, there.x - 20) : there;
+            assertEquals(0, mapped.distance(here), 1e-3, "tick " + i + " " + there + " " + here);
+        }
+    }
+
+    /** Section 5 row 23: what is too large is held by the rim. */
+    @ParameterizedTest
+    @CsvSource({"1.19, true", "1.21, false", "3, false"})
+    void passesOnlyIfItFits(double width, boolean passes) {
+        BodyScene scene = rooms(1.2, 2.1);
+        int box = scene.add(new Body.Box("box", v(0, 0.5, 1), v(width, 0.9, 0.4), 1, null, 0.02, 0));
+        scene.start().velocity(box, v(0, 0, -2), Vec3.ZERO).run(2, 120);
+        assertEquals(passes, scene.centre(box).x > 10, "at " + scene.centre(box));
+        if (!passes) {
+            assertTrue(scene.centre(box).z > 0.19, "held before the wall, not at " + scene.centre(box));
+        }
+    }
+
+    /** Section 5 row 28. */
+    @Test
+    void sleeperFallsWhenAPortalOpensUnderIt() {
+        BodyScene scene = new BodyScene().floor().box(5, 2, -5, 6, 8, 5);
+        int cube = scene.cube(0.5, v(0, 0.25, 0));
+        scene.start().run(2, 120);
+        assertTrue(scene.now.isAsleep(cube));
+        Portals open = new Portals(
+                List.of(
+                        BodyScene.portal(v(0, 0, 0), UP, 1.2, 1.2),
+                        BodyScene.portal(v(5, 5, 0), v(-1, 0, 0), 1.2, 1.2)),
+                List.of(1, 0));
+        scene.open(open).run(0.6, 120);
+        assertFalse(scene.now.isAsleep(cube));
+        assertTrue(scene.centre(cube).x > 2, "came out of the wall, not at " + scene.centre(cube));
+    }
+
+    /** Section 5 row 16: a pair side by side and a plank in both: both sides simulated, no explosion. */
+    @Test
+    void plankInBothPortalsOfAPairStaysCalm() {
+        BodyScene scene = new BodyScene().floor().pair(v(0, 0, 0), UP, v(1.3, 0, 0), UP, 1.2, 1.2);
+        int plank = scene.add(new Body.Box("plank", v(0.65, 0.5, 0), v(2, 0.1, 0.4), 1, null, 0.6, 0));
+        scene.start();
+        double highest = 0;
+        for (int i = 0; i < 600; i++) {
+            scene.tick(1 / 120.0);
+            double energy = scene.velocity(plank).lengthSquared() / 2 + 9.81 * scene.centre(plank).y;
+            highest = Math.max(highest, energy);
+        }
+        assertTrue(highest <= 9.81 * 0.5 + 1e-6, "energy " + highest);
+        assertTrue(scene.centre(plank).y > -0.2 && scene.centre(plank).isFinite());
+    }
+
+    /** Section 5 row 17: portals that face each other 0.2 m apart: the body touches itself and gains nothing. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.12, 0.16, 0.19})
+    void bodyThatTouchesItselfGainsNoEnergy(double size) {
+        BodyScene scene = new BodyScene()
+                .weightless()
+                .box(-5, -1, -5, 5, 0, 5)
+                .box(-5, 0.2, -5, 5, 1, 5)
+                .pair(v(0, 0, 0), UP, v(0, 0.2, 0), DOWN, 1.2, 1.2);
+        int cube = scene.cube(size, v(0, 0.1, 0));
+        scene.start().velocity(cube, v(0, 0.3, 0), v(2, 1, 3));
+        double inertia = size * size / 6;
+        double before = energy(scene, cube, inertia);
+        double most = before;
+        for (int i = 0; i < 1200; i++) {
+            scene.tick(1 / 120.0);
+            most = Math.max(most, energy(scene, cube, inertia));
+        }
+        assertTrue(most <= before * (1 + 1e-9), most + " from " + before);
+        assertTrue(most < before || size < 0.13, "a cube of " + size + " cannot turn without touching itself");
+        assertTrue(scene.centre(cube).isFinite());
+    }
+
+    private static double energy(BodyScene scene, int body, double inertia) {
+        return scene.velocity(body).lengthSquared() / 2
+                + inertia * scene.spin(body).lengthSquared() / 2;
+    }
+
+    /** Section 5 row 18: portals in both walls of a corner: no leak, not stuck. */
+    @Test
+    void cornerOfTwoPortals() {
+        BodyScene scene = new BodyScene()
+                .floor()
+                .box(-10, 0, -1, 10, 5, 0)
+                .box(-1, 0, 0, 0, 5, 10)
+                .pair(v(0.6, 1.05, 0), v(0, 0, 1), v(0, 1.05, 0.6), v(1, 0, 0), 1.2, 2.1);
+        int cube = scene.add(new Body.Box("cube", v(1, 0.25, 1), v(0.5, 0.5, 0.5), 1, null, 0.02, 0));
+        scene.start().velocity(cube, v(-2, 0, -1.9), Vec3.ZERO);
+        for (int i = 0; i < 600; i++) {
+            scene.tick(1 / 120.0);
+            Vector3d p = scene.centre(cube);
+            assertTrue(p.x > -1e-6 && p.z > -1e-6 && p.y > 0.2, "leaked to " + p);
+        }
+        assertTrue(scene.centre(cube).distance(0, 0.25, 0) > 0.5, "stuck at " + scene.centre(cube));
+    }
+
+    /** A cube that leans out of a floor portal stands on the cube beyond, and both carry each other's weight. */
+    @Test
+    void cubesPushEachOtherThroughAPortal() {
+        BodyScene scene = rooms(1.2, 2.1);
+        int pushing = scene.add(new Body.Box("pushing", v(0, 0.4, 0.5), v(0.8, 0.8, 0.8), 1, null, 0, 0));
+        int pushed = scene.add(new Body.Box("pushed", v(19.5, 0.4, 0), v(0.8, 0.8, 0.8), 1, null, 0, 0));
+        scene.start().velocity(pushing, v(0, 0, -1), Vec3.ZERO).run(0.5, 120);
+        assertEquals(-0.5, scene.velocity(pushed).x, 0.05, "pushed away from its wall by an inelastic hit");
+        assertEquals(-0.5, scene.velocity(pushing).z, 0.05, "slowed by as much");
+    }
+}
