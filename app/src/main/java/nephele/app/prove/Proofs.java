@@ -6,6 +6,7 @@ import java.util.List;
 public final class Proofs {
     public static final List<Proof> ALL = List.of(
             new ClosedRoomProof(),
+            new TraversalsProof(),
             new CrossingsProof(),
             new SkinProof(),
             new JitMatrixProof(),
