@@ -96,4 +96,27 @@ class InputTest {
         }
         assertEquals(64, waiting);
     }
+
+    /** Slow frames hold several ticks, or none: a press between two of them is not lost. */
+    @Test
+    void aShortPressIsToldOnce() {
+        input.key(Control.MOUSE + GLFW.GLFW_MOUSE_BUTTON_RIGHT, true);
+        input.key(Control.MOUSE + GLFW.GLFW_MOUSE_BUTTON_RIGHT, false);
+        assertFalse(input.holds(Control.FIRE_SECOND));
+        assertFalse(input.takeHold(Control.FIRE_FIRST));
+        assertTrue(input.takeHold(Control.FIRE_SECOND));
+        assertFalse(input.takeHold(Control.FIRE_SECOND));
+        input.key(GLFW.GLFW_KEY_E, true);
+        assertTrue(input.takeHold(Control.CARRY));
+        assertTrue(input.takeHold(Control.CARRY));
+        input.key(GLFW.GLFW_KEY_E, false);
+        assertFalse(input.takeHold(Control.CARRY));
+    }
+
+    @Test
+    void aMouseThatChangesHandsHoldsNoButton() {
+        input.key(Control.MOUSE + GLFW.GLFW_MOUSE_BUTTON_LEFT, true);
+        input.forgetMouse();
+        assertFalse(input.takeHold(Control.FIRE_FIRST));
+    }
 }

@@ -23,10 +23,23 @@ final class LiveInput implements TickInput {
         int forward = axis(Control.FORWARD, Control.BACK);
         int right = axis(Control.RIGHT, Control.LEFT);
         var walking = PlayerInput.NONE.walking(forward, right);
-        var acting = holding(walking, Control.RUN, Action.RUN);
-        acting = holding(acting, Control.JUMP, Action.JUMP);
-        acting = holding(acting, Control.CROUCH, Action.CROUCH);
+        var acting = walking;
+        for (var action : Action.values()) {
+            acting = input.takeHold(control(action)) ? acting.holding(action) : acting;
+        }
         return mouseLook.turn(acting, input.takeCountsRight(), input.takeCountsDown());
+    }
+
+    private static Control control(Action action) {
+        return switch (action) {
+            case RUN -> Control.RUN;
+            case CROUCH -> Control.CROUCH;
+            case JUMP -> Control.JUMP;
+            case FIRE_FIRST -> Control.FIRE_FIRST;
+            case FIRE_SECOND -> Control.FIRE_SECOND;
+            case CARRY -> Control.CARRY;
+            case THROW -> Control.THROW;
+        };
     }
 
     @Override
@@ -36,9 +49,5 @@ final class LiveInput implements TickInput {
 
     private int axis(Control positive, Control negative) {
         return (input.holds(positive) ? FULL_SPEED : 0) - (input.holds(negative) ? FULL_SPEED : 0);
-    }
-
-    private PlayerInput holding(PlayerInput before, Control key, Action action) {
-        return input.holds(key) ? before.holding(action) : before;
     }
 }

@@ -4,7 +4,7 @@ import static org.lwjgl.glfw.GLFW.*;
 
 import java.util.List;
 
-/** Everything a key does, in the order of the help page. */
+/** Everything a key or mouse button does, in the order of the help page. */
 public enum Control {
     FORWARD("W  ↑", "walk forward", GLFW_KEY_W, GLFW_KEY_UP),
     BACK("S  ↓", "walk back", GLFW_KEY_S, GLFW_KEY_DOWN),
@@ -13,6 +13,10 @@ public enum Control {
     RUN("Shift", "run", GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
     JUMP("Space", "jump", GLFW_KEY_SPACE),
     CROUCH("Ctrl  C", "crouch", GLFW_KEY_LEFT_CONTROL, GLFW_KEY_C),
+    FIRE_FIRST("Left click", "first portal; throws what is held", Control.MOUSE + GLFW_MOUSE_BUTTON_LEFT),
+    FIRE_SECOND("Right click", "second portal", Control.MOUSE + GLFW_MOUSE_BUTTON_RIGHT),
+    CARRY("E", "pick up and let go", GLFW_KEY_E),
+    THROW("F", "throw what is held", GLFW_KEY_F),
     RESTART("R", "start the level again", GLFW_KEY_R),
     MENU("Esc", "menu", GLFW_KEY_ESCAPE),
     CONFIRM("Enter", "choose in the menu", GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER),
@@ -20,6 +24,9 @@ public enum Control {
     FIGURES("F3", "figures: time per pass, draws, memory", GLFW_KEY_F3),
     FULL_SCREEN("F11", "full screen", GLFW_KEY_F11),
     SCREENSHOT("F12", "picture; with Shift without the overlay", GLFW_KEY_F12);
+
+    /** Added to a mouse button's code: key codes are smaller. */
+    static final int MOUSE = 1000;
 
     private final String keys;
     private final String meaning;
@@ -39,7 +46,11 @@ public enum Control {
         return meaning;
     }
 
-    /** GLFW key codes. */
+    boolean isOnMouse() {
+        return codes.get(0) >= MOUSE;
+    }
+
+    /** GLFW key codes, and mouse buttons from {@link #MOUSE} on. */
     List<Integer> codes() {
         return codes;
     }

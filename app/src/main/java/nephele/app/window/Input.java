@@ -11,6 +11,7 @@ public final class Input {
     private static final int MOST_WAITING = 64;
 
     private final EnumSet<Control> held = EnumSet.noneOf(Control.class);
+    private final EnumSet<Control> struck = EnumSet.noneOf(Control.class);
     private final ArrayDeque<Control> pressed = new ArrayDeque<>();
     private double countsRight;
     private double countsDown;
@@ -36,6 +37,7 @@ public final class Input {
             return;
         }
         held.add(control);
+        struck.add(control);
         if (pressed.size() < MOST_WAITING) {
             pressed.add(control);
         }
@@ -68,6 +70,7 @@ public final class Input {
     /** Forgets every key, motion and click: the focus went away. */
     public void forget() {
         held.clear();
+        struck.clear();
         pressed.clear();
         forgetMouse();
     }
@@ -80,10 +83,18 @@ public final class Input {
         lastY = Double.NaN;
         clicked = false;
         pointerMoved = false;
+        held.removeIf(Control::isOnMouse);
+        struck.removeIf(Control::isOnMouse);
     }
 
     public boolean holds(Control control) {
         return held.contains(control);
+    }
+
+    /** True when it is held, and once when it was pressed and let go again before anybody asked. */
+    public boolean takeHold(Control control) {
+        boolean wasStruck = struck.remove(control);
+        return wasStruck || holds(control);
     }
 
     /** The next key that went down, or null. */

@@ -34,7 +34,9 @@ final class WindowEvents {
         });
         glfwSetCursorPosCallback(handle, (window, x, y) -> moved(x, y));
         glfwSetMouseButtonCallback(handle, (window, button, action, modifiers) -> {
-            if (action == GLFW_PRESS && button == GLFW_MOUSE_BUTTON_LEFT) {
+            if (looking) {
+                input.key(Control.MOUSE + button, action == GLFW_PRESS);
+            } else if (action == GLFW_PRESS && button == GLFW_MOUSE_BUTTON_LEFT) {
                 input.click();
             }
         });
