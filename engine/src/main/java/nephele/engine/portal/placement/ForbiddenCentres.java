@@ -9,9 +9,15 @@ import java.util.Arrays;
 final class ForbiddenCentres {
     private static final double LEAST_EDGE = 1e-12;
 
+    /** Metres by which an edge's ends differ in their distance from another that is parallel to it. */
+    private static final double PARALLEL = 1e-9;
+
     private TurnedAperture aperture;
     /** For each edge: where it begins (x, y), outward unit normal (x, y), distance from the origin, length. */
     private double[] edges = new double[6 * 256];
+
+    /** Edges on which a centre may lie; those behind an outline are none, the edges of its next part take their place. */
+    private boolean[] open = new boolean[256];
 
     private int edgeCount;
     /** First edge of each polygon, and one past the last. */
@@ -60,7 +66,22 @@ final class ForbiddenCentres {
         return edges[6 * edge + 5];
     }
 
-    /** Both run through their edges by growing angle (de Berg et al. 2008, "Computational Geometry", section 13.3). */
+    /** Whether a centre may lie on an edge. */
+    boolean isOpen(int edge) {
+        return open[edge];
+    }
+
+    /** A part of the outline, with the region on its left: no aperture touches it from the right. */
+    void addOutline(ConvexPolygon segment) {
+        int from = edgeCount;
+        add(segment);
+        for (int edge = from; edge < edgeCount; edge++) {
+            double outwards = alongY(edge) * segment.normalX(0) - alongX(edge) * segment.normalY(0);
+            open[edge] = outwards <= LEAST_EDGE;
+        }
+    }
+
+    /** Something that may be touched from all sides. Both run through their edges by growing angle (de Berg et al. 2008, "Computational Geometry", section 13.3). */
     void add(ConvexPolygon thing) {
         reserve(thing.corners() + aperture.corners());
         int lowest = lowest(thing);
@@ -109,7 +130,9 @@ final class ForbiddenCentres {
 
     private void reserve(int more) {
         if (6 * (edgeCount + more) > edges.length) {
-            edges = Arrays.copyOf(edges, Math.max(2 * edges.length, 6 * (edgeCount + more)));
+            int capacity = Math.max(2 * open.length, edgeCount + more);
+            edges = Arrays.copyOf(edges, 6 * capacity);
+            open = Arrays.copyOf(open, capacity);
         }
         if (count + 2 > first.length) {
             first = Arrays.copyOf(first, 2 * first.length);
@@ -122,6 +145,7 @@ final class ForbiddenCentres {
         if (length < LEAST_EDGE) {
             return;
         }
+        open[edgeCount] = true;
         int at = 6 * edgeCount++;
         edges[at] = x;
         edges[at + 1] = y;
@@ -183,7 +207,10 @@ final class ForbiddenCentres {
         return Math.max(0, Math.min(length(edge), along));
     }
 
-    /** Writes the open stretch of an edge's line that lies in a polygon to {@code span}; false for none on the edge. */
+    /**
+     * Writes the open stretch of an edge's line that lies in a polygon to {@code span}: its ends where the overlap is as
+     * large as is allowed, then those where it begins. False when nothing of the edge lies in it.
+     */
     boolean covers(int polygon, int edge, double[] span) {
         if (isApart(polygon, edge)) {
             return false;
@@ -192,25 +219,29 @@ final class ForbiddenCentres {
         double y = startY(edge);
         double dx = alongX(edge);
         double dy = alongY(edge);
-        double from = Double.NEGATIVE_INFINITY;
-        double to = Double.POSITIVE_INFINITY;
+        double length = length(edge);
+        span[0] = Double.NEGATIVE_INFINITY;
+        span[1] = Double.POSITIVE_INFINITY;
         for (int i = 6 * first[polygon]; i < 6 * first[polygon + 1]; i += 6) {
             double rate = edges[i + 2] * dx + edges[i + 3] * dy;
-            double inside = edges[i + 4] - Tolerance.OVERLAP - edges[i + 2] * x - edges[i + 3] * y;
-            // Nearly parallel: off by less than the overlap that is allowed, over any edge that is no longer than this.
-            if (Math.abs(rate) * length(edge) < 1e-9) {
-                if (inside <= 0) {
+            double inside = edges[i + 4] - edges[i + 2] * x - edges[i + 3] * y;
+            double at = (inside - Tolerance.OVERLAP) / rate;
+            if (Math.abs(rate) * length < PARALLEL) {
+                if (inside <= Tolerance.OVERLAP) {
                     return false;
                 }
-            } else if (rate > 0) {
-                to = Math.min(to, inside / rate);
-            } else {
-                from = Math.max(from, inside / rate);
+            } else if (rate > 0 && at < span[1]) {
+                span[1] = at;
+                span[3] = inside / rate;
+            } else if (rate < 0 && at > span[0]) {
+                span[0] = at;
+                span[2] = inside / rate;
+            }
+            if (span[0] >= span[1] || span[1] <= 0 || span[0] >= length) {
+                return false;
             }
         }
-        span[0] = from;
-        span[1] = to;
-        return from < to && to > 0 && from < length(edge);
+        return true;
     }
 
     private boolean isApart(int polygon, int edge) {

@@ -11,11 +11,17 @@ final class NearestPlace {
     /** Of two places as near as that the one with the lower x, then y, is taken. */
     private static final double EQUALLY_NEAR = 1e-9;
 
+    private static final int SPAN = 4;
+
     private final ForbiddenCentres forbidden;
     private final ItemList found = new ItemList();
-    private final double[] span = new double[2];
+    private final double[] span = new double[SPAN];
     private long[] order = new long[256];
-    private double[] spans = new double[64];
+    /** Each as {@link ForbiddenCentres#covers} writes it. */
+    private double[] spans = new double[32 * SPAN];
+    /** The polygon that forbade all of an edge last; it often does so for the next. */
+    private int lastAll;
+
     private Region region;
     private double aimX;
     private double aimY;
@@ -48,6 +54,7 @@ final class NearestPlace {
         x = Double.NaN;
         y = Double.NaN;
         distance = limit;
+        lastAll = 0;
         if (forbidden.allow(aimX, aimY) && region.covers(aimX, aimY, found)) {
             take(aimX, aimY, 0);
             return true;
@@ -66,7 +73,7 @@ final class NearestPlace {
     private int sortedEdges() {
         int count = 0;
         for (int edge = 0; edge < forbidden.edges(); edge++) {
-            double away = forbidden.distance(edge, aimX, aimY);
+            double away = forbidden.isOpen(edge) ? forbidden.distance(edge, aimX, aimY) : Double.POSITIVE_INFINITY;
             if (away <= distance) {
                 if (count == order.length) {
                     order = Arrays.copyOf(order, 2 * count);
@@ -83,45 +90,71 @@ final class NearestPlace {
         int count = coveredSpans(edge);
         double foot = forbidden.foot(edge, aimX, aimY);
         double from = 0;
-        for (int i = 0; i < count; i++) {
-            offer(edge, foot, from, spans[2 * i]);
-            from = Math.max(from, spans[2 * i + 1]);
+        double legalFrom = 0;
+        for (int i = 0; i < SPAN * count; i += SPAN) {
+            if (spans[i] >= from) {
+                offer(edge, legal(foot, legalFrom, spans[i + 2], (from + spans[i]) / 2));
+            }
+            if (spans[i + 1] > from) {
+                from = spans[i + 1];
+                legalFrom = spans[i + 3];
+            }
         }
-        offer(edge, foot, from, forbidden.length(edge));
+        double length = forbidden.length(edge);
+        if (from <= length) {
+            offer(edge, legal(foot, legalFrom, length, (from + length) / 2));
+        }
     }
 
-    /** The stretches of an edge that other polygons forbid, by where they begin. */
+    /** Of a stretch where nothing is overlapped the place nearest to {@code foot}; of one that tolerance opens the middle. */
+    private static double legal(double foot, double from, double to, double middle) {
+        return from <= to ? Math.max(from, Math.min(to, foot)) : middle;
+    }
+
+    /** The stretches of an edge that other polygons forbid, by where they begin; just one if that is all of the edge. */
     private int coveredSpans(int edge) {
+        if (coversAll(lastAll, edge)) {
+            return 1;
+        }
         int count = 0;
         for (int polygon = 0; polygon < forbidden.polygons(); polygon++) {
-            boolean own = forbidden.firstEdge(polygon) <= edge && edge < forbidden.firstEdge(polygon + 1);
-            if (!own && forbidden.covers(polygon, edge, span)) {
+            if (coversAll(polygon, edge)) {
+                lastAll = polygon;
+                return 1;
+            } else if (span[0] < span[1]) {
                 insert(count++);
             }
         }
         return count;
     }
 
-    private void insert(int count) {
-        if (2 * count + 2 > spans.length) {
-            spans = Arrays.copyOf(spans, 2 * spans.length);
+    /** Whether a polygon, not the edge's own, forbids all of it; leaves its stretch in {@code span}. */
+    private boolean coversAll(int polygon, int edge) {
+        boolean own = forbidden.firstEdge(polygon) <= edge && edge < forbidden.firstEdge(polygon + 1);
+        if (own || !forbidden.covers(polygon, edge, span)) {
+            span[0] = Double.POSITIVE_INFINITY;
+            return false;
         }
-        int at = 2 * count;
-        while (at > 0 && spans[at - 2] > span[0]) {
-            spans[at] = spans[at - 2];
-            spans[at + 1] = spans[at - 1];
-            at -= 2;
+        if (span[0] < 0 && span[1] > forbidden.length(edge)) {
+            System.arraycopy(span, 0, spans, 0, SPAN);
+            return true;
         }
-        spans[at] = span[0];
-        spans[at + 1] = span[1];
+        return false;
     }
 
-    /** The free stretch from {@code from} to {@code to} of an edge. */
-    private void offer(int edge, double foot, double from, double to) {
-        if (from > to) {
-            return;
+    private void insert(int count) {
+        int at = SPAN * count;
+        if (at + SPAN > spans.length) {
+            spans = Arrays.copyOf(spans, 2 * spans.length);
         }
-        double along = Math.max(from, Math.min(to, foot));
+        while (at > 0 && spans[at - SPAN] > span[0]) {
+            System.arraycopy(spans, at - SPAN, spans, at, SPAN);
+            at -= SPAN;
+        }
+        System.arraycopy(span, 0, spans, at, SPAN);
+    }
+
+    private void offer(int edge, double along) {
         double px = forbidden.startX(edge) + along * forbidden.alongX(edge);
         double py = forbidden.startY(edge) + along * forbidden.alongY(edge);
         double dx = px - aimX;

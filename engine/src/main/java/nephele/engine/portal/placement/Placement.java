@@ -22,6 +22,9 @@ public final class Placement {
     /** How much farther each further search for any place reaches. */
     private static final double WIDEN = 8;
 
+    /** So few limits of a region are looked at all at once. */
+    private static final int SMALL = 200;
+
     private final Surfaces surfaces;
     private final Gun gun;
     private final RayHit hit = new RayHit();
@@ -100,11 +103,11 @@ public final class Placement {
                 return Refusal.OVERLAPS_OTHER;
             }
         }
-        Aabb whole = region.faces().bounds();
-        double farthest = whole.maxX() - whole.minX() + whole.maxY() - whole.minY();
+        double farthest = farthest(region.faces().bounds(), x, y);
+        boolean small = region.outline().size() + region.bars().size() <= SMALL;
         double reach = gun.slideMetres();
         while (reach < farthest) {
-            reach *= WIDEN;
+            reach = small ? farthest : Math.min(WIDEN * reach, farthest);
             forbid(region, turned, x, y, reach);
             if (nearest.find(region, x, y, reach)) {
                 return Refusal.EDGE;
@@ -113,22 +116,29 @@ public final class Placement {
         return Refusal.TOO_SMALL;
     }
 
+    private static double farthest(Aabb box, double x, double y) {
+        double dx = Math.max(x - box.minX(), box.maxX() - x);
+        double dy = Math.max(y - box.minY(), box.maxY() - y);
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
     /** Everything that decides about centres within {@code metres} of a point. */
     private void forbid(Region region, TurnedAperture turned, double x, double y, double metres) {
         forbidden.begin(turned);
         double reachX = metres + turned.reachX();
         double reachY = metres + turned.reachY();
         Aabb reach = new Aabb(x - reachX, y - reachY, 0, x + reachX, y + reachY, 0);
-        forbid(region.outline(), reach);
-        forbid(region.bars(), reach);
-    }
-
-    private void forbid(ShapeSet set, Aabb reach) {
         found.clear();
-        set.overlapping(reach, found);
+        region.outline().overlapping(reach, found);
         found.sort();
         for (int i = 0; i < found.size(); i++) {
-            forbidden.add(set.shape(found.get(i)));
+            forbidden.addOutline(region.outline().shape(found.get(i)));
+        }
+        found.clear();
+        region.bars().overlapping(reach, found);
+        found.sort();
+        for (int i = 0; i < found.size(); i++) {
+            forbidden.add(region.bars().shape(found.get(i)));
         }
     }
 
