@@ -67,7 +67,8 @@ class BodyPortalTest {
         }
         int ball = scene.add(new Body.Sphere("ball", v(0, 0, 1), 0.1, 1, null, 0.6, 0));
         scene.start();
-        // Each exit looks back along the way: turned about, the ball flies on towards +z and never meets the next entry.
+        // Each exit looks back along the way: turned about, the ball flies on towards +z and never meets the next
+        // entry.
         scene.velocity(ball, v(0, 0, -300), Vec3.ZERO);
         scene.tick(1 / 60.0);
         assertEquals(1, scene.now.crossings(ball));

@@ -1,0 +1,193 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import nephele.engine.portal.placement.Placed;
+import nephele.engine.portal.placement.Refusal;
+import nephele.engine.sim.Shots.Colour;
+import nephele.engine.sim.TickEvent.PortalOpened;
+import nephele.engine.sim.TickEvent.PortalRefused;
+import org.junit.jupiter.api.Test;
+
+/** Shots: what they make, what they leave alone, and who stands in what they move. */
+final class PortalGunTest {
+    private static final PlayerInput FORWARD = PlayerInput.FORWARD;
+
+    /** The first portal in the wall ahead, the second in the wall to the right, both down to the floor. */
+    private static Lab twoPortals() {
+        return Lab.hall()
+                .gun()
+                .startAt(0, 0, 0, 0, -5)
+                .press(Action.FIRE_FIRST)
+                .turn(-90, 0)
+                .press(Action.FIRE_SECOND);
+    }
+
+    private static Portals portals(Lab lab) {
+        return lab.state().around().portals();
+    }
+
+    @Test
+    void withoutAGunNothingIsShot() {
+        Lab lab = Lab.hall().press(Action.FIRE_FIRST).press(Action.FIRE_SECOND);
+        assertEquals(Changeable.NOTHING, lab.state().around());
+        assertNull(lab.simulation().aim(lab.state(), Colour.FIRST));
+    }
+
+    /** Row 22: one alone is closed and solid. */
+    @Test
+    void oneAloneIsSolidAndTwoLeadToEachOther() {
+        Lab lab = Lab.hall().gun().startAt(0, 0, 0, 0, -5).press(Action.FIRE_FIRST);
+        assertEquals(List.of(new PortalOpened(Colour.FIRST, 0)), lab.told());
+        Portal first = portals(lab).portal(0);
+        assertEquals(-8, first.centre().z(), 1e-9);
+        assertFalse(portals(lab).isOpen(0));
+        lab.hold(FORWARD, 3);
+        assertEquals(-8 + 0.3 + 0.001, lab.player().feet().z(), 1e-4);
+
+        lab = twoPortals();
+        assertEquals(new Shots(0, 1), lab.state().around().shots());
+        assertEquals(1, portals(lab).partner(0));
+        assertEquals(0, portals(lab).partner(1));
+        lab.turn(90, 0).hold(FORWARD, 3);
+        assertTrue(lab.player().feet().x() < 7, "came out of the right wall: " + lab.player());
+        assertTrue(lab.player().feet().z() > -3, "and left the far one behind: " + lab.player());
+    }
+
+    @Test
+    void anotherShotMovesItsPortalAndKeepsTheIndex() {
+        Lab lab = twoPortals();
+        Portal second = portals(lab).portal(1);
+        lab.turn(-90, 0).press(Action.FIRE_FIRST);
+        assertEquals(8, portals(lab).portal(0).centre().z(), 1e-9);
+        assertEquals(second, portals(lab).portal(1));
+        assertTrue(portals(lab).isOpen(0) && portals(lab).isOpen(1));
+        assertEquals(new PortalOpened(Colour.FIRST, 0), lab.told().get(2));
+    }
+
+    @Test
+    void fixedPairsComeFirstAndStay() {
+        Vec3 a = new Vec3(-5, 1.05, -8);
+        Vec3 b = new Vec3(5, 1.05, -8);
+        Vec3 n = new Vec3(0, 0, 1);
+        Lab lab = Lab.hall().gun().pair(a, n, b, n);
+        lab.turn(90, 0).press(Action.FIRE_SECOND).turn(-180, 0).press(Action.FIRE_FIRST);
+        assertEquals(new Shots(3, 2), lab.state().around().shots());
+        assertEquals(
+                List.of(1, 0, 3, 2),
+                List.of(0, 1, 2, 3).stream().map(portals(lab)::partner).toList());
+    }
+
+    @Test
+    void aRefusalSaysWhyAndChangesNothing() {
+        Lab lab = Lab.hall().gun().box(-1, 0, -3, 1, 3, -2, false);
+        long portalsBefore = portals(lab).size();
+        lab.tick(PlayerInput.NONE.holding(Action.FIRE_FIRST));
+        PortalRefused told = assertInstanceOf(PortalRefused.class, lab.told().get(0));
+        assertEquals(Refusal.NOT_PORTALABLE, told.reason());
+        assertEquals(-2, told.where().z(), 1e-9);
+        assertEquals(portalsBefore, portals(lab).size());
+        assertEquals(List.of(told), lab.state().around().trace().events());
+        lab.tick(PlayerInput.NONE);
+        assertEquals(List.of(), lab.state().around().trace().events());
+    }
+
+    @Test
+    void aBodyStopsAShot() {
+        Lab lab = Lab.hall().gun().cube(new Vec3(0, 1.65, -3), 1, 5).press(Action.FIRE_FIRST);
+        assertEquals(Refusal.MOVING_SURFACE, ((PortalRefused) lab.told().get(0)).reason());
+    }
+
+    /** What the ghost shows is what the shot does. */
+    @Test
+    void theGhostIsTheShot() {
+        Lab lab = Lab.hall().gun().startAt(1, 0, 2, 37, -20);
+        Placed.Fits ghost = (Placed.Fits) lab.simulation().aim(lab.state(), Colour.FIRST);
+        lab.press(Action.FIRE_FIRST);
+        assertEquals(ghost.portal(), portals(lab).portal(0));
+    }
+
+    /** A shot goes through no portal: aimed into one, it stays in this room. */
+    @Test
+    void aShotGoesThroughNoPortal() {
+        Lab lab = twoPortals().turn(90, 0).press(Action.FIRE_SECOND);
+        for (int i = 0; i < 2; i++) {
+            assertNotEquals(
+                    0,
+                    portals(lab).portal(i).normal().z()
+                            + portals(lab).portal(i).normal().x());
+        }
+        Portal second = portals(lab).portal(1);
+        boolean slid = Math.abs(second.centre().z() + 8) < 1e-9;
+        boolean stayed = Math.abs(second.centre().x() - 8) < 1e-9;
+        assertTrue(slid || stayed, second.toString());
+        Vec3 a = new Vec3(0, 1.05, -4);
+        Lab free = Lab.hall().gun().pair(a, new Vec3(0, 0, 1), new Vec3(5, 1.05, -8), new Vec3(0, 0, 1));
+        free.press(Action.FIRE_FIRST);
+        PortalRefused refused = (PortalRefused) free.told().get(0);
+        assertEquals(Refusal.OVERLAPS_OTHER, refused.reason());
+        assertEquals(-4, refused.where().z(), 1e-9);
+    }
+
+    /** Row 33: straight down there is an orientation too, and it turns with the view. */
+    @Test
+    void straightDownIsFinite() {
+        for (double yaw : new double[] {0, 33, 90, -170}) {
+            Lab lab = Lab.hall().gun().startAt(2, 0, 2, yaw, 0).turn(0, -89.9).press(Action.FIRE_FIRST);
+            Portal floor = portals(lab).portal(0);
+            assertEquals(new Vec3(0, 1, 0), floor.normal());
+            assertEquals(
+                    -StrictMath.sin(Math.toRadians(yaw)), floor.frame().up().x(), 1e-6);
+            assertEquals(
+                    -StrictMath.cos(Math.toRadians(yaw)), floor.frame().up().z(), 1e-6);
+        }
+    }
+
+    /** Row 12: who stands in a portal that is moved is put on the side of the centre, at once, and never into a wall. */
+    @Test
+    void whoStandsInAMovedPortalIsPutOnTheCentresSide() {
+        for (double before : new double[] {0.002, 0.1, 0.2, 0.29}) {
+            for (Action moved : List.of(Action.FIRE_FIRST, Action.FIRE_SECOND)) {
+                Lab lab = twoPortals();
+                Portal first = portals(lab).portal(0);
+                Vec3 feet = new Vec3(first.centre().x(), 0, -8 + before);
+                lab.set(lab.state().withPlayer(lab.player().withFeet(feet)));
+                lab.hold(PlayerInput.NONE, 0.1);
+                assertEquals(before, lab.player().feet().z() + 8, 1e-9);
+                // To the left, where no portal is yet.
+                lab.turn(180, 0).tick(PlayerInput.NONE.holding(moved));
+                assertInstanceOf(
+                        PortalOpened.class, lab.told().get(2), lab.told().toString());
+                Vec3 now = lab.player().feet();
+                boolean pushed = moved == Action.FIRE_FIRST;
+                assertEquals(pushed ? 0.301 : before, now.z() + 8, 1e-6);
+                assertEquals(feet.x(), now.x(), 1e-6);
+                lab.hold(PlayerInput.NONE, 0.1);
+                assertEquals(now, lab.player().feet());
+            }
+        }
+    }
+
+    /** Row 12: without room there the portal stays where it is. */
+    @Test
+    void withoutRoomTheShotIsRefused() {
+        Lab lab = twoPortals();
+        Lab narrow = Lab.hall().gun().startAt(0, 0, 0, 0, -5).box(-1, 0, -7.65, 1, 4, -7.5, false);
+        Vec3 feet = new Vec3(0, 0, -7.95);
+        narrow.set(lab.state().withPlayer(lab.player().withFeet(feet))).turn(180, 0);
+        Portals before = portals(narrow);
+        narrow.press(Action.FIRE_FIRST);
+        assertEquals(Refusal.OCCUPIED, ((PortalRefused) narrow.told().get(0)).reason());
+        assertEquals(before, portals(narrow));
+        assertEquals(0, feet.toVector().distance(narrow.player().feet().toVector()), 0.002);
+    }
+}
