@@ -7,9 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.level.Light;
+import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
-import nephele.engine.scene.light.Lamp;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 

@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
-import nephele.engine.scene.light.Brdf;
-import nephele.engine.scene.light.LampFalloff;
-import nephele.engine.scene.light.NormalMap;
+import nephele.engine.level.appearance.Brdf;
+import nephele.engine.level.appearance.LampFalloff;
+import nephele.engine.level.appearance.NormalMap;
 import nephele.engine.scene.light.ShadowFilter;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;

@@ -7,8 +7,8 @@ import java.util.SplittableRandom;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
-import nephele.engine.scene.light.SkyRadiance;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 

@@ -24,6 +24,10 @@ public record Material(
         @Written(absent = "[0, 0, 0]", min = 0, max = 1e9) Vec3 emission,
         @Written(absent = "1", min = 1e-3) double textureMetres) {
 
+    /** What faces without a material are made of. */
+    public static final Material DEFAULT_GREY =
+            new Material("", new Vec3(0.5, 0.5, 0.5), null, null, null, null, Vec3.ZERO, 1);
+
     /** True when the material needs no view-dependent term. */
     public boolean lambert() {
         return roughness == null && metallic == null;

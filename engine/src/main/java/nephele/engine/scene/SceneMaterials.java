@@ -9,7 +9,6 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Material;
-import nephele.engine.math.Vec3;
 
 /**
  * The level's materials by index, their pictures merged into arrays of one size each.
@@ -23,9 +22,6 @@ public record SceneMaterials(
         List<PictureArray> colourArrays,
         List<PictureArray> normalArrays,
         Map<String, Integer> indexById) {
-    private static final Material DEFAULT_GREY =
-            new Material("", new Vec3(0.5, 0.5, 0.5), null, null, null, null, Vec3.ZERO, 1);
-
     /** Pictures of equal size, 8-bit RGBA. */
     public record PictureArray(int width, int height, List<Picture> layers) {}
 
@@ -47,7 +43,7 @@ public record SceneMaterials(
         Arrays normals = new Arrays(assets);
         List<Surface> surfaces = new ArrayList<>();
         Map<String, Integer> indexById = new HashMap<>();
-        surfaces.add(new Surface(DEFAULT_GREY, Slot.NONE, Slot.NONE));
+        surfaces.add(new Surface(Material.DEFAULT_GREY, Slot.NONE, Slot.NONE));
         for (Material material : materials) {
             indexById.put(material.id(), surfaces.size());
             surfaces.add(

@@ -11,6 +11,7 @@ import java.util.Map;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
+import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
@@ -111,19 +112,18 @@ final class SolidMesher {
         Vec3 cell = cellOf(face.polygon().get(0));
         Growing batch = batches.computeIfAbsent(new BatchKey(kind, cell), key -> new Growing(brushes.size()));
         List<FaceFragment> parts = parts(brush, faceIndex);
+        FaceTexture texture = FaceTexture.of(face, surface.material().textureMetres());
         for (int part = 0; part < parts.size(); part++) {
             // Nobody sees it, but where its edge is a wall's seam too its dark pixels would win at equal depth.
             if (parts.get(part).cover() == Cover.TOUCHING) {
                 continue;
             }
             int first = vertexCount;
-            double[] st = FaceBasis.coordinates(
-                    face, parts.get(part).corners(), surface.material().textureMetres());
             for (int i = 0; i < parts.get(part).corners().size(); i++) {
                 Vec3 p = parts.get(part).corners().get(i);
                 addCorner(face, material - block * SolidGeometry.MATERIALS_PER_BLOCK, p, cell);
-                vertices.putFloat((float) st[2 * i]);
-                vertices.putFloat((float) st[2 * i + 1]);
+                vertices.putFloat((float) texture.s(p));
+                vertices.putFloat((float) texture.t(p));
                 if (lightMap != null) {
                     vertices.putShort((short) Math.round(lightMap.column(brush, faceIndex, part, p) * 16));
                     vertices.putShort((short) Math.round(lightMap.row(brush, faceIndex, part, p) * 16));

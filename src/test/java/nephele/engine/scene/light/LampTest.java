@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
+import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;

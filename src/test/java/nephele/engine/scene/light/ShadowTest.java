@@ -11,6 +11,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
+import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix4d;

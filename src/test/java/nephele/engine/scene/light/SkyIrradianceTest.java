@@ -3,6 +3,7 @@ package nephele.engine.scene.light;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;

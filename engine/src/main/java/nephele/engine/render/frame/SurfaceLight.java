@@ -9,6 +9,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
@@ -20,7 +21,6 @@ import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
 import nephele.engine.scene.light.SkyIrradiance;
-import nephele.engine.scene.light.SkyRadiance;
 
 /**
  * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, uniforms and textures.

@@ -2,6 +2,7 @@ package nephele.engine.scene.light;
 
 import java.util.List;
 import nephele.engine.level.Brush;
+import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 

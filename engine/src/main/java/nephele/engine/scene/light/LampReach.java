@@ -1,5 +1,6 @@
 package nephele.engine.scene.light;
 
+import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;

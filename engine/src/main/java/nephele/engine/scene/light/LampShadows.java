@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import nephele.engine.level.Light;
+import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;

@@ -3,6 +3,7 @@ package nephele.engine.scene.light;
 import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
+import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;

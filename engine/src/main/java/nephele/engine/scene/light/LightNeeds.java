@@ -7,6 +7,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Vec3;
 
 /** Which kinds of light a level asks for. Each answers no as soon as its cause is taken away. */

@@ -1,5 +1,6 @@
 package nephele.engine.scene.light;
 
+import nephele.engine.level.appearance.SkyRadiance;
 import org.joml.Vector3d;
 
 /**

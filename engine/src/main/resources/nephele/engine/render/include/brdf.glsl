@@ -1,5 +1,5 @@
 // Metallic-roughness reflection: Lambert under GGX, height-correlated Smith, Schlick, energy returned after Turquin
-// (2019). Sources, fits and bounds: nephele.engine.scene.light.Brdf, its twin; compared in BrdfGlTest.
+// (2019). Sources, fits and bounds: nephele.engine.level.appearance.Brdf, its twin; compared in LightTwinsGlTest.
 
 const float PI = 3.14159265;
 

@@ -1,4 +1,4 @@
-// How a lamp's light thins out. Twin: nephele.engine.scene.light.LampFalloff.
+// How a lamp's light thins out. Twin: nephele.engine.level.appearance.LampFalloff.
 
 // Inverse square (1/m2) under a window that reaches zero at the range (Karis 2013); nearer than 1 cm it grows no further.
 float windowedInverseSquare(float squareDistance, float inverseSquareRange) {

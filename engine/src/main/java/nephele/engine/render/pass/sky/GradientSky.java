@@ -1,8 +1,8 @@
 package nephele.engine.render.pass.sky;
 
 import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
-import nephele.engine.scene.light.SkyRadiance;
 
 /** The Java twin of {@code gradient.frag}. */
 public final class GradientSky {

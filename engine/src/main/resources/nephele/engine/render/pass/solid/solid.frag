@@ -35,7 +35,7 @@ flat in vec3 emission;
 #endif
 
 #ifdef NORMAL_MAP
-// The directions of the texture on a face, as scene.FaceBasis defines them.
+// The directions of the texture on a face, as level.appearance.FaceTexture defines them.
 vec3 textureAcross(vec3 n) {
     return normalize(abs(n.y) > 0.999 ? vec3(1.0, 0.0, 0.0) - n * n.x : cross(vec3(0.0, 1.0, 0.0), n));
 }

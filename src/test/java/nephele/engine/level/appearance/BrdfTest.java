@@ -1,4 +1,4 @@
-package nephele.engine.scene.light;
+package nephele.engine.level.appearance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,4 +1,4 @@
-package nephele.engine.scene.light;
+package nephele.engine.level.appearance;
 
 /** How a lamp's light thins out with distance and towards the rim of its cone; the twin of {@code lamp-falloff.glsl}. */
 public final class LampFalloff {

@@ -1,4 +1,4 @@
-package nephele.engine.scene.light;
+package nephele.engine.level.appearance;
 
 import java.util.Optional;
 import java.util.function.Function;

@@ -1,4 +1,4 @@
-package nephele.engine.scene.light;
+package nephele.engine.level.appearance;
 
 import java.util.List;
 import java.util.function.Function;

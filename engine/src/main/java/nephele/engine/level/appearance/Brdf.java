@@ -1,4 +1,4 @@
-package nephele.engine.scene.light;
+package nephele.engine.level.appearance;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
