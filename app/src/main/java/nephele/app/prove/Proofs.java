@@ -8,6 +8,7 @@ public final class Proofs {
             new ClosedRoomProof(),
             new TraversalsProof(),
             new CrossingsProof(),
+            new FallsProof(),
             new SkinProof(),
             new JitMatrixProof(),
             new SaveKillProof(),

@@ -35,7 +35,7 @@ final class Uprighting {
         if (!tilt.isBodyUpright()) {
             Vec3 up = tilt.bodyNearer(radians, forward(heading));
             RoundedHull turned = PlayerMotion.shape(player.stance(), up);
-            if (hasRoom(player, turned) || standsUp(player, turned)) {
+            if (standsUp(player, turned) || hasRoom(player, turned)) {
                 player.look(new Look(heading, player.look().tilt().withBody(up)));
             }
         }
