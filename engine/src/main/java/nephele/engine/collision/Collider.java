@@ -10,7 +10,7 @@ import nephele.engine.math.Vec3;
  * A solid convex obstacle, stored relative to its own centre: a level a thousand kilometres out keeps the precision of
  * one at the origin.
  */
-public final class Collider {
+public final class Collider implements ConvexPoints {
     private final ConvexPolyhedron shape;
     private final String solidId;
     private final Vec3 centre;
@@ -124,12 +124,13 @@ public final class Collider {
         return edges[3 * edge + axis];
     }
 
-    double vertex(int vertex, int axis) {
+    @Override
+    public double vertex(int vertex, int axis) {
         return vertices[3 * vertex + axis];
     }
 
-    /** The vertex that lies farthest along a direction. */
-    int farthest(double x, double y, double z) {
+    @Override
+    public int farthest(double x, double y, double z) {
         int best = 0;
         double bestDot = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < vertices.length; i += 3) {

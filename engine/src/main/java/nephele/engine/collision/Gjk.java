@@ -34,12 +34,12 @@ final class Gjk {
     }
 
     /** The collider's nearest point: one coordinate, relative to the collider's centre. */
-    double onCollider(Collider collider, int axis) {
+    double onCollider(ConvexPoints collider, int axis) {
         return simplex.onCollider(collider, axis);
     }
 
     /** @param x of the shape's origin relative to the collider's centre; y and z alike */
-    void measure(RoundedHull shape, double x, double y, double z, Collider collider) {
+    void measure(RoundedHull shape, double x, double y, double z, ConvexPoints collider) {
         simplex.clear();
         distance = Double.NEGATIVE_INFINITY;
         boolean startsCentred = x == 0 && y == 0 && z == 0;

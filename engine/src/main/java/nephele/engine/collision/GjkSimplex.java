@@ -58,7 +58,7 @@ final class GjkSimplex {
     }
 
     /** The nearest point as seen on the collider: one coordinate, relative to the collider's centre. */
-    double onCollider(Collider collider, int axis) {
+    double onCollider(ConvexPoints collider, int axis) {
         double sum = 0;
         for (int i = 0; i < size; i++) {
             sum += weight[i] * collider.vertex(vertex[i], axis);

@@ -24,13 +24,13 @@ class BodyPortalTest {
         return new Vec3(x, y, z);
     }
 
-    /** Two rooms whose walls at z = 0 and x = 20 hold a portal pair at floor level. */
+    /** Two rooms whose walls at z = 0 and x = 30 hold a portal pair at floor level. */
     private static BodyScene rooms(double width, double height) {
         return new BodyScene()
                 .floor()
                 .box(-10, 0, -1, 10, 5, 0)
-                .box(20, 0, -10, 21, 5, 10)
-                .pair(v(0, height / 2, 0), v(0, 0, 1), v(20, height / 2, 0), v(-1, 0, 0), width, height);
+                .box(30, 0, -10, 31, 5, 10)
+                .pair(v(0, height / 2, 0), v(0, 0, 1), v(30, height / 2, 0), v(-1, 0, 0), width, height);
     }
 
     /** Section 5 row 2: a rod of 1 mm crosses once, and leaves alike at every tick rate. */
@@ -63,16 +63,16 @@ class BodyPortalTest {
     void manyPortalsInOneTick(int hops) {
         BodyScene scene = new BodyScene().weightless();
         for (int i = 0; i < hops; i++) {
-            scene.pair(v(0, 10 * i, 0), v(0, 0, 1), v(0, 10 * (i + 1), 1), v(0, 0, 1), 2, 2);
+            // Each exit looks at the next entry from one metre.
+            scene.pair(v(0, 10 * i, 0), v(0, 0, 1), v(0, 10 * (i + 1), 1), v(0, 0, -1), 2, 2);
         }
-        int ball = scene.add(new Body.Sphere("ball", v(0, 0, 1), 0.1, 1, null, 0.6, 0));
+        int ball = scene.add(new Body.Sphere("ball", v(0.3, 0.2, 1), 0.1, 1, null, 0.6, 0));
         scene.start();
-        // Each exit looks back along the way: turned about, the ball flies on towards +z and never meets the next
-        // entry.
-        scene.velocity(ball, v(0, 0, -300), Vec3.ZERO);
+        scene.velocity(ball, v(0, 0, -60 * (hops + 0.5)), v(1, 2, 3));
         scene.tick(1 / 60.0);
-        assertEquals(1, scene.now.crossings(ball));
-        assertEquals(0, scene.centre(ball).distance(0, 10, 1 + 300 / 60.0 - 1), 1e-9);
+        assertEquals(hops, scene.now.crossings(ball));
+        assertEquals(0, scene.centre(ball).distance(0.3, 10 * hops + 0.2, 0.5), 1e-9);
+        assertEquals(0, scene.velocity(ball).distance(0, 0, -60 * (hops + 0.5)), 1e-9);
     }
 
     /** Section 5 row 4. */
@@ -144,7 +144,7 @@ class BodyPortalTest {
             doorway.tick(1 / 120.0);
             Vector3d there = portal.centre(0);
             Vector3d here = doorway.centre(0);
-            Vector3d mapped = there.x > 10 ? new Vector3d(-there.z, there.y, there.x - 20) : there;
+            Vector3d mapped = there.x > 10 ? new Vector3d(-there.z, there.y, there.x - 30) : there;
             assertEquals(0, mapped.distance(here), 1e-3, "tick " + i + " " + there + " " + here);
         }
     }
@@ -197,7 +197,7 @@ class BodyPortalTest {
 
     /** Section 5 row 17: portals that face each other 0.2 m apart: the body touches itself and gains nothing. */
     @ParameterizedTest
-    @ValueSource(doubles = {0.12, 0.16, 0.19})
+    @ValueSource(doubles = {0.11, 0.16, 0.19})
     void bodyThatTouchesItselfGainsNoEnergy(double size) {
         BodyScene scene = new BodyScene()
                 .weightless()
@@ -208,13 +208,16 @@ class BodyPortalTest {
         scene.start().velocity(cube, v(0, 0.3, 0), v(2, 1, 3));
         double inertia = size * size / 6;
         double before = energy(scene, cube, inertia);
-        double most = before;
+        double last = before;
         for (int i = 0; i < 1200; i++) {
             scene.tick(1 / 120.0);
-            most = Math.max(most, energy(scene, cube, inertia));
+            double now = energy(scene, cube, inertia);
+            assertTrue(now <= last + before * 1e-3, "tick " + i + ": " + now + " from " + last);
+            last = now;
         }
-        assertTrue(most <= before * (1 + 1e-9), most + " from " + before);
-        assertTrue(most < before || size < 0.13, "a cube of " + size + " cannot turn without touching itself");
+        assertTrue(last <= before * (1 + 1e-9), last + " from " + before);
+        assertEquals(
+                size > 0.2 / Math.sqrt(3), last < 0.99 * before, "a cube of " + size + " meets itself when it turns");
         assertTrue(scene.centre(cube).isFinite());
     }
 
@@ -238,7 +241,8 @@ class BodyPortalTest {
             Vector3d p = scene.centre(cube);
             assertTrue(p.x > -1e-6 && p.z > -1e-6 && p.y > 0.2, "leaked to " + p);
         }
-        assertTrue(scene.centre(cube).distance(0, 0.25, 0) > 0.5, "stuck at " + scene.centre(cube));
+        scene.velocity(cube, v(2, 0, 2), Vec3.ZERO).run(0.5, 120);
+        assertTrue(scene.centre(cube).distance(0, 0.25, 0) > 0.8, "stuck at " + scene.centre(cube));
     }
 
     /** A cube that leans out of a floor portal stands on the cube beyond, and both carry each other's weight. */
@@ -246,7 +250,7 @@ class BodyPortalTest {
     void cubesPushEachOtherThroughAPortal() {
         BodyScene scene = rooms(1.2, 2.1);
         int pushing = scene.add(new Body.Box("pushing", v(0, 0.4, 0.5), v(0.8, 0.8, 0.8), 1, null, 0, 0));
-        int pushed = scene.add(new Body.Box("pushed", v(19.5, 0.4, 0), v(0.8, 0.8, 0.8), 1, null, 0, 0));
+        int pushed = scene.add(new Body.Box("pushed", v(29.5, 0.4, 0), v(0.8, 0.8, 0.8), 1, null, 0, 0));
         scene.start().velocity(pushing, v(0, 0, -1), Vec3.ZERO).run(0.5, 120);
         assertEquals(-0.5, scene.velocity(pushed).x, 0.05, "pushed away from its wall by an inelastic hit");
         assertEquals(-0.5, scene.velocity(pushing).z, 0.05, "slowed by as much");

@@ -2,7 +2,6 @@ package nephele.engine.collision.rigid;
 
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Passage;
-import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
@@ -12,9 +11,6 @@ import org.joml.Vector3d;
  * portal, in the space before the partner. Reused.
  */
 final class Activity {
-    /** A part of a shape may touch an aperture's edge by this and still be through it. */
-    private static final double EDGE_METRES = 2e-3;
-
     private final Poses poses;
     private final NarrowPhase narrow;
     private final Vector3d place = new Vector3d();
@@ -22,6 +18,8 @@ final class Activity {
     private Portals portals = Portals.NONE;
     private long[] characterMasks = new long[0];
     private TickBodies bodies;
+    private final ThroughPortals through = new ThroughPortals();
+    private final Vector3d centre = new Vector3d();
 
     Activity(Poses poses, NarrowPhase narrow) {
         this.poses = poses;
@@ -159,14 +157,14 @@ final class Activity {
                     poses.centre[3 * a] + manifold.point[3 * i],
                     poses.centre[3 * a + 1] + manifold.point[3 * i + 1],
                     poses.centre[3 * a + 2] + manifold.point[3 * i + 2]);
-            long throughA = through(maskA, 3 * a, place);
+            long throughA = through(maskA, a);
             boolean valid;
             if (portal < 0) {
-                valid = throughA == through(maskB, 3 * b, place);
+                valid = throughA == through(maskB, b);
             } else {
                 int partner = portals.partner(portal);
                 portals.passage(partner).point(place);
-                long throughB = through(maskB, 3 * poses.owner[b], place);
+                long throughB = through(maskB, poses.owner[b]);
                 valid = (throughA == 0 && throughB == 1L << portal) || (throughA == 1L << partner && throughB == 0);
             }
             if (!valid) {
@@ -175,27 +173,8 @@ final class Activity {
         }
     }
 
-    /** The portals of a mask beyond which a point of a shape lies: the way there from the shape's centre leads through. */
-    private long through(long mask, int centre, Vector3d point) {
-        long through = 0;
-        for (long left = mask; left != 0; left &= left - 1) {
-            int i = Long.numberOfTrailingZeros(left);
-            Portal portal = portals.portal(i);
-            double behind = portal.inFront(point.x, point.y, point.z);
-            if (behind >= 0) {
-                continue;
-            }
-            double x = poses.centre[centre];
-            double y = poses.centre[centre + 1];
-            double z = poses.centre[centre + 2];
-            double before = Math.max(0, portal.inFront(x, y, z));
-            double share = before / (before - behind);
-            double across = portal.across(x, y, z) * (1 - share) + portal.across(point.x, point.y, point.z) * share;
-            double upward = portal.upward(x, y, z) * (1 - share) + portal.upward(point.x, point.y, point.z) * share;
-            if (portal.aperture().outside(across, upward) <= EDGE_METRES) {
-                through |= 1L << i;
-            }
-        }
-        return through;
+    private long through(long mask, int shape) {
+        centre.set(poses.centre[3 * shape], poses.centre[3 * shape + 1], poses.centre[3 * shape + 2]);
+        return through.find(portals, mask, centre, place);
     }
 }

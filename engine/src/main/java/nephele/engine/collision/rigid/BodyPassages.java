@@ -26,7 +26,7 @@ final class BodyPassages {
     }
 
     boolean isAt(Portals now) {
-        return portals == now && entered == null;
+        return active == null ? now.size() == 0 : portals == now && entered == null;
     }
 
     BodyPassages at(Portals now) {

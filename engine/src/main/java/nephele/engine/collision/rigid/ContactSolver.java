@@ -20,8 +20,14 @@ final class ContactSolver {
 
     private static final double BOUNCE_ABOVE_METRES_PER_SECOND = 0.3;
 
+    /** Deeper overlaps than this come from outside: what pushes them apart must not be left as speed. */
+    private static final double DEEP_METRES = 0.01;
+
+    private static final int DEEP_ROUNDS = 8;
+
     private final Motions motions;
     private final ContactRows contacts;
+    private boolean deep;
     private final double[] va = new double[6];
     private final double[] vb = new double[6];
 
@@ -32,10 +38,12 @@ final class ContactSolver {
 
     /** Remembers how fast surfaces approach, for bounces. */
     void begin() {
+        deep = false;
         for (int m = 0; m < contacts.count; m++) {
             for (int i = 0; i < contacts.points[m]; i++) {
                 int row = contacts.first[m] + i;
                 contacts.rows[ContactRows.ROW * row + ContactRows.APPROACH] = contacts.partingSpeed(m, row);
+                deep |= contacts.rows[ContactRows.ROW * row + ContactRows.GAP] < -DEEP_METRES;
             }
         }
     }
@@ -66,6 +74,14 @@ final class ContactSolver {
                 }
             }
             store(m);
+        }
+    }
+
+    /** Takes off what speed the push has left. */
+    void relax(double h) {
+        solve(h, false);
+        for (int round = 0; deep && round < DEEP_ROUNDS; round++) {
+            solve(h, false);
         }
     }
 

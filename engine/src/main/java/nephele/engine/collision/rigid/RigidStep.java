@@ -197,7 +197,7 @@ public final class RigidStep {
             solver.warmStart();
             solver.solve(h, true);
             advance(h, influences.characters());
-            solver.solve(h, false);
+            solver.relax(h);
         }
         solver.bounce();
     }
