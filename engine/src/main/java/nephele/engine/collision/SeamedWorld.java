@@ -27,6 +27,7 @@ public final class SeamedWorld {
     private final CollisionWorld statics;
     private final Portals portals;
     private final Seam seam;
+    private final long open;
     private final Neighbourhood neighbourhood = new Neighbourhood();
     private final Map<Long, CollisionWorld> worlds = new TreeMap<>();
 
@@ -34,6 +35,11 @@ public final class SeamedWorld {
         this.statics = statics;
         this.portals = portals;
         seam = new Seam(statics, portals);
+        long mask = 0;
+        for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
+            mask |= portals.isOpen(i) ? 1L << i : 0;
+        }
+        open = mask;
     }
 
     public static SeamedWorld of(CollisionWorld statics, Portals portals) {
@@ -89,15 +95,16 @@ public final class SeamedWorld {
         return mask;
     }
 
-    /** What is solid for a body that is active on these portals; the static world itself for none. */
+    /** What is solid for a body that is active on these portals; the static world itself for none. Closed ones are wall. */
     public CollisionWorld around(long activeMask) {
-        if (activeMask == 0) {
+        long mask = activeMask & open;
+        if (mask == 0) {
             return statics;
         }
-        CollisionWorld world = worlds.get(activeMask);
+        CollisionWorld world = worlds.get(mask);
         if (world == null) {
-            world = seam.open(activeMask);
-            worlds.put(activeMask, world);
+            world = seam.open(mask);
+            worlds.put(mask, world);
         }
         return world;
     }
