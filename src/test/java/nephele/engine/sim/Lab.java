@@ -75,6 +75,11 @@ final class Lab {
         return this;
     }
 
+    Lab body(Body body) {
+        bodies.add(body);
+        return this;
+    }
+
     Lab startAt(double x, double y, double z, double yawDegrees, double pitchDegrees) {
         start = new PlayerStart(new Vec3(x, y, z), yawDegrees, pitchDegrees);
         return this;

@@ -7,8 +7,8 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
 /**
- * A solid convex obstacle, stored relative to its own centre: a level a thousand kilometres out keeps the precision of
- * one at the origin.
+ * A solid convex obstacle: a polyhedron, or a segment with a radius around it. It is stored relative to its own centre:
+ * a level a thousand kilometres out keeps the precision of one at the origin.
  */
 public final class Collider implements ConvexPoints {
     private final ConvexPolyhedron shape;
@@ -17,16 +17,40 @@ public final class Collider implements ConvexPoints {
     private final double[] vertices;
     private final double[] planes;
     private final double[] edges;
+    private final Aabb bounds;
+    private final double radiusMetres;
     /** Made when the first body comes near. */
     private ContactHull contactHull;
 
     public Collider(String solidId, ConvexPolyhedron shape) {
         this.solidId = solidId;
         this.shape = shape;
-        centre = shape.bounds().centre();
+        bounds = shape.bounds();
+        radiusMetres = 0;
+        centre = bounds.centre();
         vertices = relativeVertices(shape.vertices(), centre);
         planes = relativePlanes(shape.faces(), centre);
         edges = edgeDirections(shape.faces());
+    }
+
+    /** Everything within a radius of a segment: a capsule, or a sphere where the ends are one point. */
+    private Collider(String solidId, Vec3 centre, Vec3 halfAxis, double radiusMetres) {
+        this.solidId = solidId;
+        this.centre = centre;
+        this.radiusMetres = radiusMetres;
+        shape = null;
+        vertices = new double[] {-halfAxis.x(), -halfAxis.y(), -halfAxis.z(), halfAxis.x(), halfAxis.y(), halfAxis.z()};
+        planes = new double[0];
+        edges = new double[] {halfAxis.x(), halfAxis.y(), halfAxis.z()};
+        bounds = Aabb.around(
+                        centre,
+                        new Vec3(2 * Math.abs(halfAxis.x()), 2 * Math.abs(halfAxis.y()), 2 * Math.abs(halfAxis.z())))
+                .grown(radiusMetres);
+    }
+
+    /** A capsule whose axis runs from −{@code halfAxis} to +{@code halfAxis} about its centre; a sphere for zero. */
+    public static Collider capsule(String solidId, Vec3 centre, Vec3 halfAxis, double radiusMetres) {
+        return new Collider(solidId, centre, halfAxis, radiusMetres);
     }
 
     private static double[] relativeVertices(List<Vec3> points, Vec3 centre) {
@@ -84,12 +108,18 @@ public final class Collider implements ConvexPoints {
         return solidId;
     }
 
+    /** {@code null} for a round one. */
     public ConvexPolyhedron shape() {
         return shape;
     }
 
     public Aabb bounds() {
-        return shape.bounds();
+        return bounds;
+    }
+
+    /** How far the surface lies outside the hull of the vertices. */
+    double radiusMetres() {
+        return radiusMetres;
     }
 
     /** What {@link #vertex}, {@link #plane} and every local offset are relative to. */

@@ -47,7 +47,7 @@ public final class CollisionWorld {
     /**
      * This world with some of its solids replaced; takes no longer than the replacement is large.
      *
-     * @param without indices in this world, which must be one of its own
+     * @param without indices in this world
      * @param added get the indices from {@link #size} on
      */
     CollisionWorld replacing(ItemList without, List<Collider> added) {
@@ -56,6 +56,11 @@ public final class CollisionWorld {
             bits[without.get(i) >> 6] |= 1L << without.get(i);
         }
         return new CollisionWorld(added, this, bits);
+    }
+
+    /** This world and more; they get the indices from {@link #size} on. */
+    public CollisionWorld with(List<Collider> added) {
+        return replacing(new ItemList(), added);
     }
 
     /** One more than the greatest index. */
@@ -89,7 +94,7 @@ public final class CollisionWorld {
         RayHit own = new RayHit();
         int offset = shared();
         index.nearest(ray, limit, (r, item, most) -> test.hit(r, item + offset, most), own);
-        base.index.nearest(
+        base.nearest(
                 ray,
                 limit,
                 (r, item, most) -> isAbsent(item) ? Double.POSITIVE_INFINITY : test.hit(r, item, most),
@@ -103,25 +108,29 @@ public final class CollisionWorld {
     /** Fills {@code found} with the solids whose boxes overlap or touch {@code box}, in ascending order. */
     public void overlapping(Aabb box, ItemList found) {
         found.clear();
-        if (base == null) {
-            index.overlapping(box, found);
-        } else {
-            base.index.overlapping(box, present(found));
-            index.overlapping(box, own(found));
-        }
+        collect(box, found);
         found.sort();
+    }
+
+    private void collect(Aabb box, ItemVisitor found) {
+        if (base != null) {
+            base.collect(box, present(found));
+        }
+        index.overlapping(box, own(found));
     }
 
     /** The same for six numbers of an array from {@code at} on: three least, three greatest. */
     public void overlapping(double[] box, int at, ItemList found) {
         found.clear();
-        if (base == null) {
-            index.overlapping(box, at, found);
-        } else {
-            base.index.overlapping(box, at, present(found));
-            index.overlapping(box, at, own(found));
-        }
+        collect(box, at, found);
         found.sort();
+    }
+
+    private void collect(double[] box, int at, ItemVisitor found) {
+        if (base != null) {
+            base.collect(box, at, present(found));
+        }
+        index.overlapping(box, at, own(found));
     }
 
     /**
@@ -138,17 +147,18 @@ public final class CollisionWorld {
                 from.x() + shape.greatest(0) + margin,
                 from.y() + shape.greatest(1) + margin,
                 from.z() + shape.greatest(2) + margin);
-        Vec3 motion = new Vec3(way.x(), way.y(), way.z());
-        if (base == null) {
-            index.swept(box, motion, found);
-        } else {
-            base.index.swept(box, motion, present(found));
-            index.swept(box, motion, own(found));
-        }
+        collectSwept(box, new Vec3(way.x(), way.y(), way.z()), found);
         found.sort();
     }
 
-    private ItemVisitor present(ItemList found) {
+    private void collectSwept(Aabb box, Vec3 motion, ItemVisitor found) {
+        if (base != null) {
+            base.collectSwept(box, motion, present(found));
+        }
+        index.swept(box, motion, own(found));
+    }
+
+    private ItemVisitor present(ItemVisitor found) {
         return item -> {
             if (!isAbsent(item)) {
                 found.item(item);
@@ -156,8 +166,8 @@ public final class CollisionWorld {
         };
     }
 
-    private ItemVisitor own(ItemList found) {
+    private ItemVisitor own(ItemVisitor found) {
         int offset = shared();
-        return item -> found.item(item + offset);
+        return offset == 0 ? found : item -> found.item(item + offset);
     }
 }

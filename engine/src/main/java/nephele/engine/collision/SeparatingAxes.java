@@ -59,6 +59,10 @@ final class SeparatingAxes {
             boxFaces(2, 4);
             boxFaces(4, 1);
         }
+        if (distance == Double.NEGATIVE_INFINITY) {
+            // A point within a point, or parallel segments in one: every way out is as long.
+            axis(0, 1, 0);
+        }
     }
 
     private void boxFaces(int a, int b) {

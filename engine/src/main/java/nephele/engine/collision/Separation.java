@@ -37,7 +37,11 @@ public final class Separation {
                     case 1 -> collider.centre().y();
                     default -> collider.centre().z();
                 };
-        return centre + (overlapping ? 0 : gjk.onCollider(collider, axis));
+        return centre + (overlapping ? 0 : gjk.onCollider(collider, axis) + collider.radiusMetres() * normal(axis));
+    }
+
+    private double normal(int axis) {
+        return axis == 0 ? normalX : axis == 1 ? normalY : normalZ;
     }
 
     /** Of the collider's faces that hold the nearest point, the one that looks most upwards, or −1. */
@@ -72,7 +76,7 @@ public final class Separation {
         } else {
             keep(gjk.distance(), gjk.normalX(), gjk.normalY(), gjk.normalZ());
         }
-        metres -= shape.radiusMetres();
+        metres -= shape.radiusMetres() + against.radiusMetres();
     }
 
     private void keep(double distance, double nX, double nY, double nZ) {

@@ -12,6 +12,11 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     /** Relative to the solid's extent: corners closer than this are one corner. */
     private static final double WELD = 1e-9;
 
+    /** The corners of a box's faces; bits 0, 1, 2 of a corner say whether it is the greater in x, y, z. */
+    private static final int[][] BOX_FACES = {
+        {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}, {4, 5, 7, 6}, {1, 0, 2, 3}
+    };
+
     /**
      * @param planeIndex which of the given planes bounds this face
      * @param polygon corners, counter-clockwise seen from outside; shared corners are the same bits in all faces
@@ -28,13 +33,44 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
                     (i & 4) == 0 ? b.minZ() : b.maxZ());
         }
         List<Face> faces = List.of(
-                new Face(0, new Plane(1, 0, 0, b.maxX()), List.of(c[5], c[1], c[3], c[7])),
-                new Face(1, new Plane(-1, 0, 0, -b.minX()), List.of(c[0], c[4], c[6], c[2])),
-                new Face(2, new Plane(0, 1, 0, b.maxY()), List.of(c[6], c[7], c[3], c[2])),
-                new Face(3, new Plane(0, -1, 0, -b.minY()), List.of(c[0], c[1], c[5], c[4])),
-                new Face(4, new Plane(0, 0, 1, b.maxZ()), List.of(c[4], c[5], c[7], c[6])),
-                new Face(5, new Plane(0, 0, -1, -b.minZ()), List.of(c[1], c[0], c[2], c[3])));
+                boxFace(0, c, new Plane(1, 0, 0, b.maxX())),
+                boxFace(1, c, new Plane(-1, 0, 0, -b.minX())),
+                boxFace(2, c, new Plane(0, 1, 0, b.maxY())),
+                boxFace(3, c, new Plane(0, -1, 0, -b.minY())),
+                boxFace(4, c, new Plane(0, 0, 1, b.maxZ())),
+                boxFace(5, c, new Plane(0, 0, -1, -b.minZ())));
         return new ConvexPolyhedron(faces, List.of(c), b);
+    }
+
+    /** A box of any orientation in closed form, by its half edges, a right-handed set; faces as above. */
+    public static ConvexPolyhedron box(Vec3 centre, Vec3 halfX, Vec3 halfY, Vec3 halfZ) {
+        Vec3[] c = new Vec3[8];
+        for (int i = 0; i < 8; i++) {
+            int x = (i & 1) == 0 ? -1 : 1;
+            int y = (i & 2) == 0 ? -1 : 1;
+            int z = (i & 4) == 0 ? -1 : 1;
+            c[i] = new Vec3(
+                    centre.x() + x * halfX.x() + y * halfY.x() + z * halfZ.x(),
+                    centre.y() + x * halfX.y() + y * halfY.y() + z * halfZ.y(),
+                    centre.z() + x * halfX.z() + y * halfY.z() + z * halfZ.z());
+        }
+        Vec3[] outward = {halfX, opposite(halfX), halfY, opposite(halfY), halfZ, opposite(halfZ)};
+        List<Face> faces = new ArrayList<>();
+        for (int face = 0; face < 6; face++) {
+            Plane flat = Plane.of(outward[face], 0);
+            Vec3 corner = c[BOX_FACES[face][0]];
+            faces.add(boxFace(face, c, new Plane(flat.nx(), flat.ny(), flat.nz(), flat.signedDistance(corner))));
+        }
+        return new ConvexPolyhedron(List.copyOf(faces), List.of(c), Aabb.of(List.of(c)));
+    }
+
+    private static Vec3 opposite(Vec3 v) {
+        return new Vec3(-v.x(), -v.y(), -v.z());
+    }
+
+    private static Face boxFace(int face, Vec3[] c, Plane plane) {
+        int[] at = BOX_FACES[face];
+        return new Face(face, plane, List.of(c[at[0]], c[at[1]], c[at[2]], c[at[3]]));
     }
 
     /**

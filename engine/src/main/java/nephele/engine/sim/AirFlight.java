@@ -66,6 +66,7 @@ final class AirFlight {
         if (mover.planes().size() == 0) {
             return false;
         }
+        mover.shoves().wish(velocity);
         mover.planes().clip(velocity);
         boolean wedged = fall < 0 && mover.planes().size() >= 2 && player.place.y - heightBefore > fall / 100;
         if (fall < 0 && walk.land(player.shape(), player.place)) {

@@ -1,5 +1,6 @@
 package nephele.engine.sim;
 
+import nephele.engine.collision.Sweep;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.collision.rigid.BodyTable;
@@ -7,9 +8,13 @@ import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /** One tick of all bodies: they meet the player as a capsule and each other, and what is held is driven. */
 final class BodiesTick {
+    /** Who is pushed upwards faster than this loses the ground. */
+    private static final double LIFTING_SPEED = 0.5;
+
     private static final Vec3 GRAVITY = new Vec3(0, -PlayerBody.GRAVITY, 0);
 
     private final int bodies;
@@ -17,7 +22,10 @@ final class BodiesTick {
     private final Spaces spaces;
     private final double seconds;
     private final Influences influences = new Influences();
+    private final Influences.Character standing = character(PlayerBody.Stance.STANDING);
+    private final Influences.Character crouched = character(PlayerBody.Stance.CROUCHED);
     private final Vector3d centre = new Vector3d();
+    private final Vector3d velocity = new Vector3d();
 
     BodiesTick(BodyTable table, Spaces spaces, double seconds) {
         bodies = table.size();
@@ -26,11 +34,19 @@ final class BodiesTick {
         this.seconds = seconds;
     }
 
+    /** With the skin by which its moves stay away from what they meet: there it touches. */
+    private static Influences.Character character(PlayerBody.Stance stance) {
+        double skin = Sweep.SKIN_METRES;
+        return new Influences.Character(
+                PlayerBody.RADIUS + skin, stance.heightMetres() + 2 * skin, PlayerBody.MASS_KILOGRAMS);
+    }
+
     /**
      * @param walked the player has moved in it, the bodies not yet
+     * @param shoves what the player has met of them and gives them
      * @param drive of what is held, {@code null} for nothing
      */
-    SimState step(SimState walked, BodyState drive) {
+    SimState step(SimState walked, Shoves shoves, BodyState drive) {
         if (bodies == 0) {
             return walked;
         }
@@ -43,15 +59,33 @@ final class BodiesTick {
         if (drive != null) {
             influences.drive(around.holding().body(), drive.velocity(), drive.spin());
         }
-        meet(walked.player());
+        Influences.Character player = meet(walked.player(), shoves);
         Bodies moved = step.step(around.bodies(), spaces.of(around.portals()), influences, seconds);
-        return walked.with(around.with(moved));
+        return walked.withPlayer(shoved(walked.player(), player.impulse(), shoves.push()))
+                .with(around.with(moved));
     }
 
-    private void meet(PlayerState player) {
+    /** What bodies gave the player, but for its own push, which the ground takes. */
+    private PlayerState shoved(PlayerState player, Vector3dc impulse, Vector3dc push) {
+        if (impulse.lengthSquared() == 0) {
+            return player;
+        }
+        impulse.div(PlayerBody.MASS_KILOGRAMS, velocity).add(push);
+        boolean stays = player.isGrounded() && velocity.y < LIFTING_SPEED;
+        Vec3 own = player.velocity();
+        return player.shoved(
+                new Vec3(own.x() + velocity.x, own.y() + (stays ? 0 : velocity.y), own.z() + velocity.z), stays);
+    }
+
+    /** Who met nothing goes its way of this tick beside the bodies; who touches one leans on it from where it is. */
+    private Influences.Character meet(PlayerState player, Shoves shoves) {
         influences.clearCharacters();
-        Influences.Character body =
-                influences.add(PlayerBody.RADIUS, player.stance().heightMetres(), PlayerBody.MASS_KILOGRAMS);
-        body.move(PlayerEye.centre(player, centre), player.velocity().toVector());
+        Influences.Character body = player.stance() == PlayerBody.Stance.STANDING ? standing : crouched;
+        influences.add(body);
+        Vec3 own = player.velocity();
+        velocity.set(own.x(), own.y(), own.z());
+        PlayerEye.centre(player, centre).fma(shoves.isTouching() ? 0 : -seconds, velocity);
+        body.move(centre, velocity.add(shoves.push()));
+        return body;
     }
 }

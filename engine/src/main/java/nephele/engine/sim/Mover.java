@@ -4,6 +4,7 @@ import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.Sweep;
+import nephele.engine.collision.rigid.Bodies;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -22,21 +23,36 @@ final class Mover {
     private final ContactPlanes planes = new ContactPlanes();
     private final Vector3d rest = new Vector3d();
     private final Vector3d down = new Vector3d();
+    private final BodyObstacles bodies;
+    private final Shoves shoves = new Shoves();
+    private final Vector3d speed = new Vector3d();
     private SeamedWorld seamed;
     private long active;
 
-    /** What the following moves meet. */
-    void enter(SeamedWorld entered) {
+    Mover(BodyObstacles bodies) {
+        this.bodies = bodies;
+    }
+
+    /** What the following moves meet; a held body is none of it. */
+    void enter(SeamedWorld entered, Bodies now, int heldBody) {
         seamed = entered;
+        bodies.enter(entered, now, heldBody);
         active = 0;
+        shoves.clear();
     }
 
     /** The centre has come out of a portal: what it met before lies elsewhere. */
     void arrive() {
         active = 0;
+        shoves.clear();
     }
 
-    /** What a shape meets here and on its way; a portal that was near stays open until the tick's end or arrival. */
+    /** The bodies that were met since the last arrival. */
+    Shoves shoves() {
+        return shoves;
+    }
+
+    /** The static solids that a shape meets here and on its way; a portal that was near stays open until the tick's end or arrival. */
     CollisionWorld world(RoundedHull shape, Vector3dc place, Vector3dc way) {
         active |= seamed.active(shape, place, way);
         return seamed.around(active);
@@ -65,7 +81,7 @@ final class Mover {
         planes.clear();
         rest.set(way);
         for (int i = 0; i < MAX_SLIDES && rest.lengthSquared() > 0; i++) {
-            boolean hit = cast(shape, place, rest);
+            boolean hit = meet(shape, place, rest);
             advance(place, rest, sweep.fraction());
             if (!hit) {
                 return;
@@ -77,12 +93,22 @@ final class Mover {
     }
 
     private boolean cast(RoundedHull shape, Vector3dc place, Vector3dc way) {
-        return sweep.cast(world(shape, place, way), shape, place, way);
+        world(shape, place, way);
+        return sweep.cast(bodies.around(active, shape, place, way), shape, place, way);
+    }
+
+    /** As {@link #cast}, and a body that is met is told. */
+    private boolean meet(RoundedHull shape, Vector3dc place, Vector3dc way) {
+        boolean hit = cast(shape, place, way);
+        if (hit && bodies.isBody(sweep.collider())) {
+            shoves.met(sweep.normal(), bodies.velocity(sweep.collider(), sweep.point(), speed));
+        }
+        return hit;
     }
 
     /** Moves straight until something is met; true when it was. */
     boolean advanceUntilHit(RoundedHull shape, Vector3d place, Vector3dc way) {
-        boolean hit = cast(shape, place, way);
+        boolean hit = meet(shape, place, way);
         if (!hit || sweep.fraction() * way.length() > AT_REST_METRES) {
             advance(place, way, sweep.fraction());
         }
@@ -97,7 +123,7 @@ final class Mover {
     /** Lowers {@code place} onto what lies at most {@code metres} below; stays where it is when nothing does. */
     boolean lower(RoundedHull shape, Vector3d place, double metres) {
         down.set(0, -metres, 0);
-        if (!cast(shape, place, down)) {
+        if (!meet(shape, place, down)) {
             return false;
         }
         double way = metres * sweep.fraction();

@@ -39,6 +39,12 @@ public record PlayerState(
         return new PlayerState(feet, changed, heading, eyeMetres, stance, null, jumpHeld, tilt);
     }
 
+    /** With what others gave it; off the ground or still on it. */
+    PlayerState shoved(Vec3 changed, boolean staysOnGround) {
+        return new PlayerState(
+                feet, changed, heading, eyeMetres, stance, staysOnGround ? ground : null, jumpHeld, tilt);
+    }
+
     /** Continues at another place, in the air until something is felt below. */
     public PlayerState withFeet(Vec3 changed) {
         return new PlayerState(changed, velocity, heading, eyeMetres, stance, null, jumpHeld, tilt);

@@ -5,6 +5,7 @@ import static nephele.engine.sim.PlayerBody.GRAVITY;
 import nephele.engine.collision.Recovery;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.sim.PlayerBody.Stance;
 import org.joml.Vector3d;
@@ -20,10 +21,10 @@ final class PlayerStep {
     private final double seconds;
     private final Damping groundDamping;
     private final Damping eyeDamping;
-    private final Mover mover = new Mover();
-    private final GroundWalk walk = new GroundWalk(mover);
-    private final Passing passing = new Passing(mover);
-    private final AirFlight flight = new AirFlight(mover, walk, passing);
+    private final Mover mover;
+    private final GroundWalk walk;
+    private final Passing passing;
+    private final AirFlight flight;
     private final Recovery recovery = new Recovery();
     private final Uprighting uprighting;
     private final PlayerMotion player = new PlayerMotion();
@@ -31,18 +32,24 @@ final class PlayerStep {
     private final Vector3d way = new Vector3d();
     private final Vector3d head = new Vector3d();
 
-    PlayerStep(double seconds) {
+    PlayerStep(BodyTable bodies, double seconds) {
         this.seconds = seconds;
+        mover = new Mover(new BodyObstacles(bodies));
+        walk = new GroundWalk(mover);
+        passing = new Passing(mover);
+        flight = new AirFlight(mover, walk, passing);
         groundDamping = Damping.of(PlayerBody.GROUND_RATE_PER_SECOND, seconds);
         eyeDamping = Damping.of(PlayerBody.EYE_RATE_PER_SECOND, seconds);
         uprighting = new Uprighting(mover, recovery, seconds);
     }
 
-    PlayerState step(SeamedWorld world, PlayerState before, PlayerInput input) {
+    /** @param around the bodies that are in the way, but for one that is held */
+    PlayerState step(SeamedWorld world, Changeable around, PlayerState before, PlayerInput input) {
         boolean isEmpty = world.statics().size() == 0;
         Heading heading = before.heading().turned(input.turnLeftMillidegrees(), input.turnUpMillidegrees());
         load(before, heading, isEmpty);
-        mover.enter(world);
+        Holding held = around.holding();
+        mover.enter(world, around.bodies(), held.isHolding() ? held.body() : BodyObstacles.NOBODY);
         passing.begin(world.portals(), player.place);
         changeStance(input.holds(Action.CROUCH));
         if (recover()) {
@@ -59,8 +66,14 @@ final class PlayerStep {
             }
         }
         passing.follow(player);
+        mover.shoves().settle(player, seconds);
         player.eye = eyeDamping.approach(player.eye, player.stance().eyeMetres());
         return player.store(input.holds(Action.JUMP));
+    }
+
+    /** What the player met of bodies in the last tick. */
+    Shoves shoves() {
+        return mover.shoves();
     }
 
     /** The portals that the player went through in the last tick. */
@@ -138,6 +151,7 @@ final class PlayerStep {
             velocity.zero();
             way.zero();
         }
+        mover.shoves().wish(velocity);
         double height = player.place.y;
         double slope = -(player.ground.x * way.x + player.ground.z * way.z) / player.ground.y;
         player.grounded = walk.walk(player.shape(), player.place, way, player.ground);

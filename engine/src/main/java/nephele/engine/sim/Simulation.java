@@ -44,7 +44,7 @@ public final class Simulation {
         double seconds = 1.0 / settings.ticksPerSecond();
         spaces = new Spaces(statics);
         start = new SimState(0, 1, 0, standing(level.start()), level.begin(spaces));
-        playerStep = new PlayerStep(seconds);
+        playerStep = new PlayerStep(level.bodies(), seconds);
         bodiesTick = new BodiesTick(level.bodies(), spaces, seconds);
         hands = new Hands(level, spaces, seconds);
         actionsOfHands = level.gun() == null && level.bodies().size() == 0 ? 0 : Action.OF_HANDS;
@@ -90,7 +90,7 @@ public final class Simulation {
         List<TickEvent> events = actionsOfHands == 0 ? List.of() : new ArrayList<>(0);
         SimState acted = actionsOfHands == 0 ? before : hands.act(before, input, events);
         SimState walked = movePlayer(acted, input);
-        SimState moved = bodiesTick.step(walked, hands.drive(acted, input));
+        SimState moved = bodiesTick.step(walked, playerStep.shoves(), hands.drive(acted, input));
         CrossingWord crossed = walked.around().trace().playerCrossed();
         SimState followed = hands.follow(moved, crossed, events);
         TickTrace trace = TickTrace.of(input.actions() & actionsOfHands, crossed, events);
@@ -100,7 +100,8 @@ public final class Simulation {
     /** A tick that would give numbers that are not finite leaves the player standing still. */
     private SimState movePlayer(SimState before, PlayerInput input) {
         SeamedWorld world = spaces.of(before.around().portals()).seamed();
-        PlayerState after = before.player().isFinite() ? playerStep.step(world, before.player(), input) : null;
+        PlayerState after =
+                before.player().isFinite() ? playerStep.step(world, before.around(), before.player(), input) : null;
         if (after == null || !after.isFinite()) {
             faults.fault(before.tick(), "the player's state is not finite: " + before.player());
             return next(before, before.faults() + 1, stopped(before.player()), CrossingWord.EMPTY);

@@ -2,12 +2,15 @@ package nephele.engine.collision.rigid;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.collision.Collider;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
+import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /**
  * What never changes about the bodies of a level; they are named by their index. Inertia of even density: box
@@ -137,6 +140,19 @@ public final class BodyTable {
                         turned(orientation, 0, half[3 * body + 1], 0),
                         turned(orientation, 0, 0, r));
         };
+    }
+
+    /** A body as an obstacle for who sweeps past it. */
+    public Collider collider(int body, Vector3dc centre, Quaterniond orientation) {
+        Vec3 at = Vec3.of(centre);
+        String id = bodies.get(body).id();
+        double r = half[3 * body + 2];
+        Vec3 halfY = turned(orientation, 0, half[3 * body + 1], 0);
+        if (kind[body] != BOX) {
+            return Collider.capsule(id, at, halfY, r);
+        }
+        Vec3 halfX = turned(orientation, half[3 * body], 0, 0);
+        return new Collider(id, ConvexPolyhedron.box(at, halfX, halfY, turned(orientation, 0, 0, r)));
     }
 
     private static Vec3 turned(Quaterniond orientation, double x, double y, double z) {

@@ -11,7 +11,8 @@ final class ContactSearch {
     static final double REACH_METRES = 0.01;
 
     private static final double SLOP_METRES = 5e-4;
-    private static final double CHARACTER_FRICTION = 0.3;
+    /** Feet that walk give nothing along the ground, on average; what a character pushes, it pushes straight. */
+    private static final double CHARACTER_FRICTION = 0;
 
     private final BodyTable table;
     private final Poses poses;

@@ -29,7 +29,8 @@ public final class Influences {
         final Vector3d impulse = new Vector3d();
         private final double halfAxisMetres;
 
-        Character(double radiusMetres, double heightMetres, double massKilograms) {
+        /** An upright capsule by its whole height. */
+        public Character(double radiusMetres, double heightMetres, double massKilograms) {
             upright = RoundedHull.uprightCapsule(radiusMetres, heightMetres);
             scratch = upright.copy();
             this.massKilograms = massKilograms;
@@ -60,11 +61,9 @@ public final class Influences {
     private final ItemList passing = new ItemList();
     private double[] drives = new double[12];
 
-    /** An upright capsule by its whole height. */
-    public Character add(double radiusMetres, double heightMetres, double massKilograms) {
-        Character character = new Character(radiusMetres, heightMetres, massKilograms);
+    /** A character that bodies meet in the next step. */
+    public void add(Character character) {
         characters.add(character);
-        return character;
     }
 
     public void clearCharacters() {

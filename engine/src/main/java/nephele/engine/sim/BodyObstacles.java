@@ -1,0 +1,204 @@
+package nephele.engine.sim;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.collision.Collider;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.math.ItemList;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * The bodies near the player as solids that its moves meet, where they are at the tick's beginning: those on this side,
+ * and images of those seen through portals. The working set of one simulation.
+ */
+final class BodyObstacles {
+    /** What is held by the player is no obstacle. */
+    static final int NOBODY = -1;
+
+    /** A list entry is body × this + 1 + the portal through which its image comes; + 0 for the body itself. */
+    private static final int IMAGES = SeamedWorld.MOST_PORTALS + 1;
+
+    private static final double MARGIN_METRES = 0.05;
+    private static final int POSE = 7;
+
+    private final BodyTable table;
+    private final Collider[] made;
+    private final double[] poses;
+    private final ItemList wanted = new ItemList();
+    private final Vector3d centre = new Vector3d();
+    private final Quaterniond orientation = new Quaterniond();
+    private Bodies bodies = Bodies.NONE;
+    private SeamedWorld seamed;
+    private int held = NOBODY;
+    private int[] joined = new int[0];
+    private CollisionWorld solids;
+    private CollisionWorld world;
+
+    BodyObstacles(BodyTable table) {
+        this.table = table;
+        made = new Collider[table.size()];
+        poses = new double[POSE * table.size()];
+    }
+
+    /** A tick begins. */
+    void enter(SeamedWorld entered, Bodies now, int heldBody) {
+        if (bodies != now || seamed != entered || held != heldBody) {
+            bodies = now;
+            seamed = entered;
+            held = heldBody;
+            solids = null;
+        }
+    }
+
+    /** The solids of a mask, with every body that the shape may meet on its way. */
+    CollisionWorld around(long mask, RoundedHull shape, Vector3dc place, Vector3dc way) {
+        CollisionWorld without = seamed.around(mask);
+        if (bodies.size() == 0) {
+            return without;
+        }
+        wanted.clear();
+        for (int body = 0; body < bodies.size(); body++) {
+            if (body != held) {
+                want(body, mask, shape, place, way);
+            }
+        }
+        return wanted.size() == 0 ? without : joined(without);
+    }
+
+    private void want(int body, long mask, RoundedHull shape, Vector3dc place, Vector3dc way) {
+        bodies.centre(body, centre);
+        if (isNear(body, shape, place, way) && !isBehindOpening(body, mask)) {
+            wanted.item(body * IMAGES);
+        }
+        Portals portals = seamed.portals();
+        for (int i = 0; i < Math.min(portals.size(), SeamedWorld.MOST_PORTALS); i++) {
+            if (portals.isOpen(i)) {
+                bodies.centre(body, centre);
+                boolean sticksOut = isIn(portals.portal(portals.partner(i)), body);
+                if (sticksOut || isBefore(portals.portal(portals.partner(i))) && (mask & 1L << i) != 0) {
+                    portals.passage(portals.partner(i)).point(centre);
+                    if (isNear(body, shape, place, way)) {
+                        wanted.item(body * IMAGES + 1 + i);
+                    }
+                }
+            }
+        }
+    }
+
+    private boolean isBefore(Portal portal) {
+        return portal.inFront(centre.x, centre.y, centre.z) >= 0;
+    }
+
+    /** Whether the body at {@code centre} may reach through a portal that it is before. */
+    private boolean isIn(Portal portal, int body) {
+        return isBefore(portal)
+                && portal.inFront(centre.x, centre.y, centre.z) < table.reachMetres(body)
+                && isBeside(portal, body);
+    }
+
+    private boolean isBeside(Portal portal, int body) {
+        double x = portal.across(centre.x, centre.y, centre.z);
+        double y = portal.upward(centre.x, centre.y, centre.z);
+        return portal.aperture().outside(x, y) < table.reachMetres(body);
+    }
+
+    /** Behind a portal that is open for the player is the other side: what stands there in the wall's back is not met. */
+    private boolean isBehindOpening(int body, long mask) {
+        for (int i = 0; mask >> i != 0; i++) {
+            Portal portal = (mask & 1L << i) != 0 ? seamed.portals().portal(i) : null;
+            if (portal != null && !isBefore(portal) && isBeside(portal, body)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isNear(int body, RoundedHull shape, Vector3dc place, Vector3dc way) {
+        double reach = table.reachMetres(body) + MARGIN_METRES;
+        for (int axis = 0; axis < 3; axis++) {
+            double from = place.get(axis);
+            double to = from + way.get(axis);
+            double at = centre.get(axis);
+            if (at + reach < Math.min(from, to) + shape.least(axis)
+                    || at - reach > Math.max(from, to) + shape.greatest(axis)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private CollisionWorld joined(CollisionWorld without) {
+        if (solids == without && isJoined()) {
+            return world;
+        }
+        joined = new int[wanted.size()];
+        List<Collider> colliders = new ArrayList<>(joined.length);
+        for (int i = 0; i < joined.length; i++) {
+            joined[i] = wanted.get(i);
+            colliders.add(collider(wanted.get(i)));
+        }
+        solids = without;
+        world = without.with(colliders);
+        return world;
+    }
+
+    private boolean isJoined() {
+        if (joined.length != wanted.size()) {
+            return false;
+        }
+        for (int i = 0; i < joined.length; i++) {
+            if (joined[i] != wanted.get(i)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private Collider collider(int entry) {
+        int body = entry / IMAGES;
+        int through = entry % IMAGES - 1;
+        bodies.centre(body, centre);
+        bodies.orientation(body, orientation);
+        if (through >= 0) {
+            var passage = seamed.portals().passage(seamed.portals().partner(through));
+            passage.point(centre);
+            return table.collider(body, centre, passage.orientation(orientation));
+        }
+        double[] pose = {centre.x, centre.y, centre.z, orientation.x, orientation.y, orientation.z, orientation.w};
+        int at = POSE * body;
+        if (made[body] == null || !Arrays.equals(pose, 0, POSE, poses, at, at + POSE)) {
+            System.arraycopy(pose, 0, poses, at, POSE);
+            made[body] = table.collider(body, centre, orientation);
+        }
+        return made[body];
+    }
+
+    /** Whether a solid of the last world is a body. */
+    boolean isBody(int collider) {
+        return solids != null && collider >= solids.size();
+    }
+
+    /** The velocity, in the player's space, of a body of the last world where it was met. */
+    Vector3d velocity(int collider, Vector3dc point, Vector3d out) {
+        int entry = joined[collider - solids.size()];
+        int body = entry / IMAGES;
+        int through = entry % IMAGES - 1;
+        Vector3d arm = new Vector3d(point);
+        Portals portals = seamed.portals();
+        if (through >= 0) {
+            portals.passage(through).point(arm);
+        }
+        arm.sub(bodies.centre(body, centre));
+        bodies.spin(body, out).cross(arm).add(bodies.velocity(body, centre));
+        return through >= 0 ? portals.passage(portals.partner(through)).direction(out) : out;
+    }
+}

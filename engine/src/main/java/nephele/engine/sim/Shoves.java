@@ -1,0 +1,92 @@
+package nephele.engine.sim;
+
+import static nephele.engine.sim.PlayerBody.GRAVITY;
+import static nephele.engine.sim.PlayerBody.STEEPEST_GROUND_UP;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * What the player's moves met of bodies in a tick. A body that gives way does not stop the player; one that does not is
+ * pushed with what legs can do, and one that the player stands on carries its weight. The working set of one simulation.
+ */
+final class Shoves {
+    private static final int CAPACITY = 8;
+    private static final double STRONGEST_NEWTON = 400;
+
+    private final Vector3d[] normals = new Vector3d[CAPACITY];
+    private final Vector3d[] velocities = new Vector3d[CAPACITY];
+    private final Vector3d wished = new Vector3d();
+    private final Vector3d push = new Vector3d();
+    private int size;
+
+    Shoves() {
+        for (int i = 0; i < CAPACITY; i++) {
+            normals[i] = new Vector3d();
+            velocities[i] = new Vector3d();
+        }
+    }
+
+    void clear() {
+        size = 0;
+        wished.zero();
+        push.zero();
+    }
+
+    /** The player would go on with this velocity if nothing were in the way. */
+    void wish(Vector3dc velocity) {
+        wished.set(velocity);
+    }
+
+    /**
+     * @param normal of the body's surface, towards the player
+     * @param velocity of the body there
+     */
+    void met(Vector3dc normal, Vector3dc velocity) {
+        if (size < CAPACITY) {
+            normals[size].set(normal);
+            velocities[size++].set(velocity);
+        }
+    }
+
+    /** Gives the player the speed with which bodies give way, and finds the push for them. */
+    void settle(PlayerMotion player, double seconds) {
+        double legs = STRONGEST_NEWTON * seconds / PlayerBody.MASS_KILOGRAMS;
+        push.zero();
+        for (int i = 0; i < size; i++) {
+            Vector3d n = normals[i];
+            double into = -wished.dot(n);
+            if (into > 0) {
+                double givesWay = Math.min(into, -velocities[i].dot(n)) + player.velocity.dot(n);
+                if (givesWay > 0) {
+                    player.velocity.fma(-givesWay, n);
+                }
+                double rest = into + player.velocity.dot(n);
+                push.fma(-Math.max(0, Math.min(rest, legs) + push.dot(n)), n);
+            }
+        }
+        int support = player.grounded ? support() : -1;
+        if (support >= 0) {
+            push.y = velocities[support].y - GRAVITY * seconds;
+        }
+    }
+
+    /** The last body that the player stood on; −1 for none. */
+    private int support() {
+        for (int i = size - 1; i >= 0; i--) {
+            if (normals[i].y >= STEEPEST_GROUND_UP) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    boolean isTouching() {
+        return size > 0;
+    }
+
+    /** What the player has for the bodies on top of its own velocity, m/s: what legs add, and its fall onto a support. */
+    Vector3dc push() {
+        return push;
+    }
+}
