@@ -19,7 +19,7 @@ public record Changeable(Bodies bodies, Portals portals, Shots shots, Holding ho
             new Changeable(Bodies.NONE, Portals.NONE, Shots.NONE, Holding.NOTHING, TickTrace.NONE);
 
     Changeable with(Bodies changed) {
-        return new Changeable(changed, portals, shots, holding, trace);
+        return changed == bodies ? this : new Changeable(changed, portals, shots, holding, trace);
     }
 
     Changeable with(Holding changed) {

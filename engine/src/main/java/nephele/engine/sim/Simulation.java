@@ -8,6 +8,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.Placed;
 
 /**
@@ -24,6 +25,7 @@ public final class Simulation {
     private final Spaces spaces;
     private final BodiesTick bodiesTick;
     private final Hands hands;
+    private final Assists assists;
     private final int actionsOfHands;
     private final double lowest;
     private final FaultLog faults;
@@ -46,6 +48,7 @@ public final class Simulation {
         start = new SimState(0, 1, 0, standing(level.start()), level.begin(spaces));
         playerStep = new PlayerStep(level.bodies(), seconds);
         bodiesTick = new BodiesTick(level.bodies(), spaces, seconds);
+        assists = new Assists(settings);
         hands = new Hands(level, spaces, seconds);
         actionsOfHands = level.gun() == null && level.bodies().size() == 0 ? 0 : Action.OF_HANDS;
         lowest = statics.size() == 0
@@ -90,7 +93,7 @@ public final class Simulation {
         List<TickEvent> events = actionsOfHands == 0 ? List.of() : new ArrayList<>(0);
         SimState acted = actionsOfHands == 0 ? before : hands.act(before, input, events);
         SimState walked = movePlayer(acted, input);
-        SimState moved = bodiesTick.step(walked, playerStep.shoves(), hands.drive(acted, input));
+        SimState moved = assists.limited(bodiesTick.step(walked, playerStep.shoves(), hands.drive(acted, input)));
         CrossingWord crossed = walked.around().trace().playerCrossed();
         SimState followed = hands.follow(moved, crossed, events);
         TickTrace trace = TickTrace.of(input.actions() & actionsOfHands, crossed, events);
@@ -99,9 +102,10 @@ public final class Simulation {
 
     /** A tick that would give numbers that are not finite leaves the player standing still. */
     private SimState movePlayer(SimState before, PlayerInput input) {
-        SeamedWorld world = spaces.of(before.around().portals()).seamed();
-        PlayerState after =
-                before.player().isFinite() ? playerStep.step(world, before.around(), before.player(), input) : null;
+        Portals portals = before.around().portals();
+        SeamedWorld world = spaces.of(portals).seamed();
+        PlayerState led = assists.before(before.player(), input, portals);
+        PlayerState after = led.isFinite() ? playerStep.step(world, before.around(), led, input) : null;
         if (after == null || !after.isFinite()) {
             faults.fault(before.tick(), "the player's state is not finite: " + before.player());
             return next(before, before.faults() + 1, stopped(before.player()), CrossingWord.EMPTY);
@@ -114,7 +118,8 @@ public final class Simulation {
             faults.fault(
                     before.tick(), "more than " + Passing.MOST_HOPS + " portals in a tick: the rest of it is dropped");
         }
-        return next(before, before.faults() + dropped, after, playerStep.crossed());
+        PlayerState helped = assists.after(after, playerStep.crossed(), portals);
+        return next(before, before.faults() + dropped, helped, playerStep.crossed());
     }
 
     private static SimState next(SimState before, int faults, PlayerState player, CrossingWord crossed) {

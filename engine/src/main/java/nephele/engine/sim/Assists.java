@@ -1,0 +1,148 @@
+package nephele.engine.sim;
+
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3d;
+
+/**
+ * Help that physics does not give, each part only when its {@link Assist} is set. Nothing here looks at anything but the
+ * state, so replays with assists repeat as exactly as those without.
+ */
+final class Assists {
+    /**
+     * Rises 1.5 m: a standing player's feet come 0.6 m above the floor and have half a second to step to the rim.
+     */
+    static final double LEAST_FLOOR_EXIT_SPEED = 5.5;
+
+    static final double GREATEST_SPEED = 50;
+    /** A surface whose normal points so far up is a floor to come out of. */
+    private static final double FLOOR_UP = 0.7;
+
+    /** A player is led in who would come down this near the aperture, so soon, at least so fast, and looks at it. */
+    private static final double FUNNEL_METRES = 1;
+
+    private static final double FUNNEL_SECONDS = 3;
+    private static final double FUNNEL_LEAST_SPEED = 2;
+    private static final double FUNNEL_LOOKING = 0.9;
+
+    private final boolean funnels;
+    private final boolean lifts;
+    private final boolean caps;
+    private final double seconds;
+    private final Vector3d velocity = new Vector3d();
+    private final Vector3d lateral = new Vector3d();
+
+    Assists(SimSettings settings) {
+        funnels = settings.assists().contains(Assist.FUNNEL);
+        lifts = settings.assists().contains(Assist.FLOOR_EXIT_SPEED);
+        caps = settings.assists().contains(Assist.SPEED_CAP);
+        seconds = 1.0 / settings.ticksPerSecond();
+    }
+
+    /** Before the player moves. Whoever walks or steers is not led: input always escapes. */
+    PlayerState before(PlayerState player, PlayerInput input, Portals portals) {
+        boolean steers = input.forwardPercent() != 0 || input.rightPercent() != 0;
+        if (!funnels || steers || player.isGrounded()) {
+            return player;
+        }
+        for (int i = 0; i < portals.size(); i++) {
+            if (portals.isOpen(i) && isFallingInto(portals.portal(i), player)) {
+                return led(player);
+            }
+        }
+        return player;
+    }
+
+    /** Leaves in {@link #lateral} how to change the velocity in this tick. */
+    private boolean isFallingInto(Portal portal, PlayerState player) {
+        Vec3 n = portal.normal();
+        Vec3 v = player.velocity();
+        Vec3 c = player.centre();
+        double height = portal.inFront(c.x(), c.y(), c.z());
+        double approach = -(n.x() * v.x() + n.y() * v.y() + n.z() * v.z());
+        if (n.y() < FLOOR_UP || height <= 0 || approach < FUNNEL_LEAST_SPEED || !looksAt(portal, player)) {
+            return false;
+        }
+        double gravity = PlayerBody.GRAVITY * n.y();
+        double t = 2 * height / (approach + Math.sqrt(approach * approach + 2 * gravity * height));
+        double fall = PlayerBody.GRAVITY * t * t / 2;
+        double x = c.x() + v.x() * t;
+        double y = c.y() + v.y() * t - fall;
+        double z = c.z() + v.z() * t;
+        double across = portal.across(x, y, z);
+        double upward = portal.upward(x, y, z);
+        if (t > FUNNEL_SECONDS || portal.aperture().outside(across, upward) > FUNNEL_METRES) {
+            return false;
+        }
+        Basis frame = portal.frame();
+        lateral.set(frame.right().toVector()).mul(-across / t);
+        lateral.fma(-upward / t, frame.up().toVector());
+        return true;
+    }
+
+    /** Towards its centre, or straight down onto it. */
+    private static boolean looksAt(Portal portal, PlayerState player) {
+        Vector3d ahead = PlayerEye.direction(PlayerEye.view(player), new Vector3d());
+        Vector3d to = portal.centre().toVector().sub(player.eye().toVector());
+        return ahead.dot(to) >= FUNNEL_LOOKING * to.length()
+                || -ahead.dot(portal.normal().toVector()) >= FUNNEL_LOOKING;
+    }
+
+    private PlayerState led(PlayerState player) {
+        double most = PlayerBody.AIR_ACCELERATION * seconds;
+        double wanted = lateral.length();
+        if (wanted == 0) {
+            return player;
+        }
+        Vec3 v = player.velocity();
+        lateral.mul(Math.min(1, most / wanted)).add(v.x(), v.y(), v.z());
+        return player.withVelocity(Vec3.of(lateral));
+    }
+
+    /** After the player has moved. */
+    PlayerState after(PlayerState player, CrossingWord crossed, Portals portals) {
+        PlayerState lifted = player;
+        if (lifts && crossed.length() > 0) {
+            int exit = portals.partner(crossed.entry(crossed.length() - 1));
+            lifted = liftedOut(player, portals.portal(exit));
+        }
+        Vec3 v = lifted.velocity();
+        double speed = velocity.set(v.x(), v.y(), v.z()).length();
+        return caps && speed > GREATEST_SPEED
+                ? lifted.withVelocity(Vec3.of(velocity.mul(GREATEST_SPEED / speed)))
+                : lifted;
+    }
+
+    private PlayerState liftedOut(PlayerState player, Portal exit) {
+        Vec3 n = exit.normal();
+        Vec3 v = player.velocity();
+        double speed = n.x() * v.x() + n.y() * v.y() + n.z() * v.z();
+        if (n.y() < FLOOR_UP || speed >= LEAST_FLOOR_EXIT_SPEED) {
+            return player;
+        }
+        velocity.set(v.x(), v.y(), v.z()).fma(LEAST_FLOOR_EXIT_SPEED - speed, n.toVector());
+        return player.withVelocity(Vec3.of(velocity));
+    }
+
+    /** After the bodies have moved: none is faster than the cap. */
+    SimState limited(SimState moved) {
+        return caps ? moved.with(moved.around().with(limited(moved.around().bodies()))) : moved;
+    }
+
+    private Bodies limited(Bodies bodies) {
+        Bodies capped = bodies;
+        for (int i = 0; i < bodies.size(); i++) {
+            double speed = bodies.velocity(i, velocity).length();
+            if (speed > GREATEST_SPEED) {
+                BodyState state = bodies.state(i);
+                capped = capped.with(i, state.moving(Vec3.of(velocity.mul(GREATEST_SPEED / speed)), state.spin()));
+            }
+        }
+        return capped;
+    }
+}

@@ -1,0 +1,111 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+/** What each assist gives, and that nothing of it happens without. */
+final class AssistTest {
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+    private static final Vec3 DOWN = new Vec3(0, -1, 0);
+    private static final Vec3 BACK = new Vec3(0, 0, 1);
+
+    private static SimSettings with(Assist... assists) {
+        return new SimSettings(120, List.of(assists));
+    }
+
+    /** Through the wall ahead at walking speed, out of the floor. */
+    private static Lab wallToFloor(SimSettings settings) {
+        return Lab.hall()
+                .pair(new Vec3(0, 1.05, -8), BACK, new Vec3(4, 0, 3), UP)
+                .startAt(0, 0, -6, 0, 0)
+                .with(settings);
+    }
+
+    private static long crossings(Lab lab, int forwardPercent, double seconds) {
+        long[] count = new long[1];
+        lab.hold(
+                PlayerInput.NONE.walking(forwardPercent, 0),
+                seconds,
+                state -> count[0] += state.around().trace().playerCrossed().length());
+        return count[0];
+    }
+
+    /** Issue 3: out of a floor portal at walking speed, assist on: lands on the rim, no falling back. */
+    @Test
+    void outOfAFloorAtWalkingSpeedOneLandsOnTheRim() {
+        for (int percent : new int[] {100, 60, 30}) {
+            Lab helped = wallToFloor(with(Assist.FLOOR_EXIT_SPEED));
+            assertEquals(1, crossings(helped, percent, 1 + 150.0 / percent));
+            assertTrue(helped.player().isGrounded(), helped.player().toString());
+            assertEquals(0, helped.player().feet().y(), 1e-6);
+            assertTrue(helped.player().feet().z() > 4, helped.player().toString());
+        }
+        Lab alone = wallToFloor(with());
+        assertTrue(crossings(alone, 30, 6) > 1, "falls back: " + alone.player());
+    }
+
+    @Test
+    void theExitSpeedIsTheLeast() {
+        Lab lab = wallToFloor(with(Assist.FLOOR_EXIT_SPEED));
+        double[] speed = new double[1];
+        lab.hold(PlayerInput.FORWARD, 1, state -> {
+            if (state.around().trace().playerCrossed().length() > 0) {
+                speed[0] = state.player().velocity().y();
+            }
+        });
+        assertEquals(Assists.LEAST_FLOOR_EXIT_SPEED, speed[0], 1e-12);
+    }
+
+    /** Row 4 of portals.md with the cap: exactly the cap, and nothing slower is changed. */
+    @Test
+    void nothingIsFasterThanTheCap() {
+        for (boolean capped : new boolean[] {true, false}) {
+            Lab lab = Lab.hall()
+                    .pair(new Vec3(0, 0, 0), UP, new Vec3(0, 6, 0), DOWN)
+                    .startAt(0, 3, 0, 0, 0)
+                    .with(capped ? with(Assist.SPEED_CAP) : with())
+                    .hold(PlayerInput.NONE, 8);
+            double speed = -lab.player().velocity().y();
+            assertEquals(capped ? Assists.GREATEST_SPEED : 9.81 * 8, speed, 1e-6);
+        }
+    }
+
+    /** Falls beside a floor portal and looks at it: in with the funnel, onto the floor without, or with a key held. */
+    @Test
+    void aFallIsLedIntoThePortalThatIsLookedAt() {
+        for (double aside : new double[] {0, 0.7, 1.2, -1.2}) {
+            assertTrue(falls(aside, -89, with(Assist.FUNNEL), PlayerInput.NONE), "led from " + aside);
+        }
+        assertFalse(falls(1.2, -89, with(), PlayerInput.NONE));
+        assertFalse(falls(1.2, 0, with(Assist.FUNNEL), PlayerInput.NONE));
+        assertFalse(falls(1.2, -89, with(Assist.FUNNEL), PlayerInput.NONE.walking(0, 1)));
+        assertFalse(falls(2.5, -89, with(Assist.FUNNEL), PlayerInput.NONE));
+    }
+
+    private static boolean falls(double aside, double pitchDegrees, SimSettings settings, PlayerInput input) {
+        Lab lab = Lab.hall()
+                .pair(new Vec3(0, 0, 0), UP, new Vec3(-8, 3, 0), new Vec3(1, 0, 0))
+                .startAt(aside, 4, 0, 0, pitchDegrees)
+                .with(settings);
+        boolean[] crossed = new boolean[1];
+        lab.hold(
+                input,
+                1.2,
+                state -> crossed[0] |= state.around().trace().playerCrossed().length() > 0);
+        return crossed[0];
+    }
+
+    /** Without portals, bodies or assists, an assist changes no bit. */
+    @Test
+    void assistsChangeNothingElse() {
+        PlayerInput running = PlayerInput.FORWARD.holding(Action.RUN).holding(Action.JUMP);
+        Lab plain = Lab.hall().hold(running, 2);
+        Lab helped = Lab.hall().with(with(Assist.values())).hold(running, 2);
+        assertEquals(plain.state().hash(), helped.state().hash());
+    }
+}
