@@ -63,6 +63,7 @@ final class SeamedWorldTest {
             SplittableRandom random = new SplittableRandom(kind.hashCode());
             int through = 0;
             int solid = 0;
+            int both = 0;
             for (int i = 0; i < 4000; i++) {
                 int entry = random.nextInt(2);
                 Portal portal = place.portals().portal(entry);
@@ -91,10 +92,26 @@ final class SeamedWorldTest {
                         expected,
                         isSolid(seamed.around(1L << entry), here),
                         kind + " " + i + " at " + origin + ": " + here + " is " + there + " by " + trace);
+                if (isItsOwn(kind, place.portals(), entry, here)) {
+                    both++;
+                    assertEquals(expected, isSolid(seamed.around(3), here), kind + " " + i + " active on both");
+                }
             }
             assertTrue(through > 400, kind + ": paths " + through);
             assertTrue(solid > 0, kind + ": solid ends " + solid);
+            assertTrue(both > 200 || !kind.equals("corner") && !kind.equals("side by side"), kind + ": both " + both);
         }
+    }
+
+    /** Whether a point behind an entry is its own, not its neighbour's, where somebody is active on both. */
+    private static boolean isItsOwn(String kind, Portals portals, int entry, Vector3d p) {
+        Portal mine = portals.portal(entry);
+        Portal other = portals.portal(1 - entry);
+        return switch (kind) {
+            case "corner" -> mine.inFront(p.x, p.y, p.z) < other.inFront(p.x, p.y, p.z) - 1e-3;
+            case "side by side" -> Math.abs(mine.across(p.x, p.y, p.z)) < 0.59;
+            default -> false;
+        };
     }
 
     private static boolean isBehindAny(Portals portals, Vector3d p) {

@@ -162,24 +162,25 @@ final class PortalRoom {
 
     /** Boxes on the floor, some just before an exit but none in it. */
     private void furniture(List<Portal> ends) {
-        for (int i = random.nextInt(4); i > 0; i--) {
+        double before = random.nextDouble(0.01, 0.7);
+        for (int i = random.nextInt(9); i > 0; i--) {
             double x = random.nextDouble(-HALF, HALF);
             double z = random.nextDouble(-HALF, 1);
             double size = random.nextDouble(0.1, 0.9);
             double high = random.nextDouble(0.05, 1.2);
             Aabb box = new Aabb(x - size, 0, z - size, x + size, high, z + size);
-            boolean free = ends.stream().noneMatch(end -> reaches(end, box));
+            boolean free = ends.stream().noneMatch(end -> reaches(end, before, box));
             if (free) {
                 slab(box.minX(), 0, box.minZ(), box.maxX(), high, box.maxZ());
             }
         }
     }
 
-    /** Whether a box is nearer to an aperture than a player is wide. */
-    private boolean reaches(Portal end, Aabb box) {
+    /** Whether a box is nearer to an aperture than asked. */
+    private boolean reaches(Portal end, double least, Aabb box) {
         List<Vec3> corners = new ArrayList<>();
         for (int i = 0; i < end.aperture().corners(); i++) {
-            for (double before : new double[] {0, 0.7}) {
+            for (double before : new double[] {0, least}) {
                 Vec3 p = end.world(end.aperture().cornerX(i), end.aperture().cornerY(i), before);
                 corners.add(new Vec3(p.x() - origin.x(), p.y() - origin.y(), p.z() - origin.z()));
             }

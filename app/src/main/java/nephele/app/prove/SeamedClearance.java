@@ -1,5 +1,6 @@
 package nephele.app.prove;
 
+import java.util.List;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
@@ -10,7 +11,7 @@ import nephele.engine.sim.PlayerState;
 import org.joml.Vector3d;
 
 /**
- * Whether a player near portals is in a solid, judged without the seamed world: from the capsule's centre straight ways
+ * Whether a player or body near portals is in a solid, judged without the seamed world: from its centre straight ways
  * lead to points of its surface, through whatever aperture is on them; where each ends, and half-way, nothing is solid.
  */
 final class SeamedClearance {
@@ -54,6 +55,15 @@ final class SeamedClearance {
                                         out.z() + height * up.z()),
                                 1));
             }
+        }
+        return deepest;
+    }
+
+    /** The same for the points at {@code offsets} from a body's centre. */
+    double depth(Vector3d centre, List<Vector3d> offsets) {
+        double deepest = 0;
+        for (Vector3d offset : offsets) {
+            deepest = Math.max(deepest, depthAt(centre, new Vec3(offset.x, offset.y, offset.z), 1));
         }
         return deepest;
     }

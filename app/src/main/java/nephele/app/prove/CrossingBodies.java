@@ -1,0 +1,200 @@
+package nephele.app.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.Recovery;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.collision.rigid.Influences;
+import nephele.engine.collision.rigid.RigidStep;
+import nephele.engine.collision.rigid.Surroundings;
+import nephele.engine.level.Body;
+import nephele.engine.math.Rotations;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import nephele.engine.sim.PlayerBody;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** A cube, a box or a ball, thrown and spinning through one pair of portals, again and again. */
+final class CrossingBodies {
+    /** What stands in a solid by less is pressed against it: a solver lets bodies sink in a little. */
+    private static final double PRESSED_METRES = 0.01;
+
+    private static final int MOST_TRIES = 10;
+    private static final double SECONDS_BEFORE = 0.33;
+    private static final double SECONDS_AFTER = 0.25;
+    private static final Vec3 GRAVITY = new Vec3(0, -PlayerBody.GRAVITY, 0);
+
+    private final PortalRoom.Place place;
+    private final SeamedClearance clearance;
+    private final Surroundings surroundings;
+    private final BodyTable table;
+    private final RigidStep step;
+    private final List<Vector3d> points;
+    private final double seconds;
+    private final Influences influences = Influences.none();
+    private final Recovery recovery = new Recovery();
+    private final Vector3d centre = new Vector3d();
+    private final Quaterniond orientation = new Quaterniond();
+
+    CrossingBodies(PortalRoom.Place place, int ticksPerSecond, long number) {
+        this.place = place;
+        clearance = new SeamedClearance(place);
+        surroundings = around(SeamedWorld.of(place.world(), place.portals()));
+        seconds = 1.0 / ticksPerSecond;
+        var random = new SplittableRandom(~number);
+        Vec3 half = half(random);
+        boolean isBall = random.nextInt(4) == 0;
+        table = new BodyTable(List.of(isBall ? ball(half.x()) : box(half)));
+        points = isBall ? onBall(half.x()) : onBox(half);
+        step = new RigidStep(table, GRAVITY);
+    }
+
+    private static Surroundings around(SeamedWorld seamed) {
+        return new Surroundings() {
+            @Override
+            public Portals portals() {
+                return seamed.portals();
+            }
+
+            @Override
+            public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
+                return seamed.active(shape, at, way);
+            }
+
+            @Override
+            public CollisionWorld around(long active) {
+                return seamed.around(active);
+            }
+        };
+    }
+
+    private static Vec3 half(SplittableRandom random) {
+        double cube = random.nextDouble(0.1, 0.4);
+        return new Vec3(cube, cube, random.nextInt(3) > 0 ? cube : random.nextDouble(0.1, 0.4));
+    }
+
+    private static Body box(Vec3 half) {
+        Vec3 size = new Vec3(2 * half.x(), 2 * half.y(), 2 * half.z());
+        return new Body.Box("box", Vec3.ZERO, size, 10, null, 0.6, 0.2);
+    }
+
+    private static Body ball(double radius) {
+        return new Body.Sphere("ball", Vec3.ZERO, radius, 10, null, 0.6, 0.4);
+    }
+
+    private static List<Vector3d> onBox(Vec3 half) {
+        List<Vector3d> points = new ArrayList<>();
+        for (int i = 0; i < 27; i++) {
+            if (i != 13) {
+                points.add(new Vector3d((i % 3 - 1) * half.x(), (i / 3 % 3 - 1) * half.y(), (i / 9 - 1) * half.z()));
+            }
+        }
+        return points;
+    }
+
+    private static List<Vector3d> onBall(double radius) {
+        List<Vector3d> points = onBox(new Vec3(1, 1, 1));
+        points.forEach(point -> point.normalize(radius));
+        return points;
+    }
+
+    /** Tries until it goes through, a few times. */
+    void cross(SplittableRandom random, String where, CrossingTally tally) {
+        for (int i = 0; i < MOST_TRIES; i++) {
+            BodyState start = start(random);
+            if (start != null && crosses(where, start, tally)) {
+                tally.through();
+                return;
+            }
+        }
+    }
+
+    private boolean crosses(String where, BodyState start, CrossingTally tally) {
+        Bodies bodies = Bodies.of(List.of(start));
+        int last = (int) Math.ceil(SECONDS_BEFORE / seconds);
+        boolean crossed = false;
+        for (int tick = 0; tick < last; tick++) {
+            bodies = step.step(bodies, surroundings, influences, seconds);
+            if (!crossed && bodies.crossings(0) > 0) {
+                crossed = true;
+                last = tick + (int) Math.ceil(SECONDS_AFTER / seconds);
+            }
+            if (!isInside(where + " at tick " + tick, bodies, start, tally)) {
+                return true;
+            }
+        }
+        return crossed && isOut(where, bodies, start, tally);
+    }
+
+    private boolean isInside(String where, Bodies bodies, BodyState start, CrossingTally tally) {
+        boolean inside = place.holds(Vec3.of(bodies.centre(0, centre))) && bodies.frozen() == 0;
+        if (!inside) {
+            tally.escaped(where + ": out of the room: " + bodies.state(0) + of(start));
+        }
+        return inside;
+    }
+
+    /** A blow may press it in for a moment; a second later it is out. Always true: what it finds is tallied. */
+    private boolean isOut(String where, Bodies after, BodyState start, CrossingTally tally) {
+        Bodies bodies = after;
+        double depth = depth(bodies.state(0));
+        for (double waited = 0; depth > PRESSED_METRES && waited < 1; waited += seconds) {
+            bodies = step.step(bodies, surroundings, influences, seconds);
+            depth = depth(bodies.state(0));
+        }
+        tally.bodyDepth(depth);
+        if (depth > PRESSED_METRES) {
+            tally.stuck(where + ": " + depth + " m in a solid: " + bodies.state(0) + of(start));
+        }
+        return true;
+    }
+
+    private String of(BodyState start) {
+        return " of " + table.body(0) + " from " + start;
+    }
+
+    private double depth(BodyState state) {
+        List<Vector3d> turned = new ArrayList<>();
+        points.forEach(point -> turned.add(state.orientation().transform(new Vector3d(point))));
+        return clearance.depth(state.centre().toVector(), turned);
+    }
+
+    /** Before one of the portals, on its way in; {@code null} where no draw is free. */
+    private BodyState start(SplittableRandom random) {
+        for (int i = 0; i < 20; i++) {
+            Portal entry = place.portals().portal(random.nextInt(2));
+            Vec3 from = entry.world(
+                    random.nextDouble(-0.5, 0.5), random.nextDouble(-0.9, 0.9), random.nextDouble(0.01, 0.8));
+            Vec3 n = entry.normal();
+            double speed = StrictMath.pow(10, random.nextDouble(-1, 1.7)) + (n.y() < -0.1 ? 4 : 0);
+            Vec3 velocity = new Vec3(
+                    -n.x() * speed + random.nextDouble(-1, 1),
+                    -n.y() * speed + random.nextDouble(-1, 1),
+                    -n.z() * speed + random.nextDouble(-1, 1));
+            Vec3 axis = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+            Vec3 spin = random.nextInt(3) == 0 ? Vec3.ZERO : new Vec3(10 * axis.x(), 10 * axis.y(), 10 * axis.z());
+            orientation.set(Rotations.aroundAxis(axis, random.nextDouble(0, 3)));
+            BodyState state = new BodyState(from, new Quaterniond(orientation), velocity, spin);
+            if (place.holds(from) && isFree(state)) {
+                return state;
+            }
+        }
+        return null;
+    }
+
+    private boolean isFree(BodyState state) {
+        RoundedHull hull = table.hull(0, state.orientation());
+        centre.set(state.centre().x(), state.centre().y(), state.centre().z());
+        long active = surroundings.active(hull, centre, new Vector3d());
+        return recovery.isFree(surroundings.around(active), hull, centre) && depth(state) == 0;
+    }
+}
