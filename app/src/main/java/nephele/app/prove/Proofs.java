@@ -16,6 +16,7 @@ public final class Proofs {
             new RayProof(),
             new RotationProof(),
             new PlacementProof(),
+            new RetriangulationProof(),
             new SeparationProof(),
             new SoakProof());
 

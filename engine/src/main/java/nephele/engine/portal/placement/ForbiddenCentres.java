@@ -9,6 +9,9 @@ import java.util.Arrays;
 final class ForbiddenCentres {
     private static final double LEAST_EDGE = 1e-12;
 
+    /** Sine of the angle to an outline from which its next part takes over; the ends of noisy parts stick out. */
+    private static final double BACKWARDS = 0.2;
+
     /** Metres by which an edge's ends differ in their distance from another that is parallel to it. */
     private static final double PARALLEL = 1e-9;
 
@@ -77,7 +80,7 @@ final class ForbiddenCentres {
         add(segment);
         for (int edge = from; edge < edgeCount; edge++) {
             double outwards = alongY(edge) * segment.normalX(0) - alongX(edge) * segment.normalY(0);
-            open[edge] = outwards <= LEAST_EDGE;
+            open[edge] = outwards <= BACKWARDS;
         }
     }
 

@@ -67,8 +67,9 @@ final class Outline {
 
     private void part(Neighbours others, double from, double to) {
         if (to - from > LEAST_PART) {
-            double low = others.tip(from, -1);
-            double high = others.tip(to, 1);
+            boolean stub = to - from <= 2 * Tolerance.CRACK;
+            double low = stub ? from : others.tip(from, -1);
+            double high = stub ? to : others.tip(to, 1);
             Line edge = others.edge;
             parts.add(ConvexPolygon.of(new double[] {edge.atX(low), edge.atY(low), edge.atX(high), edge.atY(high)}));
         }

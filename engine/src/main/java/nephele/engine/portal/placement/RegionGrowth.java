@@ -9,7 +9,6 @@ import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemList;
 import nephele.engine.math.SpatialIndex;
-import nephele.engine.math.Vec3;
 
 /**
  * Gathers portalable patches that touch and share a plane. Each region grows from its largest patch; then the plane is
@@ -81,26 +80,8 @@ final class RegionGrowth {
         regions.add(new Grown(frame, members));
     }
 
-    /** The mean plane, each patch counting by its area. */
     private PlaneFrame fitted(List<Integer> members) {
-        var normal = Vec3.ZERO.toVector();
-        var middle = Vec3.ZERO.toVector();
-        double weight = 0;
-        Vec3 origin = patches.get(members.get(0)).corners().get(0);
-        for (int member : members) {
-            Patch patch = patches.get(member);
-            double area = patch.areaSquareMetres();
-            normal.fma(area, patch.normal().toVector());
-            for (Vec3 corner : patch.corners()) {
-                middle.fma(
-                        area / patch.corners().size(),
-                        Patch.between(origin, corner).toVector());
-            }
-            weight += area;
-        }
-        middle.div(weight);
-        Vec3 centre = new Vec3(origin.x() + middle.x, origin.y() + middle.y, origin.z() + middle.z);
-        return PlaneFrame.of(centre, new Vec3(normal.x, normal.y, normal.z));
+        return FittedPlane.of(members.stream().map(patches::get).toList());
     }
 
     /** In ascending order; the seed always. */

@@ -47,7 +47,7 @@ final class RegionLimits {
         List<ConvexPolygon> bars = new ArrayList<>();
         addFacesWithoutLeave(frame, all, bounds, bars);
         addFootprints(frame, all, bounds, bars);
-        return new Region(frame, all, new ShapeSet(Outline.of(all)), new ShapeSet(bars));
+        return new Region(frame, all, new ShapeSet(Straightening.of(Outline.of(all))), new ShapeSet(bars));
     }
 
     private void addFacesWithoutLeave(PlaneFrame frame, ShapeSet all, Aabb bounds, List<ConvexPolygon> bars) {

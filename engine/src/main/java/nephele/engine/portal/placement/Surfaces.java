@@ -45,10 +45,11 @@ public final class Surfaces {
         }
         for (SurfacePolygon sheet : sheets) {
             Patch patch = Patch.of(sheet.corners(), sheet.portalable());
-            if (patch != null) {
+            // Thinner ones may face any way; their neighbours reach across.
+            if (patch != null && patch.leastWidthMetres() > 2 * Tolerance.CRACK) {
                 blockers.add(Blocker.Sheet.of(patch, patches.size()));
-                patches.add(patch);
             }
+            patches.add(patch);
         }
         return new Surfaces(blockers, patches);
     }

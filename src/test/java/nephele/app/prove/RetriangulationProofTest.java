@@ -1,0 +1,21 @@
+package nephele.app.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** `knowledge/portals.md` section 5 row 31 and C.2 row 21 at a hundredth of the full count. */
+class RetriangulationProofTest {
+    @Test
+    void thePortalComesToTheSamePlace() {
+        ProofResult result = new RetriangulationProof().run(0, 100, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(0, result.failures());
+        double compared = result.figures().get(0).value();
+        double placed = result.figures().get(1).value();
+        assertTrue(
+                compared > 150 && placed > 50 && placed < compared - 50, compared + " shots, " + placed + " portals");
+    }
+}
