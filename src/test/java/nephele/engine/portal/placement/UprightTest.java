@@ -1,0 +1,112 @@
+package nephele.engine.portal.placement;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+/** Issue 3 on orientation; `knowledge/portals.md` section 5 row 33. */
+class UprightTest {
+    private static final Vec3 FLOOR = new Vec3(0, 1, 0);
+    private static final Vec3 CEILING = new Vec3(0, -1, 0);
+
+    private static Vec3 leaning(double fromUpright, double turn) {
+        double level = Math.sin(fromUpright);
+        return new Vec3(level * Math.sin(turn), Math.cos(fromUpright), level * Math.cos(turn));
+    }
+
+    private static void assertNear(Vec3 expected, Vec3 actual, double radians) {
+        assertTrue(Directions.angle(expected, actual) <= radians, expected + " is not " + actual);
+    }
+
+    @Test
+    void itIsOfUnitLengthAndInThePlaneForAnySurfaceAndView() {
+        SplittableRandom random = new SplittableRandom(2);
+        for (int i = 0; i < 10_000; i++) {
+            Vec3 normal = leaning(random.nextDouble(0, Math.PI), random.nextDouble(-3.2, 3.2));
+            Basis view = Basis.lookAt(
+                    Vec3.ZERO,
+                    leaning(random.nextDouble(0, Math.PI), random.nextDouble(-3.2, 3.2)),
+                    leaning(random.nextDouble(0, Math.PI), random.nextDouble(-3.2, 3.2)),
+                    Basis.WORLD);
+            Vec3 up = Upright.on(normal, view);
+            assertEquals(1, Directions.length(up), 1e-12);
+            assertEquals(0, Directions.dot(up, normal), 1e-12);
+        }
+    }
+
+    @Test
+    void onWallsAndSlopesItIsUpAlongThemWhoeverLooks() {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int i = 0; i < 1000; i++) {
+            Vec3 normal = leaning(Math.toRadians(random.nextDouble(31, 149)), random.nextDouble(-3, 3));
+            Vec3 up = Upright.on(normal, Basis.ofYawPitch(random.nextDouble(-3, 3), random.nextDouble(-1.5, 1.5)));
+            Vec3 across = Directions.cross(FLOOR, normal);
+            assertEquals(0, Directions.dot(up, across), 1e-12);
+            assertTrue(up.y() > 0);
+        }
+    }
+
+    @Test
+    void onFloorsAndCeilingsItIsTheViewWithoutItsPartAlongTheNormal() {
+        for (double yaw = -3; yaw < 3; yaw += 0.1) {
+            for (double pitch = -1.5; pitch <= 1.5; pitch += 0.1) {
+                Basis view = Basis.ofYawPitch(yaw, pitch);
+                Vec3 ahead = Directions.unit(-view.back().x(), 0, -view.back().z());
+                assertNear(ahead, Upright.on(FLOOR, view), 1e-12);
+                assertNear(ahead, Upright.on(CEILING, view), 1e-12);
+            }
+        }
+    }
+
+    /** The view's part along the floor vanishes; what is ahead does not. */
+    @Test
+    void straightDownItStaysWhatIsAheadAndTurnsWithTheShooter() {
+        for (double yaw = -3; yaw < 3; yaw += 0.1) {
+            Vec3 ahead = new Vec3(-Math.sin(yaw), 0, -Math.cos(yaw));
+            for (double off : new double[] {0, 1e-300, 1e-16, 1e-9, 1e-4, 0.1}) {
+                assertNear(ahead, Upright.on(FLOOR, Basis.ofYawPitch(yaw, off - Math.PI / 2)), 1e-9);
+                assertNear(ahead, Upright.on(CEILING, Basis.ofYawPitch(yaw, Math.PI / 2 - off)), 1e-9);
+            }
+        }
+    }
+
+    /** Walls tilt to floor and to ceiling, seen from any side they can be shot at from. */
+    @Test
+    void nothingJumpsWhileASurfaceTilts() {
+        SplittableRandom random = new SplittableRandom(4);
+        double most = 0;
+        for (int i = 0; i < 300; i++) {
+            double turn = i % 3 == 0 ? 0 : random.nextDouble(-3, 3);
+            double yaw = i % 3 == 0 ? (i % 2) * Math.PI : random.nextDouble(-3, 3);
+            Basis view = Basis.ofYawPitch(yaw, random.nextDouble(-1.57, 1.57));
+            Vec3 last = null;
+            for (double degrees = 0; degrees <= 180; degrees += 0.05) {
+                Vec3 up = Upright.on(leaning(Math.toRadians(degrees), turn), view);
+                most = last == null ? most : Math.max(most, Directions.angle(last, up));
+                last = up;
+            }
+        }
+        // Half a turn over 20° of tilt, twice as fast in the middle: 20 times as fast as the surface tilts.
+        assertTrue(most <= Math.toRadians(0.05) * 20, Math.toDegrees(most) + " degrees at once");
+    }
+
+    @Test
+    void nothingJumpsWhileTheShooterLooksUpAndDown() {
+        for (double tilt : new double[] {0, 5, 15, 25, 60, 155, 170, 180}) {
+            Vec3 normal = leaning(Math.toRadians(tilt), 0.7);
+            Vec3 last = null;
+            for (double pitch = -90; pitch <= 90; pitch += 0.1) {
+                Vec3 up = Upright.on(normal, Basis.ofYawPitch(0.3, Math.toRadians(pitch)));
+                if (last != null) {
+                    assertNear(last, up, 1e-6);
+                }
+                last = up;
+            }
+        }
+    }
+}
