@@ -19,7 +19,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The committed bench levels against their generator, and against the peers' formulas written down once more. */
 class BenchLevelsTest {
     @ParameterizedTest
-    @ValueSource(strings = {"clear.json", "skybox.json", "boxes-1000.json", "boxes-10000.json"})
+    @ValueSource(
+            strings = {
+                "clear.json",
+                "skybox.json",
+                "boxes-1000.json",
+                "boxes-10000.json",
+                "boxes-500-stack.json",
+                "bodies-200.json"
+            })
     void committedFileIsWhatTheGeneratorMakes(String file) throws IOException {
         assertEquals(LevelJson.write(BenchLevels.all().get(file)), Files.readString(Path.of("levels/bench", file)));
     }

@@ -16,7 +16,7 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
-/** The benchmark scenes A (clear), B (skybox) and C (boxes) of {@code bench/README.md} as levels. */
+/** The benchmark scenes A (clear), B (skybox), C (boxes) and H (bodies) of {@code bench/README.md} as levels. */
 final class BenchLevels {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -32,6 +32,8 @@ final class BenchLevels {
         levels.put("skybox.json", skybox());
         levels.put("boxes-1000.json", boxes(1000));
         levels.put("boxes-10000.json", boxes(10000));
+        levels.put("boxes-500-stack.json", BenchBodies.stack(sunlit()));
+        levels.put("bodies-200.json", BenchBodies.shaft(sunlit()));
         return levels;
     }
 
@@ -51,10 +53,15 @@ final class BenchLevels {
         return level("Bench: skybox", "case B: six 512² faces, once round", environment, path(BenchPath::skybox));
     }
 
-    private static Level boxes(int count) {
+    /** The peers' light: texture · (0.3 + 0.8 max(0, n · l)). */
+    private static Environment sunlit() {
         double irradiance = 0.8 * Math.PI;
         Sun sun = new Sun(new Vec3(0.5, 1, 0.3), new Vec3(irradiance, irradiance, irradiance), false);
-        Environment environment = environment(sun, CLEAR_COLOUR, new Vec3(0.3, 0.3, 0.3));
+        return environment(sun, CLEAR_COLOUR, new Vec3(0.3, 0.3, 0.3));
+    }
+
+    private static Level boxes(int count) {
+        Environment environment = sunlit();
         Level empty = level(
                 "Bench: " + count + " boxes",
                 "case C: unit boxes on a square grid of spacing 2, seen from a quarter in",

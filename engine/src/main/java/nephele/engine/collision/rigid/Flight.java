@@ -1,6 +1,5 @@
 package nephele.engine.collision.rigid;
 
-import nephele.engine.collision.Sweep;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Crossing;
 import nephele.engine.portal.Passage;
@@ -14,12 +13,15 @@ import org.joml.Vector3d;
  * unseen. Reused.
  */
 final class Flight {
+    /** A fast body may get so far into what it hits, and no deeper than an eighth of its thickness. */
+    private static final double MOST_DEPTH_METRES = 5e-3;
+
     private final BodyTable table;
     private final Vec3 gravity;
     private final NarrowPhase narrow;
     private final Poses poses;
     private final Spin spin = new Spin();
-    private final Sweep sweep = new Sweep();
+    private final FastSweep sweep = new FastSweep();
     private final Crossing crossing = new Crossing();
     private final Vector3d place = new Vector3d();
     private final Vector3d velocity = new Vector3d();
@@ -137,7 +139,7 @@ final class Flight {
 
     /** Which share of the way is free of solids; looked at only when the body could get past one unseen. */
     private double freeShare(TickBodies bodies, int body) {
-        double limit = poses.leastHalf(body) / 4;
+        double limit = poses.leastHalf(body) / 2;
         if (way.lengthSquared() <= limit * limit) {
             return 1;
         }
@@ -148,6 +150,6 @@ final class Flight {
         }
         var hull = narrow.turnedHull(body);
         long mask = portals.size() == 0 ? 0 : surroundings.active(hull, place, way);
-        return sweep.cast(surroundings.around(mask), hull, place, way) ? sweep.fraction() : 1;
+        return sweep.free(surroundings.around(mask), hull, place, way, Math.min(MOST_DEPTH_METRES, limit / 4));
     }
 }

@@ -6,7 +6,7 @@ package nephele.engine.collision.rigid;
  * Yoshida (1990): angular momentum is kept to rounding, energy within a narrow band for ever.
  */
 final class Spin {
-    private static final double STEP_RADIANS = 0.02;
+    private static final double STEP_RADIANS = 0.04;
     private static final int MOST_STEPS = 64;
     /** Yoshida's outer and middle weights: 1 / (2 − ∛2) and 1 − 2 of it. */
     private static final double OUTER = 1.3512071919596578;
