@@ -15,7 +15,7 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
 
 /** The benchmark scenes of bodies: case H of {@code bench/README.md} without its jitter, and bodies that never rest. */
-final class BenchBodies {
+public final class BenchBodies {
     static final int STACKED = 500;
     static final int RESTLESS = 200;
 
@@ -25,7 +25,7 @@ final class BenchBodies {
     private BenchBodies() {}
 
     /** Twenty layers of five by five unit boxes, a centimetre apart in all directions, over a plane. */
-    static Level stack(Environment environment) {
+    public static Level stack(Environment environment) {
         List<Body> bodies = new ArrayList<>(STACKED);
         for (int i = 0; i < STACKED; i++) {
             int layer = i / 25;
@@ -54,7 +54,7 @@ final class BenchBodies {
      * A shaft whose floor leads to its ceiling, with two slopes in it: whatever is in it slides, falls and comes again
      * for ever, and the slopes keep it from growing fast.
      */
-    static Level shaft(Environment environment) {
+    public static Level shaft(Environment environment) {
         List<Solid> solids = List.of(
                 box("floor", new Vec3(0, -0.5, 0), new Vec3(14, 1, 14)),
                 box("ceiling", new Vec3(0, 10.5, 0), new Vec3(14, 1, 14)),

@@ -18,6 +18,7 @@ public final class Proofs {
             new PlacementProof(),
             new RetriangulationProof(),
             new SeparationProof(),
+            new BodiesProof(),
             new SoakProof());
 
     private Proofs() {}

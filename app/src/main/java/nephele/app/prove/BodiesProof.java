@@ -1,0 +1,94 @@
+package nephele.app.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** A tower and a stack of boxes stand; what they and bodies that never rest cost is measured, not claimed. */
+public final class BodiesProof implements Proof {
+    private static final double TICKS_A_SECOND = 120;
+    private static final double TOWER_METRES = 0.005;
+    private static final double TOWER_DEGREES = 0.5;
+    private static final double STACK_METRES = 0.05;
+    private static final double STACK_SECONDS = 10;
+    /** The bars speak of the first 300 steps of 1/60 s. */
+    private static final int TIMED_TICKS = 600;
+
+    @Override
+    public String name() {
+        return "bodies";
+    }
+
+    @Override
+    public String claim() {
+        return "A tower of ten boxes stays within 5 mm and half a degree of its place for a minute; after ten seconds"
+                + " 500 boxes lie within 5 cm of where closing their gaps downwards puts them.";
+    }
+
+    @Override
+    public String unit() {
+        return "seconds";
+    }
+
+    @Override
+    public long fullCount() {
+        return 60;
+    }
+
+    @Override
+    public long batch() {
+        return 60;
+    }
+
+    /** The units from 0 on: the tower stands for {@code count} seconds, the stack for no more than ten. */
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        List<String> failures = new ArrayList<>();
+        List<Figure> figures = new ArrayList<>();
+        tower(count, failures, figures);
+        progress.unitsDone(count / 2);
+        stack(Math.min(STACK_SECONDS, count), failures, figures);
+        costs(count, figures);
+        progress.unitsDone(count);
+        return new ProofResult(count, failures.size(), figures, failures);
+    }
+
+    private static void tower(long seconds, List<String> failures, List<Figure> figures) {
+        var bodies = BodyCourse.tower(10);
+        for (long tick = 0; tick < seconds * TICKS_A_SECOND; tick++) {
+            bodies.tick(1 / TICKS_A_SECOND);
+            if (failures.isEmpty() && !(bodies.farthestOff() <= TOWER_METRES && bodies.mostTilted() <= TOWER_DEGREES)) {
+                failures.add(String.format(
+                        Locale.ROOT,
+                        "tick %d of the tower: %.6f m and %.3f degrees off",
+                        tick,
+                        bodies.farthestOff(),
+                        bodies.mostTilted()));
+            }
+        }
+        figures.add(Figure.greatest("tower, farthest from its place", bodies.farthestOff() * 1000, "mm"));
+        figures.add(Figure.greatest("tower, most tilted", bodies.mostTilted(), "degrees"));
+    }
+
+    private static void stack(double seconds, List<String> failures, List<Figure> figures) {
+        var bodies = BodyCourse.stack();
+        for (int tick = 0; tick < seconds * TICKS_A_SECOND; tick++) {
+            bodies.tick(1 / TICKS_A_SECOND);
+        }
+        if (seconds == STACK_SECONDS && !(bodies.farthestOff() <= STACK_METRES)) {
+            failures.add(String.format(Locale.ROOT, "a box of the stack is %.6f m off", bodies.farthestOff()));
+        }
+        figures.add(Figure.greatest("stack, farthest from its place", bodies.farthestOff() * 1000, "mm"));
+    }
+
+    private static void costs(long seconds, List<Figure> figures) {
+        int ticks = (int) Math.min(TIMED_TICKS, seconds * TICKS_A_SECOND);
+        var stack = BodyCost.measure(BodyCourse::stack, ticks, 1 / TICKS_A_SECOND);
+        var restless = BodyCost.measure(BodyCourse::restless, ticks, 1 / TICKS_A_SECOND);
+        figures.add(Figure.greatest("stack of 500, CPU per two ticks", stack.millisecondsPerTwoTicks(), "ms"));
+        figures.add(Figure.greatest("stack of 500, allocated a body and tick", stack.bytesPerBodyAndTick(), "B"));
+        figures.add(Figure.greatest("200 without rest, CPU per two ticks", restless.millisecondsPerTwoTicks(), "ms"));
+        figures.add(
+                Figure.greatest("200 without rest, allocated a body and tick", restless.bytesPerBodyAndTick(), "B"));
+    }
+}

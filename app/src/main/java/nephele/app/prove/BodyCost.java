@@ -1,0 +1,33 @@
+package nephele.app.prove;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.function.Supplier;
+
+/**
+ * What bodies cost the thread that moves them, once the compiler has done its work.
+ *
+ * @param millisecondsPerTwoTicks mean CPU time of 1/60 s
+ */
+record BodyCost(double millisecondsPerTwoTicks, double bytesPerBodyAndTick) {
+    private static final int WARM_ROUNDS = 3;
+
+    static BodyCost measure(Supplier<BodyCourse> course, int ticks, double seconds) {
+        for (int round = 0; round < WARM_ROUNDS; round++) {
+            run(course.get(), ticks, seconds);
+        }
+        return run(course.get(), ticks, seconds);
+    }
+
+    private static BodyCost run(BodyCourse bodies, int ticks, double seconds) {
+        var thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long bytes = thread.getCurrentThreadAllocatedBytes();
+        long nanos = thread.getCurrentThreadCpuTime();
+        for (int tick = 0; tick < ticks; tick++) {
+            bodies.tick(seconds);
+        }
+        nanos = thread.getCurrentThreadCpuTime() - nanos;
+        bytes = thread.getCurrentThreadAllocatedBytes() - bytes;
+        return new BodyCost(nanos / 1e6 / ticks * 2, (double) bytes / ticks / bodies.size());
+    }
+}
