@@ -1,10 +1,13 @@
 package nephele.engine.collision;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.SplittableRandom;
+import nephele.engine.level.PortalShape;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemList;
 import nephele.engine.math.Vec3;
@@ -13,6 +16,7 @@ import nephele.engine.portal.PathTrace;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -121,5 +125,69 @@ final class SeamedWorldTest {
             }
         }
         return false;
+    }
+
+    /** Extreme 22: one without a partner, and both where an exit lies in a solid; one that is only narrow stays open. */
+    @Test
+    void invalidExitsAreClosed() {
+        Portal a =
+                PortalPairs.portal("a", new Vec3(0, 1.05, 0), new Vec3(0, 0, 1), new Vec3(0, 1, 0), PortalShape.ARCH);
+        Portal b =
+                PortalPairs.portal("b", new Vec3(9, 1.05, 0), new Vec3(0, 0, 1), new Vec3(0, 1, 0), PortalShape.ARCH);
+        double[] wall = {-20, 0, -1, 20, 5, 0};
+        Portals pair = new Portals(List.of(a, b), List.of(1, 0));
+        CollisionWorld free = PortalPairs.boxes(Vec3.ZERO, wall);
+        assertTrue(SeamedWorld.of(free, pair).portals().isOpen(0));
+        CollisionWorld narrow = PortalPairs.boxes(Vec3.ZERO, wall, new double[] {9.1, 0, 0, 10, 3, 1});
+        assertTrue(SeamedWorld.of(narrow, pair).portals().isOpen(0));
+        CollisionWorld blocked = PortalPairs.boxes(Vec3.ZERO, wall, new double[] {8, 0, -0.5, 10, 3, 1});
+        SeamedWorld closed = SeamedWorld.of(blocked, pair);
+        assertFalse(closed.portals().isOpen(0) || closed.portals().isOpen(1));
+        Vector3d before = new Vector3d(0, 1, 0.4);
+        assertEquals(0, closed.active(PLAYER, before, new Vector3d(0, 0, -1)));
+        assertSame(blocked, closed.around(3), "a stale mask opens nothing");
+        SeamedWorld single = SeamedWorld.of(free, new Portals(List.of(a), List.of(Portals.CLOSED)));
+        assertEquals(0, single.active(PLAYER, before, new Vector3d(0, 0, -1)));
+    }
+
+    /** Who is active: before the portal and near it or on the way to it, and not round the wall's edge. */
+    @Test
+    void activeFromFirstTouchToLastLeave() {
+        Portal a =
+                PortalPairs.portal("a", new Vec3(0, 1.05, 0), new Vec3(0, 0, 1), new Vec3(0, 1, 0), PortalShape.ARCH);
+        Portal b =
+                PortalPairs.portal("b", new Vec3(9, 1.05, 0), new Vec3(0, 0, 1), new Vec3(0, 1, 0), PortalShape.ARCH);
+        CollisionWorld pillar = PortalPairs.boxes(
+                Vec3.ZERO, new double[] {-0.65, 0, -1, 0.65, 5, 0}, new double[] {8, 0, -1, 10, 5, 0});
+        SeamedWorld seamed = SeamedWorld.of(pillar, new Portals(List.of(a, b), List.of(1, 0)));
+        Vector3d still = new Vector3d();
+        assertEquals(1, seamed.active(PLAYER, new Vector3d(0, 1, 0.31), still));
+        assertEquals(1, seamed.active(PLAYER, new Vector3d(0, 1, 0), still), "half-way");
+        assertEquals(1, seamed.active(PLAYER, new Vector3d(0, 1, 30), new Vector3d(0, 0, -40)), "in a tick");
+        assertEquals(0, seamed.active(PLAYER, new Vector3d(0, 1, 0.4), still), "not yet");
+        assertEquals(0, seamed.active(PLAYER, new Vector3d(0, 1, -0.01), still), "behind");
+        assertEquals(0, seamed.active(PLAYER, new Vector3d(2, 1, 0.1), still), "beside");
+        assertEquals(0, seamed.active(PLAYER, new Vector3d(0.93, 1, 0.1), still), "round the edge");
+        RoundedHull box = RoundedHull.box(new Vec3(0.6, 0, 0), new Vec3(0, 0.2, 0), new Vec3(0, 0, 0.2));
+        assertEquals(0, seamed.active(box, new Vector3d(1.26, 1, 0.1), still), "a box round the edge");
+        assertEquals(1, seamed.active(box, new Vector3d(0, 1, 0.1), still), "a box in it");
+    }
+
+    /** What no cave reaches is shared, and a mask has its world built once. */
+    @Test
+    void sharesWhatIsFar() {
+        PortalPairs place = PortalPairs.of("walls", Vec3.ZERO);
+        SeamedWorld seamed = SeamedWorld.of(place.statics(), place.portals());
+        assertSame(place.statics(), seamed.around(0));
+        CollisionWorld around = seamed.around(1);
+        assertSame(around, seamed.around(1));
+        ItemList all = new ItemList();
+        around.overlapping(place.statics().extent().grown(9), all);
+        int shared = 0;
+        for (int i = 0; i < all.size() && all.get(i) < place.statics().size(); i++) {
+            assertSame(place.statics().collider(all.get(i)), around.collider(all.get(i)));
+            shared++;
+        }
+        assertTrue(shared >= 3 && shared < place.statics().size(), "shared " + shared);
     }
 }
