@@ -94,7 +94,7 @@ final class RegionGrowth {
             int current = open.remove();
             ConvexPolygon shape = ConvexPolygon.of(frame, patches.get(current).corners());
             near.clear();
-            index.overlapping(patches.get(current).bounds().grown(2 * Tolerance.CRACK), near);
+            index.overlapping(patches.get(current).bounds().grown(Tolerance.COPLANAR + 2 * Tolerance.CRACK), near);
             for (int i = 0; i < near.size(); i++) {
                 int other = near.get(i);
                 if (regionOf[other] == NONE && visit[other] != visits && joins(shape, patches.get(other), frame)) {
