@@ -92,6 +92,24 @@ class LevelRulesTest {
         assertEquals(List.of("portals"), problems.stream().map(Problem::path).toList());
     }
 
+    @Test
+    void aPortalThatOpensInFreeSpaceIsSaid() {
+        String wall = "\"player\": {\"feet\": [0, 0, 5]}, \"solids\": [{\"id\": \"wall\", \"kind\": \"box\","
+                + " \"centre\": [0, 2, -0.5], \"size\": [9, 4, 1]}], \"portals\": [";
+        String size = ", \"widthMetres\": 1, \"heightMetres\": 2}";
+        String a = "{\"id\": \"a\", \"linkedTo\": \"b\", \"centre\": [2, 1, 0], \"normal\": [0, 0, 9]" + size;
+        String b = "{\"id\": \"b\", \"linkedTo\": \"a\", \"centre\": [-2, 1, %s], \"normal\": [0, 0, %s]" + size;
+        assertEquals(List.of("portals"), paths(wall + a + "," + b.formatted("0.0005", "1") + "]"));
+        assertEquals(List.of("portals"), paths(wall + a + "," + b.formatted("-1", "-1") + "]"));
+        assertEquals(List.of("portals[1].centre", "portals"), paths(wall + a + "," + b.formatted("0.002", "1") + "]"));
+        assertEquals(List.of("portals[1].centre", "portals"), paths(wall + a + "," + b.formatted("0", "-1") + "]"));
+        assertEquals(List.of("portals[1].centre", "portals"), paths(wall + a + "," + b.formatted("-0.5", "1") + "]"));
+    }
+
+    private static List<String> paths(String sections) {
+        return structure(sections).stream().map(Problem::path).toList();
+    }
+
     /** A chain of parents is walked once, however long it is. */
     @Test
     void aLongChainOfParentsIsFine() {

@@ -17,6 +17,7 @@ public final class LevelRules {
             LightRules.SHADOWS,
             SkyRules.FILES,
             PortalRules.LINKS,
+            PortalRules.ON_SURFACE,
             ModelRules.PARENTS,
             BodyRules.SHAPES,
             PlayerRules.FREE,

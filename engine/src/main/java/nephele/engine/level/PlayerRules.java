@@ -19,7 +19,7 @@ final class PlayerRules {
         Vec3 feet = level.player().feet();
         for (int i = 0; i < level.solids().size(); i++) {
             Solid solid = level.solids().get(i);
-            if (mayReach(solid, feet) && holdsAxis(solid, feet)) {
+            if (mayReach(solid, feet, 0) && holdsAxis(solid, feet)) {
                 report.accept(Problem.error(
                         "player.feet",
                         "the player starts inside solids[" + i + "] ('" + solid.id() + "'): move the start"));
@@ -36,14 +36,18 @@ final class PlayerRules {
     private PlayerRules() {}
 
     /** Most solids are told apart without making their shape. */
-    private static boolean mayReach(Solid solid, Vec3 feet) {
+    static boolean mayReach(Solid solid, Vec3 feet, double margin) {
         if (solid instanceof Solid.Box box) {
-            return within(feet, box.centre(), box.size().x() / 2, box.size().z() / 2);
+            return within(
+                    feet, box.centre(), box.size().x() / 2 + margin, box.size().z() / 2 + margin);
         } else if (solid instanceof Solid.Wedge wedge) {
             return within(
-                    feet, wedge.centre(), wedge.size().x() / 2, wedge.size().z() / 2);
+                    feet,
+                    wedge.centre(),
+                    wedge.size().x() / 2 + margin,
+                    wedge.size().z() / 2 + margin);
         } else if (solid instanceof Solid.Prism prism) {
-            return within(feet, prism.centre(), prism.radiusMetres(), prism.radiusMetres());
+            return within(feet, prism.centre(), prism.radiusMetres() + margin, prism.radiusMetres() + margin);
         }
         return true;
     }
@@ -60,7 +64,7 @@ final class PlayerRules {
         }
     }
 
-    private static List<Plane> planes(Solid solid) {
+    static List<Plane> planes(Solid solid) {
         return solid instanceof Solid.Planes given
                 ? given.planes().stream()
                         .map(plane -> Plane.of(plane.normal(), plane.distanceMetres()))

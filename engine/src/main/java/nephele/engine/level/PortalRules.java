@@ -1,10 +1,13 @@
 package nephele.engine.level;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
 
-/** Portals come in pairs that name each other. */
+/** Portals come in pairs that name each other, and open in the surface of something. */
 final class PortalRules {
     static final LevelRule LINKS = (level, assets, report) -> {
         Map<String, PortalSpec> byId = new HashMap<>();
@@ -14,7 +17,49 @@ final class PortalRules {
         }
     };
 
+    /** Metres off a face, and cosine between its normal and the portal's: half a degree. */
+    private static final double ON_FACE_METRES = 1e-3;
+
+    private static final double ALONG_FACE = 0.99996192306417131;
+
+    static final LevelRule ON_SURFACE = (level, assets, report) -> {
+        for (int i = 0; i < level.portals().size(); i++) {
+            PortalSpec portal = level.portals().get(i);
+            boolean checkable = !level.solids().isEmpty() && !DirectionRules.isZero(portal.normal());
+            if (checkable && level.solids().stream().noneMatch(solid -> liesOn(portal, solid))) {
+                report.accept(Problem.warning(
+                        "portals[" + i + "].centre",
+                        "lies on no solid's face that looks along the portal's normal: it opens in free space"));
+            }
+        }
+    };
+
     private PortalRules() {}
+
+    private static boolean liesOn(PortalSpec portal, Solid solid) {
+        if (!PlayerRules.mayReach(solid, portal.centre(), ON_FACE_METRES)) {
+            return false;
+        }
+        try {
+            return isOnFace(portal, PlayerRules.planes(solid));
+        } catch (IllegalArgumentException toldByAnotherRule) {
+            return true;
+        }
+    }
+
+    private static boolean isOnFace(PortalSpec portal, List<Plane> planes) {
+        Vec3 normal = Plane.of(portal.normal(), 0).normal();
+        boolean on = false;
+        for (Plane plane : planes) {
+            double off = plane.signedDistance(portal.centre());
+            double cosine = plane.nx() * normal.x() + plane.ny() * normal.y() + plane.nz() * normal.z();
+            on |= cosine >= ALONG_FACE && Math.abs(off) <= ON_FACE_METRES;
+            if (off > ON_FACE_METRES) {
+                return false;
+            }
+        }
+        return on;
+    }
 
     private static void link(String path, PortalSpec portal, Map<String, PortalSpec> byId, Consumer<Problem> report) {
         PortalSpec partner = byId.get(portal.linkedTo());

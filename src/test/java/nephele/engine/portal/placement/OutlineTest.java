@@ -1,0 +1,92 @@
+package nephele.engine.portal.placement;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** The edges of unions whose length is known. */
+class OutlineTest {
+    private static ConvexPolygon rectangle(double x0, double y0, double x1, double y1) {
+        return ConvexPolygon.of(new double[] {x0, y0, x1, y0, x1, y1, x0, y1});
+    }
+
+    private static List<ConvexPolygon> outline(ConvexPolygon... polygons) {
+        return Straightening.of(Outline.of(new ShapeSet(List.of(polygons))));
+    }
+
+    private static double length(List<ConvexPolygon> segments) {
+        return segments.stream().mapToDouble(segment -> segment.length(0)).sum();
+    }
+
+    @Test
+    void piecesSideBySideHaveTheEdgesOfTheWhole() {
+        List<ConvexPolygon> outline =
+                outline(rectangle(0, 0, 1, 2), rectangle(1, 0, 3, 1), rectangle(1, 1, 1.5, 2), rectangle(1.5, 1, 3, 2));
+        assertEquals(4, outline.size());
+        assertEquals(10, length(outline), 1e-9);
+    }
+
+    @Test
+    void overlappingPiecesHaveTheEdgesOfTheirUnion() {
+        List<ConvexPolygon> cross = outline(rectangle(-3, -1, 3, 1), rectangle(-1, -3, 1, 3));
+        assertEquals(12, cross.size());
+        assertEquals(24, length(cross), 1e-9);
+        for (ConvexPolygon segment : cross) {
+            assertEquals(2, segment.length(0), 1e-9, "it ends at the corner exactly");
+        }
+    }
+
+    @Test
+    void twiceTheSameIsOnce() {
+        List<ConvexPolygon> twice = outline(rectangle(0, 0, 1, 2), rectangle(0, 0, 1, 2), rectangle(0.5, 0, 1, 2));
+        assertTrue(
+                length(twice) >= 6 && twice.stream().allMatch(OutlineTest::isOnUnit), "all edges are the outer ones");
+    }
+
+    private static boolean isOnUnit(ConvexPolygon segment) {
+        double x = (segment.x(0) + segment.x(1)) / 2;
+        double y = (segment.y(0) + segment.y(1)) / 2;
+        return Math.abs(rectangle(0, 0, 1, 2).outside(x, y)) < 1e-9;
+    }
+
+    @Test
+    void aCrackIsNoEdgeAndASlitIs() {
+        double wide = 2 * Tolerance.CRACK;
+        assertEquals(
+                4,
+                outline(rectangle(0, 0, 1, 2), rectangle(1 + 0.9 * wide, 0, 3, 2))
+                        .size());
+        assertEquals(
+                8,
+                outline(rectangle(0, 0, 1, 2), rectangle(1 + 1.1 * wide, 0, 3, 2))
+                        .size());
+    }
+
+    /** A triangular hole as sharp as 12° keeps its tip. */
+    @Test
+    void holesKeepTheirTips() {
+        double tip = 0.1;
+        List<ConvexPolygon> parts = new ArrayList<>(List.of(
+                ConvexPolygon.of(new double[] {0, 0, 1, 0, 1 - tip, 1, 0, 1}),
+                ConvexPolygon.of(new double[] {1, 0, 2, 0, 2, 1, 1 + tip, 1})));
+        List<ConvexPolygon> outline = outline(parts.toArray(new ConvexPolygon[0]));
+        double side = Math.sqrt(1 + tip * tip);
+        assertEquals(2 + 2 + 2 * (1 - tip) + 2 * side, length(outline), 2e-6);
+    }
+
+    @Test
+    void noiseInPiecesOfOneEdgeIsStraightened() {
+        List<ConvexPolygon> outline = outline(
+                rectangle(0, 0, 1, 2), rectangle(1, 1e-5, 2, 2), rectangle(2, -1e-5, 3, 2), rectangle(3, 5e-6, 4, 2));
+        assertEquals(4, outline.size());
+        for (ConvexPolygon segment : outline) {
+            if (segment.normalY(0) < -0.9) {
+                assertTrue(segment.y(0) >= 1e-5 && segment.y(0) < 3e-5, "on the inner side of all");
+                assertEquals(0, segment.normalX(0), 1e-5);
+            }
+        }
+    }
+}
