@@ -172,6 +172,44 @@ class RigidStepTest {
         }
     }
 
+    /** A bullet hits what it flies at, whatever the shapes: all momentum is still there, and none of it behind. */
+    @ParameterizedTest
+    @CsvSource({"box, box", "box, ball", "ball, box", "ball, ball"})
+    void bulletsHitBodies(String bullet, String target) {
+        for (double speed : new double[] {20, 300, 1000}) {
+            BodyScene scene = new BodyScene().weightless();
+            scene.add(body(bullet, v(0, 0, 0), 0.05));
+            scene.add(body(target, v(7.3, 0.01, 0), 0.2));
+            scene.start().velocity(0, v(speed, 0, 0), Vec3.ZERO).run(10 / speed + 0.1, 120);
+            double hit = scene.velocity(1).x;
+            assertEquals(speed, scene.velocity(0).x + hit, 1e-9 * speed, "momentum");
+            assertTrue(hit > 0.3 * speed, speed + ": hit with " + hit);
+        }
+    }
+
+    private static Body body(String kind, Vec3 at, double half) {
+        return kind.equals("ball")
+                ? new Body.Sphere("ball" + at, at, half, 1, null, 0, 0)
+                : new Body.Box("box" + at, at, v(2 * half, 2 * half, 2 * half), 1, null, 0, 0);
+    }
+
+    /** Two that fly one behind the other at one speed do not hold each other up. */
+    @Test
+    void flyingInFileHoldsNobodyUp() {
+        BodyScene scene = new BodyScene().weightless();
+        for (int i = 0; i < 5; i++) {
+            scene.cube(0.2, v(0.25 * i, 0, 0));
+        }
+        scene.start();
+        for (int i = 0; i < 5; i++) {
+            scene.velocity(i, v(40, 0, 0), Vec3.ZERO);
+        }
+        scene.run(1, 120);
+        for (int i = 0; i < 5; i++) {
+            assertEquals(0, scene.centre(i).distance(40 + 0.25 * i, 0, 0), 1e-9);
+        }
+    }
+
     /** Section 5 row 35. */
     @ParameterizedTest
     @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 1e300})

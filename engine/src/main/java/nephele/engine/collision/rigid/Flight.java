@@ -22,6 +22,7 @@ final class Flight {
     private final Poses poses;
     private final Spin spin = new Spin();
     private final FastSweep sweep = new FastSweep();
+    private final FastPairs pairs;
     private final Crossing crossing = new Crossing();
     private final Vector3d place = new Vector3d();
     private final Vector3d velocity = new Vector3d();
@@ -38,12 +39,30 @@ final class Flight {
         this.gravity = gravity;
         this.narrow = narrow;
         this.poses = poses;
+        pairs = new FastPairs(poses, narrow);
     }
 
-    void begin(Surroundings around, double tickSeconds) {
+    /** @param pressed whom the solver moved */
+    void begin(Surroundings around, double tickSeconds, TickBodies bodies, boolean[] pressed, Motions motions) {
         surroundings = around;
         portals = around.portals();
         seconds = tickSeconds;
+        pairs.clear(bodies.count);
+        double half = seconds * seconds / 2;
+        for (int body = 0; body < bodies.count; body++) {
+            int v = Bodies.STRIDE * body + Bodies.VELOCITY;
+            double[] m = bodies.motion;
+            if (pressed[body]) {
+                int d = 6 * body;
+                pairs.way(body, motions.moved[d], motions.moved[d + 1], motions.moved[d + 2]);
+            } else if (bodies.isAwake(body)) {
+                pairs.way(
+                        body,
+                        m[v] * seconds + gravity.x() * half,
+                        m[v + 1] * seconds + gravity.y() * half,
+                        m[v + 2] * seconds + gravity.z() * half);
+            }
+        }
     }
 
     /** Nothing touched the body in this tick. */
@@ -143,13 +162,17 @@ final class Flight {
         if (way.lengthSquared() <= limit * limit) {
             return 1;
         }
-        double[] m = bodies.motion;
-        int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
+        double depth = Math.min(MOST_DEPTH_METRES, limit / 4);
+        double free = 1;
         if (bodies.hasCrossed(body)) {
+            double[] m = bodies.motion;
+            int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
             poses.turn(body, m[q], m[q + 1], m[q + 2], m[q + 3]);
+        } else {
+            free = pairs.free(body, bodies.count, way, depth);
         }
         var hull = narrow.turnedHull(body);
         long mask = portals.size() == 0 ? 0 : surroundings.active(hull, place, way);
-        return sweep.free(surroundings.around(mask), hull, place, way, Math.min(MOST_DEPTH_METRES, limit / 4));
+        return Math.min(free, sweep.free(surroundings.around(mask), hull, place, way, depth));
     }
 }

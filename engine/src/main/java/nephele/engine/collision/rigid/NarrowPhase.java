@@ -42,6 +42,17 @@ final class NarrowPhase {
         return turned[body];
     }
 
+    /** The shape of a body turned otherwise than it is; changed by the next call for the same body. */
+    RoundedHull turnedBy(int body, double[] axes) {
+        turned[body].turn(upright[body], axes, 0);
+        return turned[body];
+    }
+
+    /** A box that is a body, upright around the origin. */
+    Collider boxSolid(int body) {
+        return boxSolids[body];
+    }
+
     /** Two moving shapes; the first is no higher in index than the second. */
     void touch(int a, int b, double reach, List<Influences.Character> characters, Manifold out) {
         boolean boxA = poses.kind[a] == BodyTable.BOX;

@@ -226,7 +226,7 @@ public final class RigidStep {
                 mark(rows.slotB[m]);
             }
         }
-        flight.begin(surroundings, seconds);
+        flight.begin(surroundings, seconds, bodies, pressed, motions);
         for (int body = 0; body < bodies.count; body++) {
             if (!bodies.isAwake(body)) {
                 continue;
