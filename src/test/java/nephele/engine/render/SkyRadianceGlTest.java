@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -40,7 +41,8 @@ class SkyRadianceGlTest {
         TestAssets assets = pictures();
         try (Offscreen offscreen = new Offscreen(3, 3)) {
             for (Sky sky : skies) {
-                SkyRadiance radiance = SkyRadiance.of(sky, id -> PictureDecoder.decode(id, assets.bytes(id)))
+                SkyRadiance radiance = SkyRadiance.of(
+                                sky, id -> PictureDecoder.decode(id, assets.bytes(id)), Decoding.SRGB)
                         .orElseThrow();
                 SplittableRandom random = new SplittableRandom(5);
                 for (int i = 0; i < 24; i++) {

@@ -9,7 +9,7 @@ import nephele.app.bench.PerPass;
 import nephele.app.draw.Viewpoints;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
-import nephele.app.levels.PrintedBake;
+import nephele.app.levels.PrintedProgress;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
@@ -101,7 +101,7 @@ final class BenchCommand implements Command {
         var views = IntStream.range(0, roundLength(opened))
                 .mapToObj(viewpoint::view)
                 .toList();
-        var renderer = picture.renderer(opened, gl, null, new PrintedBake(System.err));
+        var renderer = picture.renderer(opened, gl, null, PrintedProgress.ofBake(System.err));
         try {
             return new LevelDrawing(renderer, views, picture.target(gl));
         } catch (RuntimeException e) {

@@ -1,6 +1,7 @@
 package nephele.app.command;
 
-import nephele.app.levels.PrintedBake;
+import nephele.app.draw.QualityChoice;
+import nephele.app.levels.PrintedProgress;
 import nephele.engine.level.LevelFile;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Culling;
@@ -49,16 +50,24 @@ final class PictureOptions {
         return output;
     }
 
+    /** What was asked for, else what the level requires. */
+    Output output(LevelFile.Opened opened) {
+        return output != null ? output : choice().output(opened.level());
+    }
+
+    QualityChoice choice() {
+        return quality.choice();
+    }
+
     RenderTarget target(GlContext gl) {
         return RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
     }
 
     /** @param forced instead of what was asked for, or null */
-    Renderer renderer(LevelFile.Opened opened, GlContext gl, Output forced, PrintedBake progress) {
-        var choice = quality.choice();
-        var asked = output != null ? output : choice.output(opened.level());
+    Renderer renderer(LevelFile.Opened opened, GlContext gl, Output forced, PrintedProgress progress) {
+        var choice = choice();
         var settings = new RenderSettings(
-                forced != null ? forced : asked, choice.on(gl.limits().software()), Culling.ON);
+                forced != null ? forced : output(opened), choice.on(gl.limits().software()), Culling.ON);
         return Renderer.load(gl, Scene.of(choice.shown(opened.level()), opened.assets(), progress), settings);
     }
 }

@@ -4,10 +4,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Locale;
 import java.util.Optional;
+import nephele.app.draw.DevelopedPicture;
 import nephele.app.draw.Viewpoints;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
-import nephele.app.levels.PrintedBake;
+import nephele.app.levels.PrintedProgress;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
@@ -23,7 +24,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Draws one picture offscreen. */
+/** Takes one picture offscreen: drawn as the game draws it, or by the exact twin. */
 @picocli.CommandLine.Command
 final class RenderCommand implements Command {
     @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
@@ -73,11 +74,14 @@ final class RenderCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) {
         checkUsage();
-        reference.requireNotAsked();
         var opened = new LevelName(level).open();
         opened.notice().ifPresent(terminal.err()::println);
         var viewpoint = view.in(opened, picture.aspect());
         ignored().ifPresent(terminal.err()::println);
+        if (reference.isAsked()) {
+            save(reference.trace(opened, viewpoint.view(0), picture, terminal), opened);
+            return ExitCode.DONE;
+        }
         try (var gl = GlContext.offscreen();
                 var target = picture.target(gl);
                 var renderer = AssetComplaint.named(opened, () -> renderer(opened, gl, terminal))) {
@@ -91,7 +95,7 @@ final class RenderCommand implements Command {
     }
 
     private Renderer renderer(LevelFile.Opened opened, GlContext gl, Terminal terminal) {
-        return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, new PrintedBake(terminal.err()));
+        return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, PrintedProgress.ofBake(terminal.err()));
     }
 
     /** Neither moving surroundings nor clouds are built yet, so no level can follow what governs them. */
@@ -122,6 +126,19 @@ final class RenderCommand implements Command {
             throw CommandFailure.usage("a PFM holds linear radiance: leave --output out or say hdr");
         }
         picture.check();
+        reference.check();
+    }
+
+    private void save(float[] radiance, LevelFile.Opened opened) {
+        int width = picture.size().width();
+        WrittenFile.write(out, file -> {
+            if (isPfm()) {
+                Capture.pfm(radiance, width, picture.size().height(), file);
+            } else {
+                var environment = opened.level().environment();
+                Capture.png(DevelopedPicture.of(radiance, width, environment, picture.output(opened)), file);
+            }
+        });
     }
 
     private void save(Renderer renderer, RenderTarget target) {
@@ -191,27 +208,6 @@ final class RenderCommand implements Command {
             return camera == null
                     ? Viewpoints.standard(opened.level(), opened.file(), aspect)
                     : Viewpoints.named(opened.level(), opened.file(), camera, aspect);
-        }
-    }
-
-    /** The path tracer, which is not built yet. */
-    static final class ReferenceOptions {
-        @Option(names = "--reference", description = "Trace paths on the CPU instead (not built yet).")
-        private boolean reference;
-
-        @Option(names = "--spp", paramLabel = "N", description = "Samples a pixel of --reference (default: 64).")
-        private Integer samples;
-
-        @Option(names = "--seed", paramLabel = "N", description = "Seed of --reference (default: 1).")
-        private Long seed;
-
-        void requireNotAsked() {
-            if (reference) {
-                throw CommandFailure.environment("--reference is not built yet in this version");
-            }
-            if (samples != null || seed != null) {
-                throw CommandFailure.usage("--spp and --seed belong to --reference");
-            }
         }
     }
 }

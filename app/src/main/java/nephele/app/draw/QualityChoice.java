@@ -77,7 +77,8 @@ public record QualityChoice(String preset, Map<String, String> settings) {
         return showsIds() ? Output.PLAIN : Outputs.requiredBy(level);
     }
 
-    private boolean showsIds() {
+    /** Every solid in a flat colour of its own. */
+    public boolean showsIds() {
         return settings.containsKey(DEBUG);
     }
 

@@ -7,7 +7,7 @@ import java.util.Locale;
 import nephele.app.bench.FrameTimes;
 import nephele.app.bench.Stopwatch;
 import nephele.app.levels.AssetComplaint;
-import nephele.app.levels.PrintedBake;
+import nephele.app.levels.PrintedProgress;
 import nephele.engine.render.Capture;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Culling;
@@ -37,7 +37,7 @@ public final class OffscreenWalk {
 
     /** Walks to the end of the replay. */
     public void run() throws IOException {
-        var preparation = Preparation.begin(request.level(), request.quality(), new PrintedBake(System.err));
+        var preparation = Preparation.begin(request.level(), request.quality(), PrintedProgress.ofBake(System.err));
         try (var gl = GlContext.offscreen();
                 var target = target(gl);
                 var renderer = renderer(gl, preparation.get())) {
@@ -55,7 +55,7 @@ public final class OffscreenWalk {
     /** Draws the first frame only and says where the time went. */
     public void profileStart(StartProfile profile) {
         profile.done("arguments");
-        var preparation = Preparation.begin(request.level(), request.quality(), new PrintedBake(System.err));
+        var preparation = Preparation.begin(request.level(), request.quality(), PrintedProgress.ofBake(System.err));
         try (var gl = GlContext.offscreen();
                 var target = target(gl)) {
             profile.done("context");

@@ -35,7 +35,12 @@ public final class Capture {
 
     /** Writes the 8-bit picture. */
     public static void png(RenderTarget picture, Path file) throws IOException {
-        WholeFile.write(file, encoded(image(picture)));
+        png(image(picture), file);
+    }
+
+    /** Writes a picture that comes from elsewhere. */
+    public static void png(BufferedImage picture, Path file) throws IOException {
+        WholeFile.write(file, encoded(picture));
     }
 
     /**

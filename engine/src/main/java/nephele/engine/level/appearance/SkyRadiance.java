@@ -21,7 +21,7 @@ public interface SkyRadiance {
      * @param pictureOf decodes an asset; asked for skyboxes only
      * @return empty without a sky
      */
-    static Optional<SkyRadiance> of(Sky sky, Function<String, Picture> pictureOf) {
+    static Optional<SkyRadiance> of(Sky sky, Function<String, Picture> pictureOf, Decoding decoding) {
         if (sky instanceof Sky.Constant constant) {
             return Optional.of((x, y, z) -> constant.radiance().toVector());
         } else if (sky instanceof Sky.Gradient gradient) {
@@ -29,7 +29,7 @@ public interface SkyRadiance {
         } else if (sky instanceof Sky.Atmosphere) {
             return Optional.of(of(ATMOSPHERE_STAND_IN));
         } else if (sky instanceof Sky.Skybox box) {
-            return Optional.of(SkyboxFaces.of(box, pictureOf)::radiance);
+            return Optional.of(SkyboxFaces.of(box, pictureOf, decoding)::radiance);
         }
         return Optional.empty();
     }

@@ -12,65 +12,102 @@ import org.joml.Vector3d;
  * upwards, +y with its bottom edge and −y with its top edge at −z. In a cross they lie −x −z +x +z in the middle row of
  * four columns and three rows, +y above −z, −y below it.
  */
-record SkyboxFaces(List<Face> faces) {
+final class SkyboxFaces {
     private static final int[][] CROSS_CELLS = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {3, 1}, {1, 1}};
 
-    /** A square part of a picture, in pixels. */
+    private final List<Face> faces;
+    private final double[] linear;
+
+    /** A square part of an 8-bit picture, in pixels. */
     private record Face(Picture picture, int left, int top, int side) {}
 
-    static SkyboxFaces of(Sky.Skybox sky, Function<String, Picture> pictureOf) {
-        if (sky.layout() == SkyboxLayout.FACES) {
-            return new SkyboxFaces(
-                    sky.files().stream().map(pictureOf).map(SkyboxFaces::whole).toList());
+    /** A point of the cube: which face, and where on it, −1 to 1. */
+    private record Place(int face, double right, double up) {
+        static Place of(double x, double y, double z) {
+            double ax = Math.abs(x);
+            double ay = Math.abs(y);
+            double az = Math.abs(z);
+            if (ax >= ay && ax >= az) {
+                return x > 0 ? new Place(0, z / ax, y / ax) : new Place(1, -z / ax, y / ax);
+            }
+            if (ay >= az) {
+                return y > 0 ? new Place(2, x / ay, z / ay) : new Place(3, x / ay, -z / ay);
+            }
+            return z > 0 ? new Place(4, -x / az, y / az) : new Place(5, x / az, y / az);
         }
-        Picture cross = pictureOf.apply(sky.files().get(0));
+
+        /** The same point by the face that it really lies on: one step beyond an edge is on the neighbour. */
+        Place folded() {
+            return switch (face) {
+                case 0 -> of(1, up, right);
+                case 1 -> of(-1, up, -right);
+                case 2 -> of(right, 1, up);
+                case 3 -> of(right, -1, -up);
+                case 4 -> of(-right, up, 1);
+                default -> of(right, up, -1);
+            };
+        }
+    }
+
+    private SkyboxFaces(List<Face> faces, Decoding decoding) {
+        this.faces = faces;
+        linear = decoding.table();
+    }
+
+    static SkyboxFaces of(Sky.Skybox sky, Function<String, Picture> pictureOf, Decoding decoding) {
+        if (sky.layout() == SkyboxLayout.FACES) {
+            List<Face> faces = sky.files().stream()
+                    .map(file -> whole(pictureOf.apply(file).toRgba8()))
+                    .toList();
+            return new SkyboxFaces(faces, decoding);
+        }
+        Picture cross = pictureOf.apply(sky.files().get(0)).toRgba8();
         int side = Math.max(cross.width() / 4, 1);
-        return new SkyboxFaces(List.of(CROSS_CELLS).stream()
+        List<Face> faces = List.of(CROSS_CELLS).stream()
                 .map(cell -> new Face(cross, cell[0] * side, cell[1] * side, side))
-                .toList());
+                .toList();
+        return new SkyboxFaces(faces, decoding);
     }
 
     private static Face whole(Picture picture) {
         return new Face(picture, 0, 0, Math.min(picture.width(), picture.height()));
     }
 
-    /** Linear radiance of the nearest pixel. */
+    /** Linear radiance between the four nearest pixels, across the cube's edges too. */
     Vector3d radiance(double x, double y, double z) {
-        double ax = Math.abs(x);
-        double ay = Math.abs(y);
-        double az = Math.abs(z);
-        if (ax >= ay && ax >= az) {
-            return x > 0 ? pixel(faces.get(0), z / ax, y / ax) : pixel(faces.get(1), -z / ax, y / ax);
-        }
-        if (ay >= az) {
-            return y > 0 ? pixel(faces.get(2), x / ay, z / ay) : pixel(faces.get(3), x / ay, -z / ay);
-        }
-        return z > 0 ? pixel(faces.get(4), -x / az, y / az) : pixel(faces.get(5), x / az, y / az);
+        Place at = Place.of(x, y, z);
+        int side = faces.get(at.face()).side();
+        double column = (at.right() + 1) / 2 * side - 0.5;
+        double row = (1 - at.up()) / 2 * side - 0.5;
+        int left = (int) Math.floor(column);
+        int top = (int) Math.floor(row);
+        double fx = column - left;
+        double fy = row - top;
+        Vector3d sum = new Vector3d();
+        addPixel(sum, at.face(), left, top, (1 - fx) * (1 - fy));
+        addPixel(sum, at.face(), left + 1, top, fx * (1 - fy));
+        addPixel(sum, at.face(), left, top + 1, (1 - fx) * fy);
+        addPixel(sum, at.face(), left + 1, top + 1, fx * fy);
+        return sum;
     }
 
-    /**
-     * A cross of wrong proportions reads its border; the sky pass refuses it by name.
-     *
-     * @param right and {@code up} on the face, −1 to 1
-     */
-    private static Vector3d pixel(Face face, double right, double up) {
-        Picture picture = face.picture();
-        int column = Math.min(face.left() + index(right, face.side()), picture.width() - 1);
-        int row = Math.min(face.top() + index(-up, face.side()), picture.height() - 1);
-        int green = picture.channels() < 3 ? 0 : 1;
-        return new Vector3d(
-                linear(picture, column, row, 0),
-                linear(picture, column, row, green),
-                linear(picture, column, row, 2 * green));
+    private void addPixel(Vector3d sum, int face, int column, int row, double weight) {
+        int side = faces.get(face).side();
+        boolean isOn = column >= 0 && column < side && row >= 0 && row < side;
+        Place middle = new Place(face, (2.0 * column + 1) / side - 1, 1 - (2.0 * row + 1) / side);
+        Place place = isOn ? middle : middle.folded();
+        Face on = faces.get(place.face());
+        // A cross of wrong proportions reads its border; the sky pass refuses it by name.
+        Picture picture = on.picture();
+        int x = Math.min(on.left() + index(place.right(), on.side()), picture.width() - 1);
+        int y = Math.min(on.top() + index(-place.up(), on.side()), picture.height() - 1);
+        sum.add(
+                weight * linear[picture.sample(x, y, 0)],
+                weight * linear[picture.sample(x, y, 1)],
+                weight * linear[picture.sample(x, y, 2)]);
     }
 
     private static int index(double s, int size) {
         return Math.min(Math.max((int) ((s + 1) / 2 * size), 0), size - 1);
-    }
-
-    /** sRGB decoding (IEC 61966-2-1). */
-    private static double linear(Picture picture, int column, int row, int channel) {
-        double c = picture.sample(column, row, channel) / (picture.bitsPerChannel() == 8 ? 255.0 : 65535.0);
-        return c <= 0.04045 ? c / 12.92 : StrictMath.pow((c + 0.055) / 1.055, 2.4);
     }
 }

@@ -2,7 +2,7 @@ package nephele.engine.render.frame;
 
 import nephele.engine.level.ToneCurve;
 
-/** The Java twin of {@code develop.glsl}, in double precision and without the dither. */
+/** The Java twin of {@code develop.glsl}, in double precision. */
 public final class Development {
     private Development() {}
 
@@ -31,6 +31,12 @@ public final class Development {
     /** IEC 61966-2-1. */
     public static double decodeSrgb(double encoded) {
         return encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4);
+    }
+
+    /** Between −1/2 and 1/2 of an 8-bit code, the same for the same pixel; rows count from the bottom. */
+    public static double ditherOffset(int column, int row) {
+        int fixedPoint = column * 0xC13FA9A9 + row * 0x91E10DA5;
+        return ((fixedPoint >>> 24) + 0.5) / 256 - 0.5;
     }
 
     /** The define that chooses the shader's curve. */

@@ -9,6 +9,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
@@ -193,7 +194,7 @@ public final class SurfaceLight implements AutoCloseable {
 
     private SkyIrradiance skyIrradiance() {
         if (skyIrradiance == null) {
-            skyIrradiance = SkyRadiance.of(level.environment().sky(), pictureOf)
+            skyIrradiance = SkyRadiance.of(level.environment().sky(), pictureOf, Decoding.SRGB)
                     .map(SkyIrradiance::of)
                     .orElseGet(SkyIrradiance::black);
         }

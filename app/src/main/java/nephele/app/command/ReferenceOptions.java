@@ -1,0 +1,71 @@
+package nephele.app.command;
+
+import nephele.app.levels.AssetComplaint;
+import nephele.app.levels.PrintedProgress;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.Terminal;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.appearance.Decoding;
+import nephele.engine.math.Basis;
+import nephele.engine.reference.Pinhole;
+import nephele.engine.reference.ReferencePicture;
+import nephele.engine.reference.TraceSettings;
+import nephele.engine.reference.TracedLevel;
+import nephele.engine.render.frame.Output;
+import nephele.engine.scene.View;
+import picocli.CommandLine.Option;
+
+/** Whether the exact twin takes the picture: rays on all cores instead of OpenGL. */
+final class ReferenceOptions {
+    private static final int USUAL_SAMPLES = 64;
+    private static final int MOST_SAMPLES = 1 << 20;
+
+    @Option(names = "--reference", description = "Trace exact rays on the CPU instead of drawing.")
+    private boolean reference;
+
+    @Option(names = "--spp", paramLabel = "N", description = "Samples a pixel of --reference (default: 64).")
+    private Integer samples;
+
+    @Option(names = "--seed", paramLabel = "N", description = "Seed of --reference (default: 1).")
+    private Long seed;
+
+    void check() {
+        if (!reference && (samples != null || seed != null)) {
+            throw CommandFailure.usage("--spp and --seed belong to --reference");
+        }
+        if (samples != null && (samples < 1 || samples > MOST_SAMPLES)) {
+            throw CommandFailure.usage("--spp is a whole number from 1 to " + MOST_SAMPLES + ", not " + samples);
+        }
+    }
+
+    boolean isAsked() {
+        return reference;
+    }
+
+    /** Linear radiance, the bottom row first. Of ids one sample is taken, in the middle of each pixel: they do not mix. */
+    float[] trace(LevelFile.Opened opened, View view, PictureOptions picture, Terminal terminal) {
+        Level shown = picture.choice().shown(opened.level());
+        var decoding = picture.output(opened) == Output.PLAIN ? Decoding.AS_STORED : Decoding.SRGB;
+        var level = AssetComplaint.named(opened, () -> TracedLevel.of(shown, opened.assets(), decoding));
+        int usual = samples == null ? USUAL_SAMPLES : samples;
+        var settings = new TraceSettings(
+                picture.size().width(),
+                picture.size().height(),
+                picture.choice().showsIds() ? 1 : usual,
+                seed == null ? 1 : seed,
+                Runtime.getRuntime().availableProcessors());
+        return ReferencePicture.trace(level, pinhole(view), settings, PrintedProgress.ofTrace(terminal.err()));
+    }
+
+    private static Pinhole pinhole(View view) {
+        var projection = view.projection();
+        return new Pinhole(
+                view.eye(),
+                new Basis(view.right(), view.up(), view.back()),
+                projection.tanHalfWidth(),
+                projection.tanHalfHeight(),
+                projection.nearMetres(),
+                projection.farMetres());
+    }
+}

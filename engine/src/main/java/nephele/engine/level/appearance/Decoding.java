@@ -1,0 +1,23 @@
+package nephele.engine.level.appearance;
+
+/** What the 8 bits of a colour picture stand for. */
+public enum Decoding {
+    /** IEC 61966-2-1 to linear values: what pictures of materials and skies hold. */
+    SRGB,
+    /** The stored value over 255, as in output {@code plain}. */
+    AS_STORED;
+
+    /** The linear value of each of the 256 codes. */
+    public double[] table() {
+        double[] linear = new double[256];
+        for (int code = 0; code < linear.length; code++) {
+            double stored = code / 255.0;
+            linear[code] = this == AS_STORED ? stored : decoded(stored);
+        }
+        return linear;
+    }
+
+    private static double decoded(double c) {
+        return c <= 0.04045 ? c / 12.92 : StrictMath.pow((c + 0.055) / 1.055, 2.4);
+    }
+}

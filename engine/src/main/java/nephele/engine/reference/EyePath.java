@@ -1,0 +1,89 @@
+package nephele.engine.reference;
+
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayHit;
+import nephele.engine.portal.Crossing;
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * Follows a ray of the eye through every portal on it to the first surface. One for each thread, used again for every
+ * ray; the accessors speak of the last one.
+ */
+final class EyePath {
+    /**
+     * Between facing portals a ray may go on for ever; what it sees after so many crossings is smaller than a pixel of
+     * any picture, and the sky stands for it.
+     */
+    static final int MOST_CROSSINGS = 4096;
+
+    /** A wall and the portal in it are met at one place: the portal wins by this. */
+    private static final double FLUSH_METRES = 1e-6;
+
+    private static final Vector3dc STRAIGHT = new Vector3d();
+
+    private final SolidRays solids;
+    private final Portals portals;
+    private final Crossing crossing = new Crossing();
+    private final RayHit hit = new RayHit();
+    private final Vector3d origin = new Vector3d();
+    private final Vector3d direction = new Vector3d();
+    private Ray ray;
+    private int solid;
+
+    EyePath(SolidRays solids, Portals portals) {
+        this.solids = solids;
+        this.portals = portals;
+    }
+
+    /**
+     * Walks on until a solid is entered.
+     *
+     * @param along depth 1: parameters are depths
+     * @return whether there is one between {@code near} and {@code far}
+     */
+    boolean walk(Vector3dc eye, Vector3dc along, double near, double far) {
+        origin.set(eye);
+        direction.set(along);
+        double length = along.length();
+        double walked = 0;
+        solid = -1;
+        for (int crossings = 0; crossings < MOST_CROSSINGS; crossings++) {
+            ray = SolidRays.ray(origin, direction);
+            double left = far - walked;
+            boolean isMet = solids.nearest(ray, Math.max(near - walked, 0), left, hit);
+            double free = (isMet ? hit.distance() : left) + FLUSH_METRES / length;
+            if (!crossing.find(portals, origin, direction, STRAIGHT, free)) {
+                solid = isMet ? hit.item() : -1;
+                return isMet;
+            }
+            walked += crossing.seconds();
+            Passage passage = portals.passage(crossing.portal());
+            passage.point(origin.set(crossing.place()));
+            passage.direction(direction);
+        }
+        return false;
+    }
+
+    /** The last piece of the way: its parameter counts from the last portal. */
+    Ray ray() {
+        return ray;
+    }
+
+    /** Where the way goes in the end. */
+    Vector3dc direction() {
+        return direction;
+    }
+
+    /** What it ends on. */
+    int solid() {
+        return solid;
+    }
+
+    /** Parameter of the last piece at its end. */
+    double end() {
+        return hit.distance();
+    }
+}

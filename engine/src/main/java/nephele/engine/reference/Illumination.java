@@ -1,0 +1,114 @@
+package nephele.engine.reference;
+
+import java.util.List;
+import java.util.Optional;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.Lamp;
+import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** The light on a place: sun and lamps by one ray each, the sky by one ray of many. Light does not pass portals. */
+final class Illumination {
+    /** As {@code surface-light.glsl}: lights may be arbitrarily near and strong, half floats may not overflow. */
+    private static final double MAX_RADIANCE = 65504;
+
+    /** Rays leave this far above their face: over rounding, under anything that is seen. */
+    private static final double LIFT_METRES = 1e-7;
+
+    private final SolidRays solids;
+    private final Sun sun;
+    private final Vector3dc towardsSun;
+    private final List<Lamp> lamps;
+    private final Vec3 ambient;
+    private final Optional<SkyLight> skyLight;
+
+    Illumination(Level level, SolidRays solids, Optional<SkyRadiance> sky) {
+        Environment environment = level.environment();
+        this.solids = solids;
+        sun = environment.sun();
+        towardsSun = sun == null ? new Vector3d() : unit(sun.directionTowardsSun());
+        lamps = level.lights().stream()
+                .flatMap(light -> Lamp.of(light).stream())
+                .toList();
+        ambient = environment.ambient();
+        skyLight = ambient == null ? sky.map(SkyLight::new) : Optional.empty();
+    }
+
+    private static Vector3dc unit(Vec3 v) {
+        return Directions.unit(v.x(), v.y(), v.z()).toVector();
+    }
+
+    /**
+     * Radiance towards the eye.
+     *
+     * @param point of the unit square: which ray of those that integrate the sky
+     */
+    Vector3d radiance(SurfacePoint surface, double pointX, double pointY) {
+        Vector3d sum = new Vector3d();
+        Vector3d origin = lifted(surface);
+        if (sun != null) {
+            addSun(surface, origin, sum);
+        }
+        for (Lamp lamp : lamps) {
+            addLamp(lamp, surface, origin, sum);
+        }
+        if (ambient != null) {
+            Vector3d all = ambient.toVector();
+            sum.add(surface.reflected(all, all));
+        } else if (skyLight.isPresent() && seesSky(surface, origin, pointX, pointY)) {
+            Vector3d onNormal = skyLight.get().ambient(surface.normal());
+            Vector3d mirrored =
+                    surface.gloss() == null ? onNormal : skyLight.get().ambient(surface.mirrorDirection());
+            sum.add(surface.reflected(onNormal, mirrored));
+        }
+        Vec3 own = surface.emission();
+        return sum.min(new Vector3d(MAX_RADIANCE)).add(own.x(), own.y(), own.z());
+    }
+
+    /** Far from the origin a double's own step is longer than the usual lift. */
+    private static Vector3d lifted(SurfacePoint surface) {
+        Vector3d p = surface.place().toVector();
+        double largest = Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z)));
+        return p.fma(Math.max(LIFT_METRES, 8 * Math.ulp(largest)), surface.faceNormal());
+    }
+
+    private void addSun(SurfacePoint surface, Vector3d origin, Vector3d sum) {
+        if (surface.faceNormal().dot(towardsSun) > 0
+                && !(sun.castsShadow()
+                        && solids.isBlocked(
+                                SolidRays.ray(origin, towardsSun), Double.POSITIVE_INFINITY, surface.solid()))) {
+            sum.add(surface.reflected(towardsSun).mul(sun.irradiance().toVector()));
+        }
+    }
+
+    private void addLamp(Lamp lamp, SurfacePoint surface, Vector3d origin, Vector3d sum) {
+        Vector3d way = lamp.position().toVector().sub(origin);
+        double distance = way.length();
+        if (distance >= lamp.rangeMetres() || surface.faceNormal().dot(way) <= 0) {
+            return;
+        }
+        Vector3d irradiance = lamp.irradianceAt(surface.place());
+        boolean isDark = irradiance.x + irradiance.y + irradiance.z == 0;
+        boolean casts = lamp.source().castsShadow();
+        if (!isDark && !(casts && solids.isBlocked(SolidRays.ray(origin, way), 1, surface.solid()))) {
+            sum.add(surface.reflected(way.div(distance)).mul(irradiance));
+        }
+    }
+
+    /** One ray of equal cosine weight over the face: Malley's method on a point of the unit square. */
+    private boolean seesSky(SurfacePoint surface, Vector3d origin, double pointX, double pointY) {
+        double radius = Math.sqrt(pointX);
+        double angle = 2 * Math.PI * pointY;
+        Vector3d across =
+                Directions.perpendicular(Vec3.of(surface.faceNormal())).toVector();
+        Vector3d up = new Vector3d(surface.faceNormal()).cross(across);
+        Vector3d direction = new Vector3d(surface.faceNormal()).mul(Math.sqrt(1 - pointX));
+        direction.fma(radius * StrictMath.cos(angle), across).fma(radius * StrictMath.sin(angle), up);
+        return !solids.isBlocked(SolidRays.ray(origin, direction), Double.POSITIVE_INFINITY, surface.solid());
+    }
+}

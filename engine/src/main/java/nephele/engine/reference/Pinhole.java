@@ -1,0 +1,27 @@
+package nephele.engine.reference;
+
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+
+/**
+ * The camera: every point of the picture is a ray from the eye.
+ *
+ * @param basis looks along −back
+ * @param halfWidth of the picture at depth 1: the tangent of half its field of view
+ * @param halfHeight likewise
+ * @param nearMetres depth before which no surface is seen
+ * @param farMetres depth beyond which none is; may be infinite
+ */
+public record Pinhole(Vec3 eye, Basis basis, double halfWidth, double halfHeight, double nearMetres, double farMetres) {
+    /**
+     * Through a point of the picture, of depth 1: a ray's parameter is the depth that it has reached.
+     *
+     * @param right 0 at the left border, 1 at the right one; {@code up} likewise from the bottom
+     */
+    Vector3d direction(double right, double up) {
+        Vector3d d = basis.back().toVector().negate();
+        d.fma((2 * right - 1) * halfWidth, basis.right().toVector());
+        return d.fma((2 * up - 1) * halfHeight, basis.up().toVector());
+    }
+}

@@ -1,0 +1,118 @@
+package nephele.engine.reference;
+
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayHit;
+import nephele.engine.math.SpatialIndex;
+import org.joml.Vector3dc;
+
+/**
+ * What rays meet of convex solids, each taken as what lies behind all its planes: exact at edges, so that touching solids
+ * leave no gap. Only outsides are seen: a ray that begins inside a solid does not see it. Safe to share between threads.
+ */
+final class SolidRays {
+    /** Two faces that a ray meets within this share of its way are met on their edge. */
+    private static final double EDGE = 1e-12;
+
+    private final double[][] planes;
+    private final SpatialIndex index;
+
+    SolidRays(List<Brush> brushes) {
+        planes = brushes.stream().map(brush -> flat(brush.shape())).toArray(double[][]::new);
+        index = SpatialIndex.of(brushes.stream().map(b -> b.shape().bounds()).toList());
+    }
+
+    private static double[] flat(ConvexPolyhedron shape) {
+        double[] flat = new double[4 * shape.faces().size()];
+        for (int i = 0; i < shape.faces().size(); i++) {
+            Plane p = shape.faces().get(i).plane();
+            flat[4 * i] = p.nx();
+            flat[4 * i + 1] = p.ny();
+            flat[4 * i + 2] = p.nz();
+            flat[4 * i + 3] = p.distance();
+        }
+        return flat;
+    }
+
+    static Ray ray(Vector3dc origin, Vector3dc direction) {
+        return new Ray(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+    }
+
+    /** The first solid that the ray enters at a parameter from {@code least} to {@code most}. */
+    boolean nearest(Ray ray, double least, double most, RayHit hit) {
+        return index.nearest(ray, most, (r, item, limit) -> entry(r, planes[item], least), hit);
+    }
+
+    /** Which of its faces the ray enters a solid by; on an edge, the one that it meets more squarely. */
+    int face(Ray ray, int solid) {
+        double[] p = planes[solid];
+        int entered = 0;
+        double latest = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < p.length; i += 4) {
+            double rate = rate(ray, p, i);
+            double parameter = -inFront(ray, p, i) / rate;
+            double same = EDGE * Math.abs(parameter);
+            boolean isSquarer = parameter > latest - same && rate < rate(ray, p, 4 * entered);
+            if (rate < 0 && (parameter > latest + same || isSquarer)) {
+                latest = parameter;
+                entered = i / 4;
+            }
+        }
+        return entered;
+    }
+
+    /** Whether any solid but {@code except} lies on the ray up to the parameter {@code limit}. */
+    boolean isBlocked(Ray ray, double limit, int except) {
+        return index.anyHit(
+                ray,
+                limit,
+                (r, item, most) -> item != except && meets(r, planes[item], most) ? 0 : Double.POSITIVE_INFINITY);
+    }
+
+    /** The parameter at which the ray comes in; infinity where it does so before {@code least}, or never. */
+    private static double entry(Ray ray, double[] p, double least) {
+        double enter = Double.NEGATIVE_INFINITY;
+        double leave = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < p.length && enter <= leave; i += 4) {
+            double rate = rate(ray, p, i);
+            double front = inFront(ray, p, i);
+            if (rate < 0) {
+                enter = Math.max(enter, -front / rate);
+            } else if (rate > 0) {
+                leave = Math.min(leave, -front / rate);
+            } else if (front > 0) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        return enter < leave && enter >= least ? enter : Double.POSITIVE_INFINITY;
+    }
+
+    /** Clips the ray from 0 to {@code limit} by every plane (Cyrus and Beck 1978): what is left lies inside. */
+    private static boolean meets(Ray ray, double[] p, double limit) {
+        double enter = 0;
+        double leave = limit;
+        for (int i = 0; i < p.length && enter <= leave; i += 4) {
+            double rate = rate(ray, p, i);
+            double front = inFront(ray, p, i);
+            if (rate < 0) {
+                enter = Math.max(enter, -front / rate);
+            } else if (rate > 0) {
+                leave = Math.min(leave, -front / rate);
+            } else if (front > 0) {
+                return false;
+            }
+        }
+        return enter <= leave;
+    }
+
+    private static double rate(Ray ray, double[] p, int plane) {
+        return p[plane] * ray.directionX() + p[plane + 1] * ray.directionY() + p[plane + 2] * ray.directionZ();
+    }
+
+    private static double inFront(Ray ray, double[] p, int plane) {
+        return p[plane] * ray.originX() + p[plane + 1] * ray.originY() + p[plane + 2] * ray.originZ() - p[plane + 3];
+    }
+}

@@ -1,0 +1,124 @@
+package nephele.engine.reference;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import nephele.engine.level.Brush;
+import nephele.engine.level.Light;
+import nephele.engine.level.Sky;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
+import org.junit.jupiter.api.Test;
+
+/** What is seen through portals is what would be seen if the places behind them were there. */
+class PortalSightTest {
+    private static final TraceSettings SETTINGS = new TraceSettings(96, 64, 1, 1, 1);
+    private static final Sky SKY = new Sky.Gradient(new Vec3(0.1, 0.2, 0.9), Stage.grey(0.7), new Vec3(0.3, 0.2, 0));
+    private static final Vec3 TOWARDS_EYE = new Vec3(0, 0, 1);
+
+    private static Stage stage() {
+        return new Stage()
+                .sky(SKY)
+                .ambient(1)
+                .lambert("wall", Stage.grey(0.8))
+                .lambert("red", new Vec3(0.9, 0.1, 0))
+                .lambert("green", new Vec3(0, 0.5, 0.1));
+    }
+
+    /** Things behind a doorway whose middle is at the origin and that is looked through along −z. */
+    private static Stage things(Stage stage) {
+        return stage.box("red", new Vec3(0.2, -0.6, -2), new Vec3(0.5, 0.8, 0.6))
+                .box("green", new Vec3(-0.9, 0, -4), new Vec3(1, 3, 0.4));
+    }
+
+    /** The same things behind a portal at (x, 0, 0) that looks along +x: turned by a quarter to the left. */
+    private static Stage turnedThings(Stage stage, double x) {
+        return stage.box("red", new Vec3(x + 2, -0.6, 0.2), new Vec3(0.6, 0.8, 0.5))
+                .box("green", new Vec3(x + 4, 0, -0.9), new Vec3(0.4, 3, 1));
+    }
+
+    /** A thin wall, with a hole of 1 m × 2 m in it. */
+    private static Stage doorway() {
+        double thin = 1e-4;
+        return things(stage())
+                .box("wall", new Vec3(-3.5, 0, -thin / 2), new Vec3(6, 6, thin))
+                .box("wall", new Vec3(3.5, 0, -thin / 2), new Vec3(6, 6, thin))
+                .box("wall", new Vec3(0, 2, -thin / 2), new Vec3(1, 2, thin))
+                .box("wall", new Vec3(0, -2, -thin / 2), new Vec3(1, 2, thin));
+    }
+
+    private static Stage wall() {
+        return stage().box("wall", new Vec3(0, 0, -5), new Vec3(13, 6, 10));
+    }
+
+    @Test
+    void aPairShowsWhatAnOpenDoorwayShows() {
+        Stage pair = turnedThings(wall(), 100)
+                .box("wall", new Vec3(99, 0, 0), new Vec3(2, 6, 6))
+                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE)
+                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(1, 0, 0));
+        for (Vec3 from : new Vec3[] {new Vec3(0.2, 0.1, 3), new Vec3(-1.5, 0.4, 2), new Vec3(0, 0, 0.01)}) {
+            Pinhole eye = Stage.eye(from, new Vec3(from.x() / 2, 0, -1), 0.8);
+            int differing = differing(doorway().picture(eye, SETTINGS), pair.picture(eye, SETTINGS));
+            assertTrue(differing <= 1, differing + " pixels differ; one may meet the thin wall's edge");
+        }
+    }
+
+    private static int differing(float[] first, float[] second) {
+        int pixels = 0;
+        for (int i = 0; i < first.length; i += 3) {
+            float off = Math.abs(first[i] - second[i]) + Math.abs(first[i + 1] - second[i + 1]);
+            pixels += off + Math.abs(first[i + 2] - second[i + 2]) > 1e-6 ? 1 : 0;
+        }
+        return pixels;
+    }
+
+    /** From behind, and without a partner, a portal is nothing. */
+    @Test
+    void whatLeadsNowhereShowsTheWall() {
+        Stage bare = things(wall());
+        Pinhole eye = Stage.eye(new Vec3(0.2, 0.1, 3), Vec3.ZERO, 0.8);
+        float[] expected = bare.picture(eye, SETTINGS);
+        Stage behind = things(wall())
+                .portal("a", "b", new Vec3(0, 0, 1), new Vec3(0, 0, -1))
+                .portal("b", "a", new Vec3(50, 0, 0), TOWARDS_EYE);
+        assertArrayEquals(expected, behind.picture(eye, SETTINGS));
+        Stage single = things(wall()).portal("a", "nobody", Vec3.ZERO, TOWARDS_EYE);
+        assertArrayEquals(expected, single.picture(eye, SETTINGS));
+    }
+
+    /** Two portals 3 m apart face each other: a ray that climbs 1 mm a metre leaves them after its 333 crossings. */
+    @Test
+    void facingPortalsRepeatAsOftenAsARayMeetsThem() {
+        Stage facing = stage().box("red", new Vec3(0, 0, -1.6), new Vec3(4, 8, 0.2))
+                .box("green", new Vec3(0, 0, 1.6), new Vec3(4, 8, 0.2))
+                .portal("a", "b", new Vec3(0, 0, -1.5), TOWARDS_EYE)
+                .portal("b", "a", new Vec3(0, 0, 1.5), new Vec3(0, 0, -1));
+        Vec3 middle = Vec3.ZERO;
+        float[] wall = facing.towards(middle, new Vec3(0, 1e-3, -1), 1);
+        assertEquals(0.9, wall[0], 1e-6);
+        EyePath path = new EyePath(
+                new SolidRays(facing.level().solids().stream().map(Brush::of).toList()), Portals.of(facing.level()));
+        assertTrue(path.walk(middle.toVector(), new Vec3(0, 1e-3, -1).toVector(), 0.05, 1e9));
+        assertEquals(1, path.ray().originY(), 3.1e-3, "in the last space, under the upper edge");
+        float[] along = facing.towards(middle, new Vec3(0, 0, -1), 1);
+        assertEquals(0.7, along[0], 1e-6, "never black: the sky stands for what is smaller than any pixel");
+    }
+
+    /** The eye goes through, the light of a lamp or of the sun does not. */
+    @Test
+    void lightDoesNotPassPortals() {
+        Light lamp = new Light.Point("l", new Vec3(0, 0, 1), Stage.grey(50), 20, true);
+        Stage dark = new Stage()
+                .ambient(0)
+                .lambert("m", Stage.grey(1))
+                .light(lamp)
+                .box("m", new Vec3(0, 0, -5), new Vec3(13, 6, 10))
+                .box("m", new Vec3(100, 0, -5), new Vec3(13, 6, 0.5))
+                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE)
+                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(0, 0, -1));
+        assertEquals(0, dark.towards(new Vec3(0, 0, 2), new Vec3(0, 0, 0), 1)[0]);
+        assertTrue(dark.towards(new Vec3(0, 0, 2), new Vec3(0.8, 0, 0), 1)[0] > 0);
+    }
+}
