@@ -255,4 +255,75 @@ class BodyPortalTest {
         assertEquals(-0.5, scene.velocity(pushed).x, 0.05, "pushed away from its wall by an inelastic hit");
         assertEquals(-0.5, scene.velocity(pushing).z, 0.05, "slowed by as much");
     }
+
+    /** Who stands behind the wall is not in the way of who goes through the portal in it. */
+    @Test
+    void whoIsBehindTheWallIsNotMet() {
+        BodyScene scene = new BodyScene()
+                .weightless()
+                .box(-10, -10, -0.05, 10, 10, 0)
+                .box(30, -10, -10, 31, 10, 10)
+                .pair(v(0, 0, 0), v(0, 0, 1), v(30, 0, 0), v(-1, 0, 0), 1.2, 2.1);
+        int passing = scene.cube(0.8, v(0, 0, 1));
+        int behind = scene.cube(0.8, v(0.1, 0.1, -0.5));
+        scene.start().velocity(passing, v(0, 0, -1), Vec3.ZERO).run(2, 120);
+        assertEquals(0, scene.centre(passing).distance(29, 0, 0), 1e-9);
+        assertEquals(0, scene.centre(behind).distance(0.1, 0.1, -0.5), 0);
+    }
+
+    /** Orientation and spin go through as everything does. */
+    @Test
+    void spinIsMapped() {
+        BodyScene scene = rooms(1.2, 2.1).weightless();
+        int ball = scene.add(new Body.Sphere("ball", v(0, 1, 1), 0.2, 1, null, 0.6, 0));
+        int free = scene.add(new Body.Sphere("free", v(0, 10, 1), 0.2, 1, null, 0.6, 0));
+        scene.start();
+        scene.velocity(ball, v(0, 0, -2), v(1, 2, 3));
+        scene.velocity(free, v(0, 0, -2), v(1, 2, 3)).run(1, 120);
+        // In by −z, out by −x: a quarter turn about y.
+        assertEquals(0, scene.spin(ball).distance(3, 2, -1), 1e-9);
+        Quaterniond turned = new Quaterniond().rotationY(Math.PI / 2).mul(scene.orientation(free));
+        assertEquals(1, Math.abs(turned.dot(scene.orientation(ball))), 1e-12);
+    }
+
+    /** Section 5 row 8 for a body: half-way through it lies still to the bit. */
+    @Test
+    void restsHalfWayThrough() {
+        BodyScene scene = rooms(1.2, 2.1);
+        int box = scene.add(new Body.Box("box", v(0, 0.25, 0.1), v(0.5, 0.5, 0.8), 3, null, 0.6, 0));
+        scene.start().run(2, 120);
+        assertTrue(scene.now.isAsleep(box));
+        assertEquals(0, scene.centre(box).distance(0, 0.25, 0.1), 1e-3);
+        Bodies before = scene.now;
+        scene.run(1, 120);
+        assertEquals(before.hash(0), scene.now.hash(0));
+    }
+
+    /** A cube over a floor portal that is too small for it rests on the rim. */
+    @Test
+    void restsOnTheRim() {
+        BodyScene scene = new BodyScene().floor().pair(v(0, 0, 0), UP, v(10, 0, 0), UP, 0.6, 0.6);
+        int cube = scene.cube(0.8, v(0.05, 0.5, 0));
+        scene.start().run(3, 120);
+        assertTrue(scene.now.isAsleep(cube));
+        assertEquals(0, scene.centre(cube).distance(0.05, 0.4, 0), 2e-3);
+    }
+
+    /** Section 5 row 34: ten kilometres out everything is as here. */
+    @Test
+    void farOutIsAsHere() {
+        Vector3d there = null;
+        for (double far : new double[] {0, 10_000}) {
+            BodyScene scene = new BodyScene()
+                    .box(far - 50, -1, -50, far + 50, 0, 50)
+                    .box(far - 10, 0, -1, far + 10, 5, 0)
+                    .pair(v(far, 1.05, 0), v(0, 0, 1), v(far + 20, 0, 0), UP, 1.2, 2.1);
+            int box = scene.add(new Body.Box("box", v(far, 0.25, 1), v(0.5, 0.5, 0.5), 1, null, 0.1, 0));
+            scene.start().velocity(box, v(0, 0, -3), Vec3.ZERO).run(0.75, 120);
+            Vector3d out = scene.centre(box).sub(far, 0, 0);
+            assertTrue(out.x > 19, "out of the floor, not at " + out);
+            there = there == null ? out : there;
+            assertEquals(0, out.distance(there), 1e-6);
+        }
+    }
 }

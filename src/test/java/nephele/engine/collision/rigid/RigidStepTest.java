@@ -105,6 +105,20 @@ class RigidStepTest {
         }
     }
 
+    /** A box that spins flat on the floor is slowed by friction about the normal. */
+    @Test
+    void spinningOnTheFloorRubs() {
+        BodyScene scene = new BodyScene().floor();
+        int box = scene.add(new Body.Box("box", v(0, 0.05, 0), v(1, 0.1, 1), 2, null, 0.3, 0));
+        scene.start().run(0.2, 120).velocity(box, Vec3.ZERO, v(0, 5, 0)).run(0.2, 120);
+        double slowed = 5 - scene.spin(box).y;
+        // Evenly pressed: μ g · mean distance from the centre / (side² / 6); four corners stand farther out.
+        double even = 0.3 * 9.81 * 0.3826 * 6 * 0.2;
+        assertTrue(slowed > even && slowed < 2 * even, "slowed by " + slowed + ", " + even + " if evenly pressed");
+        scene.run(3, 120);
+        assertEquals(0, scene.spin(box).length(), 1e-3);
+    }
+
     /** A bounce gives back its share of the speed: the next apex is e² as high. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 0.9, 1})

@@ -68,6 +68,11 @@ public final class RigidStep {
         return new Bodies(bodies.motion, bodies.rest, carried, bodies.passages(surroundings.portals()));
     }
 
+    /** In the last step: how often the rest of a tick was dropped after as many portals as a tick may have. */
+    public int cutShort() {
+        return bodies.cutShort;
+    }
+
     private void load(Bodies before, Influences influences) {
         bodies.load(before);
         int count = table.size();
