@@ -107,6 +107,10 @@ final class PortalRoom {
     }
 
     private List<Portal> ends(Aperture aperture, Portal ramp) {
+        int kind = random.nextInt(10);
+        if (kind < 2) {
+            return adjoining(aperture, kind == 0);
+        }
         for (int i = 0; i < DRAWS; i++) {
             Portal a = end("a", random.nextInt(7), aperture, ramp);
             Portal b = end("b", random.nextInt(7), aperture, ramp);
@@ -115,6 +119,18 @@ final class PortalRoom {
             }
         }
         throw new IllegalStateException("no two portals apart in " + DRAWS + " draws");
+    }
+
+    /** Two that share an edge: in a corner of the room, or side by side in a wall. */
+    private List<Portal> adjoining(Aperture aperture, boolean inCorner) {
+        double half = aperture.widthMetres() / 2;
+        double sill = aperture.heightMetres() / 2 + (random.nextBoolean() ? 0 : random.nextDouble());
+        Vec3 south = new Vec3(0, 0, 1);
+        Portal a = portal("a", at(-HALF + half, sill, -HALF), south, UP, aperture);
+        Portal b = inCorner
+                ? portal("b", at(-HALF, sill, -HALF + half), new Vec3(1, 0, 0), UP, aperture)
+                : portal("b", at(-HALF + 3 * half, sill, -HALF), south, UP, aperture);
+        return List.of(a, b);
     }
 
     private Portal end(String id, int face, Aperture aperture, Portal ramp) {

@@ -2,6 +2,7 @@ package nephele.app.prove;
 
 import java.util.List;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Obstacles;
@@ -85,6 +86,15 @@ final class SeamedClearance {
     private double depthInSolids(double x, double y, double z) {
         double deepest = 0;
         for (int i = 0; i < world.size(); i++) {
+            Aabb box = world.collider(i).bounds();
+            if (x < box.minX()
+                    || x > box.maxX()
+                    || y < box.minY()
+                    || y > box.maxY()
+                    || z < box.minZ()
+                    || z > box.maxZ()) {
+                continue;
+            }
             double nearest = Double.POSITIVE_INFINITY;
             for (ConvexPolyhedron.Face face : world.collider(i).shape().faces()) {
                 nearest = Math.min(nearest, -face.plane().signedDistance(x, y, z));
