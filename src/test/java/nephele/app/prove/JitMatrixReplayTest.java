@@ -30,11 +30,28 @@ class JitMatrixReplayTest {
     @MethodSource("variants")
     void anotherProcessPlaysTheSame(JvmVariant variant) throws Exception {
         Replay replay = JitMatrixProof.wandering(1, 600);
-        Path file = Files.writeString(folder.resolve("wandering.json"), replay.write());
+        assertEquals(60, assertSame(variant, JitMatrixProof.LEVEL, replay));
+    }
+
+    /** The two that differ most; {@code prove replay-hashes} plays it in all. */
+    static Stream<JvmVariant> interpretedAndCompiled() {
+        return variants()
+                .filter(variant -> variant.flags().isEmpty() || variant.flags().contains("-Xint"));
+    }
+
+    /** Issue 3: a replay through 100 crossings and a re-fired portal. */
+    @ParameterizedTest
+    @MethodSource("interpretedAndCompiled")
+    void anotherProcessGoesThroughTheSamePortals(JvmVariant variant) throws Exception {
+        assertSame(variant, JitMatrixProof.PORTALS_LEVEL, JitMatrixProof.throughPortals());
+    }
+
+    private int assertSame(JvmVariant variant, String level, Replay replay) throws Exception {
+        Path file = Files.writeString(folder.resolve("replay.json"), replay.write());
         List<String> here = new ArrayList<>();
-        var simulation = new Simulation(LevelFile.open(JitMatrixProof.LEVEL).level(), replay.settings());
+        var simulation = new Simulation(LevelFile.open(level).level(), replay.settings());
         replay.play(simulation, new TickHashes(EVERY, replay.ticks(), here::add));
-        assertEquals(60, here.size());
-        assertEquals(here, new ReplayProcess(variant, JitMatrixProof.LEVEL, file, EVERY).lines());
+        assertEquals(here, new ReplayProcess(variant, level, file, EVERY).lines());
+        return here.size();
     }
 }

@@ -87,6 +87,19 @@ final class AssistTest {
         assertFalse(falls(2.5, -89, with(Assist.FUNNEL), PlayerInput.NONE));
     }
 
+    /** Between floor and ceiling the sway dies down, however often one falls past. */
+    @Test
+    void theFunnelCalms() {
+        Lab lab = Lab.hall()
+                .pair(new Vec3(0, 0, 0), UP, new Vec3(0, 6, 0), DOWN)
+                .startAt(0.5, 3, 0.2, 0, -89)
+                .with(with(Assist.FUNNEL))
+                .hold(PlayerInput.NONE, 8);
+        assertEquals(-9.81 * 8, lab.player().velocity().y(), 1e-6);
+        assertEquals(0, lab.player().feet().x(), 1e-6);
+        assertEquals(0, lab.player().velocity().x(), 1e-6);
+    }
+
     private static boolean falls(double aside, double pitchDegrees, SimSettings settings, PlayerInput input) {
         Lab lab = Lab.hall()
                 .pair(new Vec3(0, 0, 0), UP, new Vec3(-8, 3, 0), new Vec3(1, 0, 0))

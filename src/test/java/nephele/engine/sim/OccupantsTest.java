@@ -54,6 +54,7 @@ final class OccupantsTest {
                 assertEquals(-8 + before, lab.body(0).z(), 1e-3);
                 lab.turn(90, 0).tick(PlayerInput.NONE.holding(shot));
                 assertInstanceOf(PortalOpened.class, lab.told().get(2));
+                assertTrue(deepest(lab) < 0.002, "in a solid by " + deepest(lab));
                 lab.hold(PlayerInput.NONE, 0.5);
                 double expected = shot == Action.FIRE_FIRST ? EDGE / 2 : before;
                 assertEquals(-8 + expected, lab.body(0).z(), 2e-3, before + " " + shot);

@@ -11,11 +11,18 @@ import nephele.engine.sim.Replay;
 import nephele.engine.sim.ReplayRecorder;
 import nephele.engine.sim.SimSettings;
 
-/** Plays ten-minute replays in one process after the other: interpreted, compiled in each way, on each Java there is. */
+/**
+ * Plays replays in one process after the other: interpreted, compiled in each way, on each Java there is. Four of ten
+ * minutes on foot, and one through a hundred crossings, with a portal that is moved and a cube that is carried.
+ */
 public final class JitMatrixProof implements Proof {
     /** Has stairs, slopes, a slot, a crate and a column. */
     public static final String LEVEL = "levels/samples/walking.json";
 
+    public static final String PORTALS_LEVEL = "levels/samples/portals.json";
+
+    private static final Path PORTALS_REPLAY = Path.of("levels/samples/replays/portals.json");
+    private static final int WALKS = 4;
     private static final int TICKS = 10 * 60 * 120;
     private static final int EVERY = 60;
 
@@ -31,12 +38,12 @@ public final class JitMatrixProof implements Proof {
 
     @Override
     public String unit() {
-        return "replays of 10 minutes";
+        return "replays";
     }
 
     @Override
     public long fullCount() {
-        return 4;
+        return WALKS + 1;
     }
 
     @Override
@@ -49,10 +56,13 @@ public final class JitMatrixProof implements Proof {
         List<String> failures = new ArrayList<>();
         List<JvmVariant> variants = JvmVariant.all();
         Path file = Files.createTempFile("nephele-replay", ".json");
+        long ticks = 0;
         try {
             for (long unit = from; unit < from + count; unit++) {
-                Files.writeString(file, wandering(unit, TICKS).write());
-                compare(unit, file, variants, failures);
+                Replay replay = unit < WALKS ? wandering(unit, TICKS) : throughPortals();
+                Files.writeString(file, replay.write());
+                compare(unit, file, replay.ticks(), variants, failures);
+                ticks += replay.ticks();
                 progress.unitsDone(unit + 1 - from);
             }
         } finally {
@@ -60,17 +70,24 @@ public final class JitMatrixProof implements Proof {
         }
         List<Figure> figures = List.of(
                 Figure.greatest("kinds of process", variants.size(), ""),
-                Figure.sum("ticks in each", (double) TICKS * count, ""));
+                Figure.sum("ticks in each", (double) ticks, ""));
         return new ProofResult(count, failures.size(), figures, failures);
     }
 
-    private static void compare(long unit, Path file, List<JvmVariant> variants, List<String> failures)
+    /** The recorded one. */
+    public static Replay throughPortals() throws IOException {
+        return Replay.read(PORTALS_REPLAY.toString(), Files.readAllBytes(PORTALS_REPLAY));
+    }
+
+    private static void compare(long unit, Path file, long ticks, List<JvmVariant> variants, List<String> failures)
             throws IOException, InterruptedException {
+        String level = unit < WALKS ? LEVEL : PORTALS_LEVEL;
+        long linesDue = (ticks + EVERY - 1) / EVERY;
         List<String> expected = null;
         for (JvmVariant variant : variants) {
-            List<String> lines = new ReplayProcess(variant, LEVEL, file, EVERY).lines();
+            List<String> lines = new ReplayProcess(variant, level, file, EVERY).lines();
             expected = expected == null ? lines : expected;
-            if (lines.size() != TICKS / EVERY || !lines.equals(expected)) {
+            if (lines.size() != linesDue || !lines.equals(expected)) {
                 failures.add("replay " + unit + ", " + variant + ": differs at line " + difference(expected, lines));
             }
         }

@@ -2,7 +2,6 @@ package nephele.engine.sim;
 
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
-import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
@@ -27,6 +26,9 @@ final class Assists {
     private static final double FUNNEL_METRES = 1;
 
     private static final double FUNNEL_SECONDS = 3;
+    /** Who passes in less is not hurried: the sway would grow from pass to pass. */
+    private static final double FUNNEL_SHORTEST_SECONDS = 0.35;
+
     private static final double FUNNEL_LEAST_SPEED = 2;
     private static final double FUNNEL_LOOKING = 0.9;
 
@@ -74,15 +76,21 @@ final class Assists {
         double x = c.x() + v.x() * t;
         double y = c.y() + v.y() * t - fall;
         double z = c.z() + v.z() * t;
-        double across = portal.across(x, y, z);
-        double upward = portal.upward(x, y, z);
-        if (t > FUNNEL_SECONDS || portal.aperture().outside(across, upward) > FUNNEL_METRES) {
+        double outside = portal.aperture().outside(portal.across(x, y, z), portal.upward(x, y, z));
+        if (t > FUNNEL_SECONDS || outside > FUNNEL_METRES) {
             return false;
         }
-        Basis frame = portal.frame();
-        lateral.set(frame.right().toVector()).mul(-across / t);
-        lateral.fma(-upward / t, frame.up().toVector());
+        lead(portal, c, v, Math.max(t, FUNNEL_SHORTEST_SECONDS));
         return true;
+    }
+
+    /** Over the portal's middle within a time. */
+    private void lead(Portal portal, Vec3 c, Vec3 v, double t) {
+        Vector3d right = portal.frame().right().toVector();
+        Vector3d up = portal.frame().up().toVector();
+        velocity.set(v.x(), v.y(), v.z());
+        lateral.set(right).mul(-portal.across(c.x(), c.y(), c.z()) / t - velocity.dot(right));
+        lateral.fma(-portal.upward(c.x(), c.y(), c.z()) / t - velocity.dot(up), up);
     }
 
     /** Towards its centre, or straight down onto it. */

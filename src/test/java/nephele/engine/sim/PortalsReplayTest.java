@@ -1,0 +1,68 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelJson;
+import nephele.engine.sim.TickEvent.Handled;
+import nephele.engine.sim.TickEvent.Handled.Kind;
+import nephele.engine.sim.TickEvent.PortalOpened;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The sample level of portals and its recorded game: a cube is carried through the doors, a hundred falls follow, and a
+ * portal is moved in mid-fall. A golden hash changes only when the rules of motion are meant to change.
+ */
+class PortalsReplayTest {
+    private static final Path SAMPLES = Path.of("levels", "samples");
+    private final List<TickEvent> told = new ArrayList<>();
+    private final List<String> hashes = new ArrayList<>();
+    private int crossings;
+
+    private SimState play() throws IOException {
+        Level level = LevelJson.read("portals.json", Files.readAllBytes(SAMPLES.resolve("portals.json")));
+        Replay replay = Replay.read("replays", Files.readAllBytes(SAMPLES.resolve("replays/portals.json")));
+        var lines = new TickHashes(600, replay.ticks(), hashes::add);
+        return replay.play(new Simulation(level, replay.settings()), state -> {
+            lines.ticked(state);
+            told.addAll(state.around().trace().events());
+            crossings += state.around().trace().playerCrossed().length();
+        });
+    }
+
+    @Test
+    void itHasItsGoldenHashes() throws IOException {
+        play();
+        assertEquals(
+                List.of(
+                        "600 a631d52e3f166d4c",
+                        "1200 077b9e851df5b19e",
+                        "1800 19ae46e5aaf0c3a8",
+                        "2400 eddf920b81827d56",
+                        "3000 a4ce0e5436201f36",
+                        "3434 ff62086ba9efc158"),
+                hashes);
+    }
+
+    @Test
+    void aHundredCrossingsAndAMovedPortal() throws IOException {
+        SimState end = play();
+        assertTrue(crossings > 100, crossings + " crossings");
+        assertEquals(0, end.faults());
+        assertEquals(
+                List.of(
+                        new Handled(Kind.PICKED_UP, 0),
+                        new Handled(Kind.THROWN, 0),
+                        new PortalOpened(Shots.Colour.FIRST, 2),
+                        new PortalOpened(Shots.Colour.SECOND, 3),
+                        new PortalOpened(Shots.Colour.SECOND, 3)),
+                told);
+        assertEquals(-7, end.around().portals().portal(3).centre().x(), 1e-9);
+    }
+}
