@@ -19,6 +19,7 @@ final class BodiesTick {
 
     private final int bodies;
     private final RigidStep step;
+    private final FaultLog faults;
     private final Spaces spaces;
     private final double seconds;
     private final Influences influences = new Influences();
@@ -27,7 +28,8 @@ final class BodiesTick {
     private final Vector3d centre = new Vector3d();
     private final Vector3d velocity = new Vector3d();
 
-    BodiesTick(BodyTable table, Spaces spaces, double seconds) {
+    BodiesTick(BodyTable table, Spaces spaces, double seconds, FaultLog faults) {
+        this.faults = faults;
         bodies = table.size();
         step = new RigidStep(table, GRAVITY);
         this.spaces = spaces;
@@ -61,7 +63,12 @@ final class BodiesTick {
         }
         Influences.Character player = meet(walked.player(), shoves);
         Bodies moved = step.step(around.bodies(), spaces.of(around.portals()), influences, seconds);
+        int faulty = moved.frozen() - around.bodies().frozen() + step.cutShort();
+        if (faulty > 0) {
+            faults.fault(walked.tick(), faulty + " bodies frozen, or past their portals of a tick");
+        }
         return walked.withPlayer(shoved(walked.player(), player.impulse(), shoves.push()))
+                .withFaults(walked.faults() + Math.max(0, faulty))
                 .with(around.with(moved));
     }
 

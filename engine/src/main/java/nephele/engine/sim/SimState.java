@@ -5,7 +5,8 @@ package nephele.engine.sim;
  *
  * @param tick how many ticks have passed since the start
  * @param random the state of the one generator
- * @param faults how often a tick was undone because it gave numbers that are not finite
+ * @param faults how often a tick was undone because it gave numbers that are not finite, a body was frozen for that,
+ *     or time was dropped behind too many portals
  * @param around what else can change: portals, what is held
  */
 public record SimState(long tick, long random, int faults, PlayerState player, Changeable around) {
@@ -16,6 +17,10 @@ public record SimState(long tick, long random, int faults, PlayerState player, C
 
     public SimState withPlayer(PlayerState changed) {
         return new SimState(tick, random, faults, changed, around);
+    }
+
+    SimState withFaults(int changed) {
+        return changed == faults ? this : new SimState(tick, random, changed, player, around);
     }
 
     public SimState with(Changeable changed) {

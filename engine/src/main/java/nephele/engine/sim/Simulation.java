@@ -47,7 +47,7 @@ public final class Simulation {
         spaces = new Spaces(statics);
         start = new SimState(0, 1, 0, standing(level.start()), level.begin(spaces));
         playerStep = new PlayerStep(level.bodies(), seconds);
-        bodiesTick = new BodiesTick(level.bodies(), spaces, seconds);
+        bodiesTick = new BodiesTick(level.bodies(), spaces, seconds, faults);
         assists = new Assists(settings);
         hands = new Hands(level, spaces, seconds);
         actionsOfHands = level.gun() == null && level.bodies().size() == 0 ? 0 : Action.OF_HANDS;

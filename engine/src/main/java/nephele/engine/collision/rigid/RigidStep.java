@@ -56,7 +56,7 @@ public final class RigidStep {
             wakeNeighbours(before.contacts());
             setMasses(influences);
         }
-        if (isAllAsleep()) {
+        if (isAllAsleep() && !bodies.hasFrozen) {
             return before.at(surroundings.portals());
         }
         search.findContacts(bodies, surroundings, influences, seconds);

@@ -12,6 +12,8 @@ final class TickBodies {
     long[] active;
     /** As in {@link BodyPassages}; {@code null} while nobody crossed. */
     private byte[] entered;
+    /** Whether a body was stopped for good in this tick. */
+    boolean hasFrozen;
     /** Bodies whose way through portals was longer than a tick may have. */
     int cutShort;
 
@@ -24,6 +26,7 @@ final class TickBodies {
         active = null;
         entered = null;
         cutShort = 0;
+        hasFrozen = false;
         for (int body = 0; body < count; body++) {
             if (!isFinite(body)) {
                 freeze(body, before);
@@ -52,6 +55,7 @@ final class TickBodies {
         }
         halt(body);
         rest[body] = Bodies.FROZEN;
+        hasFrozen = true;
     }
 
     void halt(int body) {

@@ -1,0 +1,36 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.level.LevelJson;
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+/** Section 5 row 35: a body whose motion is no number is frozen, told once, and counted in the state. */
+class BodyFaultTest {
+    private static final String LEVEL = "{\"format\": \"nephele-level\", \"version\": 1,"
+            + "\"solids\": [{\"id\": \"f\", \"kind\": \"box\", \"centre\": [0, -1, 0], \"size\": [50, 2, 50]}],"
+            + "\"bodies\": [{\"id\": \"b\", \"kind\": \"box\", \"centre\": [3, 2, 0], \"size\": [1, 1, 1],"
+            + " \"massKilograms\": 5}]}";
+
+    @Test
+    void frozenBodyIsAFault() throws Exception {
+        var level = LevelJson.read("fault.json", LEVEL.getBytes(java.nio.charset.StandardCharsets.UTF_8));
+        List<String> told = new ArrayList<>();
+        var simulation = new Simulation(SimLevel.of(level), SimSettings.DEFAULT, (tick, what) -> told.add(what));
+        SimState state = simulation.start();
+        var bodies = state.around().bodies();
+        BodyState wrong = bodies.state(0).moving(new Vec3(Double.NaN, 0, 0), Vec3.ZERO);
+        state = state.with(state.around().with(bodies.with(0, wrong)));
+        for (int tick = 0; tick < 5; tick++) {
+            state = simulation.step(state, PlayerInput.NONE);
+        }
+        assertTrue(state.around().bodies().isFrozen(0));
+        assertEquals(1, state.faults());
+        assertEquals(1, told.size(), told.toString());
+    }
+}
