@@ -25,6 +25,12 @@ public final class Recovery {
         return deepest(shape, at) >= 0;
     }
 
+    /** How far the shape reaches into the solid that it is deepest in; 0 for none. */
+    public double depth(CollisionWorld in, RoundedHull shape, Vector3dc at) {
+        world = in;
+        return -deepest(shape, at);
+    }
+
     /**
      * The displacement to a free place, {@link Sweep#SKIN_METRES} off what was overlapped.
      *

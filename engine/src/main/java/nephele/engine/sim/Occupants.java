@@ -18,6 +18,9 @@ import org.joml.Vector3dc;
  * old portal's normal, or a short way out of what it is in now; when neither leads to a free place, the portal stays.
  */
 final class Occupants {
+    /** Resting bodies sink into what carries them by less. */
+    private static final double SUNK_METRES = 2e-3;
+
     private static final Vector3dc STILL = new Vector3d();
 
     private final BodyTable table;
@@ -81,7 +84,7 @@ final class Occupants {
             return true;
         }
         // What was in a wall before is no worse off now.
-        if (!recovery.isFree(before.around(was), shape, centre)) {
+        if (recovery.depth(before.around(was), shape, centre) > SUNK_METRES) {
             return true;
         }
         for (int i = 0; i < before.portals().size(); i++) {
@@ -97,7 +100,7 @@ final class Occupants {
     }
 
     private boolean isFree(RoundedHull shape) {
-        return recovery.isFree(world(shape), shape, centre);
+        return recovery.depth(world(shape), shape, centre) <= SUNK_METRES;
     }
 
     /** Out of a portal's plane, until all of the shape is before it. */
