@@ -72,6 +72,10 @@ class UprightTest {
                 assertNear(ahead, Upright.on(FLOOR, Basis.ofYawPitch(yaw, off - Math.PI / 2)), 1e-9);
                 assertNear(ahead, Upright.on(CEILING, Basis.ofYawPitch(yaw, Math.PI / 2 - off)), 1e-9);
             }
+            Vec3 right = new Vec3(Math.cos(yaw), 0, -Math.sin(yaw));
+            Vec3 behind = new Vec3(-ahead.x(), 0, -ahead.z());
+            assertNear(ahead, Upright.on(FLOOR, new Basis(right, ahead, FLOOR)), 1e-15);
+            assertNear(ahead, Upright.on(CEILING, new Basis(right, behind, CEILING)), 1e-15);
         }
     }
 
@@ -81,8 +85,9 @@ class UprightTest {
         SplittableRandom random = new SplittableRandom(4);
         double most = 0;
         for (int i = 0; i < 300; i++) {
-            double turn = i % 3 == 0 ? 0 : random.nextDouble(-3, 3);
-            double yaw = i % 3 == 0 ? (i % 2) * Math.PI : random.nextDouble(-3, 3);
+            double turn = random.nextDouble(-3, 3);
+            // Against the surface, exactly along it, where up the wall is opposite to ahead on the floor, or anyhow.
+            double yaw = i % 3 == 0 ? turn : i % 3 == 1 ? turn + Math.PI : random.nextDouble(-3, 3);
             Basis view = Basis.ofYawPitch(yaw, random.nextDouble(-1.57, 1.57));
             Vec3 last = null;
             for (double degrees = 0; degrees <= 180; degrees += 0.05) {
