@@ -1,5 +1,6 @@
 package nephele.engine.portal.placement;
 
+import java.util.Arrays;
 import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -34,7 +35,7 @@ final class ConvexPolygon {
                 kept[size++] = corners[i + 1];
             }
         }
-        return new ConvexPolygon(size == corners.length ? corners : java.util.Arrays.copyOf(kept, size));
+        return new ConvexPolygon(size == corners.length ? corners : Arrays.copyOf(kept, size));
     }
 
     /** A polygon of the world as it lies in a plane. */
@@ -89,6 +90,23 @@ final class ConvexPolygon {
 
     double length(int edge) {
         return edges[4 * edge + 3];
+    }
+
+    /** The corner with the least y, of those the one with the least x: edges that start there have growing angles. */
+    int lowest() {
+        int lowest = 0;
+        for (int i = 1; i < corners(); i++) {
+            boolean lower = y(i) < y(lowest) || y(i) == y(lowest) && x(i) < x(lowest);
+            lowest = lower ? i : lowest;
+        }
+        return lowest;
+    }
+
+    /** Whether a direction's angle, from 0 to 2π, is not greater than another's. */
+    static boolean isBefore(double ax, double ay, double bx, double by) {
+        boolean upperA = ay > 0 || ay == 0 && ax > 0;
+        boolean upperB = by > 0 || by == 0 && bx > 0;
+        return upperA == upperB ? ax * by - ay * bx >= 0 : upperA;
     }
 
     Aabb bounds() {

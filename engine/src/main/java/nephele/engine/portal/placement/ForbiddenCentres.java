@@ -87,7 +87,7 @@ final class ForbiddenCentres {
     /** Something that may be touched from all sides. Both run through their edges by growing angle (de Berg et al. 2008, "Computational Geometry", section 13.3). */
     void add(ConvexPolygon thing) {
         reserve(thing.corners() + aperture.corners());
-        int lowest = lowest(thing);
+        int lowest = thing.lowest();
         int i = 0;
         int j = 0;
         double startX = thing.x(lowest) + aperture.x(0);
@@ -101,8 +101,8 @@ final class ForbiddenCentres {
             double thingY = thing.y(to) - thing.y(from);
             double apertureX = aperture.x(j + 1) - aperture.x(j);
             double apertureY = aperture.y(j + 1) - aperture.y(j);
-            boolean ofThing =
-                    i < thing.corners() && (j == aperture.corners() || isBefore(thingX, thingY, apertureX, apertureY));
+            boolean ofThing = i < thing.corners()
+                    && (j == aperture.corners() || ConvexPolygon.isBefore(thingX, thingY, apertureX, apertureY));
             double dx = ofThing ? thingX : apertureX;
             double dy = ofThing ? thingY : apertureY;
             i += ofThing ? 1 : 0;
@@ -112,23 +112,6 @@ final class ForbiddenCentres {
             y += dy;
         }
         close();
-    }
-
-    /** Whether a direction's angle, from 0 to 2π, is not greater than another's. */
-    private static boolean isBefore(double ax, double ay, double bx, double by) {
-        boolean upperA = ay > 0 || ay == 0 && ax > 0;
-        boolean upperB = by > 0 || by == 0 && bx > 0;
-        return upperA == upperB ? ax * by - ay * bx >= 0 : upperA;
-    }
-
-    private static int lowest(ConvexPolygon thing) {
-        int lowest = 0;
-        for (int i = 1; i < thing.corners(); i++) {
-            boolean lower =
-                    thing.y(i) < thing.y(lowest) || thing.y(i) == thing.y(lowest) && thing.x(i) < thing.x(lowest);
-            lowest = lower ? i : lowest;
-        }
-        return lowest;
     }
 
     private void reserve(int more) {

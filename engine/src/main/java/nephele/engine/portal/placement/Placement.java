@@ -8,6 +8,7 @@ import nephele.engine.math.ItemList;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
 /**
@@ -148,12 +149,17 @@ public final class Placement {
                 || Math.abs(frame.height(other.centre())) > Tolerance.COPLANAR) {
             return;
         }
-        double[] corners = new double[2 * other.aperture().corners()];
-        for (int i = 0; i < other.aperture().corners(); i++) {
-            Vec3 corner =
-                    other.world(other.aperture().cornerX(i), other.aperture().cornerY(i), 0);
-            corners[2 * i] = frame.x(corner);
-            corners[2 * i + 1] = frame.y(corner);
+        Aperture aperture = other.aperture();
+        double x = frame.x(other.centre());
+        double y = frame.y(other.centre());
+        Vec3 right = other.frame().right();
+        Vec3 up = other.frame().up();
+        double[] corners = new double[2 * aperture.corners()];
+        for (int i = 0; i < aperture.corners(); i++) {
+            double across = aperture.cornerX(i);
+            double upward = aperture.cornerY(i);
+            corners[2 * i] = x + across * frame.xOf(right) + upward * frame.xOf(up);
+            corners[2 * i + 1] = y + across * frame.yOf(right) + upward * frame.yOf(up);
         }
         forbidden.add(ConvexPolygon.of(corners));
     }
