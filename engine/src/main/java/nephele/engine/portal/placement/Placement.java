@@ -21,10 +21,10 @@ public final class Placement {
     private static final double LEAST_INCIDENCE = 1e-4;
 
     /** How much farther each further search for any place reaches. */
-    private static final double WIDEN = 8;
+    private static final double WIDEN = 2;
 
-    /** So few limits of a region are looked at all at once. */
-    private static final int SMALL = 200;
+    /** More limits than this are not searched for any place at all: it would be far off, and a query is short. */
+    private static final int MOST_LIMITS = 100;
 
     private final Surfaces surfaces;
     private final Gun gun;
@@ -105,12 +105,12 @@ public final class Placement {
             }
         }
         double farthest = farthest(region.faces().bounds(), x, y);
-        boolean small = region.outline().size() + region.bars().size() <= SMALL;
+        boolean small = region.outline().size() + region.bars().size() <= MOST_LIMITS;
         double reach = gun.slideMetres();
         while (reach < farthest) {
             reach = small ? farthest : Math.min(WIDEN * reach, farthest);
             forbid(region, turned, x, y, reach);
-            if (nearest.find(region, x, y, reach)) {
+            if (forbidden.polygons() > MOST_LIMITS || nearest.find(region, x, y, reach)) {
                 return Refusal.EDGE;
             }
         }

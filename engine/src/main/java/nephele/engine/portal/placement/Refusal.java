@@ -14,7 +14,7 @@ public enum Refusal {
     OVERLAPS_OTHER,
     /** The surface has no place for the aperture, however far it were moved. */
     TOO_SMALL,
-    /** The surface has a place, but farther from the aim than a portal slides. */
+    /** No place is as near to the aim as a portal slides, but there is one, or too much surface to look for one. */
     EDGE,
     /** What stands in the gun's old portals cannot be put on its side of them. */
     OCCUPIED
