@@ -170,6 +170,9 @@ final class SeamedWorldTest {
         assertEquals(0, seamed.active(PLAYER, new Vector3d(0.93, 1, 0.1), still), "round the edge");
         RoundedHull box = RoundedHull.box(new Vec3(0.6, 0, 0), new Vec3(0, 0.2, 0), new Vec3(0, 0, 0.2));
         assertEquals(0, seamed.active(box, new Vector3d(1.26, 1, 0.1), still), "a box round the edge");
+        assertEquals(1, seamed.active(box, new Vector3d(1.1, 1, 0.21), new Vector3d(0, 0, 0.01)), "before the wall");
+        assertEquals(0, seamed.active(box, new Vector3d(1.1, 1, 0.21), new Vector3d(0.16, 0, -0.1)), "going round");
+        assertEquals(1, seamed.active(PLAYER, new Vector3d(0.2, 1, 0.4), new Vector3d(2, 0, -2)), "far beyond");
         assertEquals(1, seamed.active(box, new Vector3d(0, 1, 0.1), still), "a box in it");
     }
 

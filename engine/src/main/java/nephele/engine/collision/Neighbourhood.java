@@ -39,7 +39,19 @@ final class Neighbourhood {
         double halfY = portal.aperture().heightMetres() / 2 + MARGIN_METRES;
         return overlaps(portal.frame().right(), x, way, halfX)
                 && overlaps(portal.frame().up(), y, way, halfY)
-                && !reachesAround(height);
+                && !reachesAround(height)
+                && !endsAround(height, way);
+    }
+
+    /** The same at the way's end, when the centre is still in front there. */
+    private boolean endsAround(double height, Vector3dc way) {
+        double atEnd = height + dot(portal.normal(), way);
+        if (!(atEnd >= 0)) {
+            return false;
+        }
+        x += dot(portal.frame().right(), way);
+        y += dot(portal.frame().up(), way);
+        return reachesAround(atEnd);
     }
 
     private static double dot(Vec3 axis, Vector3dc v) {
