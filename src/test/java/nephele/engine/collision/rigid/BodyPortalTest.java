@@ -297,6 +297,10 @@ class BodyPortalTest {
         Bodies before = scene.now;
         scene.run(1, 120);
         assertEquals(before.hash(0), scene.now.hash(0));
+        Portals same =
+                new Portals(List.of(scene.portals().portal(0), scene.portals().portal(1)), List.of(1, 0));
+        scene.open(same).run(1, 120);
+        assertEquals(before.hash(0), scene.now.hash(0), "by value, wherever the state goes on");
     }
 
     /** A cube over a floor portal that is too small for it rests on the rim. */

@@ -34,7 +34,7 @@ final class Activity {
             return;
         }
         bodies.active = new long[bodies.count];
-        boolean changed = portals != last.portals();
+        boolean changed = !last.knows(portals);
         for (int body = 0; body < bodies.count; body++) {
             if (!bodies.isAwake(body) && !changed) {
                 bodies.active[body] = last.active(body);

@@ -2,6 +2,7 @@ package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
 import nephele.engine.math.BitHash;
+import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
 /**
@@ -31,6 +32,22 @@ final class BodyPassages {
 
     BodyPassages at(Portals now) {
         return active == null ? NONE : new BodyPassages(now, active, null);
+    }
+
+    /** Whether these are the portals that the masks were found with, by value: a state goes on alike wherever it does. */
+    boolean knows(Portals now) {
+        boolean same = portals == now || portals.size() == now.size();
+        for (int i = 0; same && portals != now && i < now.size(); i++) {
+            Portal a = portals.portal(i);
+            Portal b = now.portal(i);
+            same = portals.partner(i) == now.partner(i)
+                    && a.centre().equals(b.centre())
+                    && a.frame().equals(b.frame())
+                    && a.aperture().shape() == b.aperture().shape()
+                    && a.aperture().widthMetres() == b.aperture().widthMetres()
+                    && a.aperture().heightMetres() == b.aperture().heightMetres();
+        }
+        return same;
     }
 
     Portals portals() {
