@@ -109,6 +109,25 @@ final class CarryTest {
         assertTrue(lab.body(0).x() <= 0.801, "the wall holds: " + lab.body(0));
     }
 
+    /** Let go of within the player, a body falls through it and is solid again when it is out. */
+    @Test
+    void whatIsLetGoWithinThePlayerLeavesCalmly() {
+        Lab lab = atCube(20).press(Action.CARRY).hold(PlayerInput.NONE, 0.3);
+        lab.turn(0, -50).hold(PlayerInput.NONE, 1);
+        Vec3 feet = lab.player().feet();
+        lab.press(Action.CARRY);
+        assertEquals(0, lab.holding().leaving());
+        lab.hold(PlayerInput.NONE, 0.5, state -> {
+            assertEquals(feet, state.player().feet());
+            Vec3 speed = state.around().bodies().state(0).velocity();
+            assertTrue(speed.toVector().length() < 6, speed.toString());
+        });
+        lab.hold(PlayerInput.NONE.walking(-100, 0), 1);
+        assertEquals(Holding.NOTHING, lab.holding());
+        lab.turn(0, 40).hold(PlayerInput.FORWARD.holding(Action.CROUCH), 0.4);
+        assertTrue(lab.player().feet().z() - lab.body(0).z() > 0.5, "solid again");
+    }
+
     /** The player's own weight rests on nothing that it holds, and what it holds does not stop it. */
     @Test
     void holderAndHeldDoNotPush() {

@@ -41,7 +41,7 @@ class PortalsReplayTest {
         play();
         assertEquals(
                 List.of(
-                        "600 a631d52e3f166d4c",
+                        "600 4b6a75f6a51459da",
                         "1200 077b9e851df5b19e",
                         "1800 19ae46e5aaf0c3a8",
                         "2400 eddf920b81827d56",

@@ -55,8 +55,8 @@ final class BodiesTick {
         Changeable around = walked.around();
         influences.clearDriven();
         influences.clearPassing();
-        if (around.holding().isHolding()) {
-            influences.passCharacters(around.holding().body());
+        if (around.holding().passing() != Holding.NONE) {
+            influences.passCharacters(around.holding().passing());
         }
         if (drive != null) {
             influences.drive(around.holding().body(), drive.velocity(), drive.spin());

@@ -1,9 +1,12 @@
 package nephele.engine.sim;
 
+import nephele.engine.collision.Separation;
 import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.PathTrace.End;
 import nephele.engine.portal.Portals;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -17,11 +20,17 @@ final class Carry {
     /** A held body is let go when nothing has led to it for this long: a moment behind a door frame loses nothing. */
     static final double GRACE_SECONDS = 0.5;
 
+    /** Nearer than this to the player's skin a body is within it. */
+    private static final double APART_METRES = 0.01;
+
+    private final BodyTable table;
     private final BodiesInWay bodies;
+    private final Separation separation = new Separation();
     private final int graceTicks;
     private final Vector3d point = new Vector3d();
 
-    Carry(BodiesInWay bodies, double secondsPerTick) {
+    Carry(BodyTable table, BodiesInWay bodies, double secondsPerTick) {
+        this.table = table;
         this.bodies = bodies;
         graceTicks = (int) Math.ceil(GRACE_SECONDS / secondsPerTick);
     }
@@ -56,12 +65,12 @@ final class Carry {
         return new Holding(held.body(), word, held.ticksUnseen());
     }
 
-    /** The same, or {@link Holding#NOTHING} when the line has been broken too long. */
+    /** The same, or released when the line has been broken too long. */
     Holding keepInSight(Holding held, PlayerState player, Bodies now, PortalSpace space) {
         if (!held.isHolding() || isSeen(held, player, now, space)) {
             return held.unseenFor(0);
         }
-        return held.ticksUnseen() < graceTicks ? held.unseenFor(held.ticksUnseen() + 1) : Holding.NOTHING;
+        return held.ticksUnseen() < graceTicks ? held.unseenFor(held.ticksUnseen() + 1) : held.released();
     }
 
     /** Whether the straight line to the body's centre goes through just the portals of the word and no solid. */
@@ -72,5 +81,13 @@ final class Carry {
         Vector3dc there = held.pointHere(now.centre(held.body(), new Vector3d()), space.portals());
         var sight = new Sight(space.portals(), space::free);
         return sight.look(player, there) == End.ARRIVED && sight.word().equals(held.word());
+    }
+
+    /** Whether a body that was let go of still reaches into the player. */
+    boolean isWithin(PlayerState player, Bodies now, int body) {
+        var solid = table.collider(body, now.centre(body, new Vector3d()), now.orientation(body, new Quaterniond()));
+        PlayerEye.centre(player, point);
+        separation.measure(PlayerMotion.shape(player.stance(), player.tilt().up()), point.x, point.y, point.z, solid);
+        return separation.metres() < APART_METRES;
     }
 }

@@ -29,7 +29,7 @@ final class Hands {
         this.spaces = spaces;
         var inWay = new BodiesInWay(level.bodies());
         shots = level.gun() == null ? null : new PortalShots(level.gun(), inWay);
-        carry = new Carry(inWay, secondsPerTick);
+        carry = new Carry(level.bodies(), inWay, secondsPerTick);
         drive = new HeldDrive(level.bodies(), secondsPerTick);
         occupants = new Occupants(level.bodies());
     }
@@ -57,12 +57,12 @@ final class Hands {
         if ((is(Action.THROW, fresh) || is(Action.FIRE_FIRST, fresh)) && held.isOpen(portals)) {
             BodyState thrown = drive.thrown(state, portals);
             events.add(new Handled(Kind.THROWN, held.body()));
-            Changeable around = state.around().with(Holding.NOTHING);
+            Changeable around = state.around().with(held.released());
             return state.with(around.with(around.bodies().with(held.body(), thrown)));
         }
         if (is(Action.CARRY, fresh)) {
             events.add(new Handled(Kind.DROPPED, held.body()));
-            return state.with(state.around().with(Holding.NOTHING));
+            return state.with(state.around().with(held.released()));
         }
         return state;
     }
@@ -120,7 +120,9 @@ final class Hands {
         Changeable around = moved.around();
         Holding held = around.holding();
         if (!held.isHolding()) {
-            return moved;
+            return held.leaving() == Holding.NONE || carry.isWithin(moved.player(), around.bodies(), held.leaving())
+                    ? moved
+                    : moved.with(around.with(Holding.NOTHING));
         }
         PortalSpace space = spaces.of(around.portals());
         Holding along = Carry.follow(held, playerCrossed, around.bodies(), space.portals());

@@ -10,10 +10,25 @@ import org.joml.Vector3d;
  * @param body its index, {@link #NONE} for nothing
  * @param word the portals between the player's centre and its own
  * @param ticksUnseen for how long the line of sight along the word has been broken
+ * @param leaving what was let go of within the player and is not out yet: until then they do not meet
  */
-public record Holding(int body, CrossingWord word, int ticksUnseen) {
+public record Holding(int body, CrossingWord word, int ticksUnseen, int leaving) {
     public static final int NONE = -1;
-    public static final Holding NOTHING = new Holding(NONE, CrossingWord.EMPTY, 0);
+    public static final Holding NOTHING = new Holding(NONE, CrossingWord.EMPTY, 0, NONE);
+
+    Holding(int body, CrossingWord word, int ticksUnseen) {
+        this(body, word, ticksUnseen, NONE);
+    }
+
+    /** The body is let go of. */
+    Holding released() {
+        return word.length() == 0 ? new Holding(NONE, CrossingWord.EMPTY, 0, body) : NOTHING;
+    }
+
+    /** The body that the player does not meet, or {@link #NONE}. */
+    int passing() {
+        return isHolding() ? body : leaving;
+    }
 
     public boolean isHolding() {
         return body != NONE;
@@ -58,10 +73,10 @@ public record Holding(int body, CrossingWord word, int ticksUnseen) {
     }
 
     long hash(long seed) {
-        if (!isHolding()) {
+        if (equals(NOTHING)) {
             return seed;
         }
-        long hash = StateHash.join(StateHash.join(seed, body), ticksUnseen);
+        long hash = StateHash.join(StateHash.join(StateHash.join(seed, body), ticksUnseen), leaving);
         return StateHash.join(hash, word);
     }
 }

@@ -48,8 +48,7 @@ final class PlayerStep {
         boolean isEmpty = world.statics().size() == 0;
         Heading heading = before.heading().turned(input.turnLeftMillidegrees(), input.turnUpMillidegrees());
         load(before, heading, isEmpty);
-        Holding held = around.holding();
-        mover.enter(world, around.bodies(), held.isHolding() ? held.body() : BodyObstacles.NOBODY);
+        mover.enter(world, around.bodies(), around.holding().passing());
         passing.begin(world.portals(), player.place);
         changeStance(input.holds(Action.CROUCH));
         if (recover()) {
