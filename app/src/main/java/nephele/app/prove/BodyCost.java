@@ -10,7 +10,7 @@ import java.util.function.Supplier;
  * @param millisecondsPerTwoTicks mean CPU time of 1/60 s
  */
 record BodyCost(double millisecondsPerTwoTicks, double bytesPerBodyAndTick) {
-    private static final int WARM_ROUNDS = 3;
+    private static final int WARM_ROUNDS = 6;
 
     static BodyCost measure(Supplier<BodyCourse> course, int ticks, double seconds) {
         for (int round = 0; round < WARM_ROUNDS; round++) {
