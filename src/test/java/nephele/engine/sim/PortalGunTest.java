@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.Placed;
@@ -189,5 +190,29 @@ final class PortalGunTest {
         assertEquals(Refusal.OCCUPIED, ((PortalRefused) narrow.told().get(0)).reason());
         assertEquals(before, portals(narrow));
         assertEquals(0, feet.toVector().distance(narrow.player().feet().toVector()), 0.002);
+    }
+
+    @Test
+    void everyPartOfWhatCanChangeIsInTheHash() {
+        Changeable around = twoPortals().state().around();
+        CrossingWord word = CrossingWord.EMPTY.then(0, around.portals());
+        Holding held = new Holding(0, CrossingWord.EMPTY, 0);
+        List<Changeable> all = List.of(
+                around,
+                Changeable.NOTHING,
+                around.with(Portals.NONE, around.shots()),
+                around.with(around.portals(), new Shots(1, 0)),
+                around.with(held),
+                around.with(new Holding(0, word, 0)),
+                around.with(held.unseenFor(1)),
+                around.with(held.released()),
+                around.with(TickTrace.of(8, CrossingWord.EMPTY, List.of())),
+                around.with(TickTrace.of(0, word, List.of())),
+                around.with(TickTrace.of(0, CrossingWord.EMPTY, List.of(new TickEvent.NothingInReach()))),
+                around.with(TickTrace.of(0, CrossingWord.EMPTY, List.of(new PortalOpened(Colour.FIRST, 0)))));
+        assertEquals(
+                all.size(),
+                all.stream().mapToLong(part -> part.hash(1)).distinct().count());
+        assertEquals(1, Changeable.NOTHING.hash(1));
     }
 }
