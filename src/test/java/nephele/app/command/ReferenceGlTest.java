@@ -69,7 +69,7 @@ class ReferenceGlTest {
     @ParameterizedTest
     @CsvSource({
         "01-courtyard, 0.012",
-        "samples/lamps, 0.016",
+        "samples/lamps, 0.008",
         "samples/sun-shadow, 0.01",
         "samples/material-roughness, 0.015",
         "samples/sky-skybox-faces, 0.008"

@@ -88,6 +88,22 @@ class PortalSightTest {
         assertArrayEquals(expected, single.picture(eye, SETTINGS));
     }
 
+    /** Near and far count along the whole way: 3 m to the portal and 2 m on to the thing behind it. */
+    @Test
+    void depthGoesOnBehindAPortal() {
+        Stage pair = wall().box("red", new Vec3(100, 0, -3), new Vec3(2, 2, 2))
+                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE)
+                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(0, 0, -1));
+        Pinhole eye = Stage.eye(new Vec3(0, 0, 3), Vec3.ZERO, 1e-6);
+        TraceSettings one = new TraceSettings(1, 1, 1, 1, 1);
+        for (double limit : new double[] {4.99, 5.01}) {
+            Pinhole near = new Pinhole(eye.eye(), eye.basis(), 1e-6, 1e-6, limit, 1e4);
+            Pinhole far = new Pinhole(eye.eye(), eye.basis(), 1e-6, 1e-6, 0.05, limit);
+            assertEquals(limit < 5 ? 0.9 : 0.7, pair.picture(near, one)[0], 1e-6);
+            assertEquals(limit < 5 ? 0.7 : 0.9, pair.picture(far, one)[0], 1e-6);
+        }
+    }
+
     /** Two portals 3 m apart face each other: a ray that climbs 1 mm a metre leaves them after its 333 crossings. */
     @Test
     void facingPortalsRepeatAsOftenAsARayMeetsThem() {

@@ -11,13 +11,16 @@ public enum Decoding {
     public double[] table() {
         double[] linear = new double[256];
         for (int code = 0; code < linear.length; code++) {
-            double stored = code / 255.0;
-            linear[code] = this == AS_STORED ? stored : decoded(stored);
+            linear[code] = linear(code / 255.0);
         }
         return linear;
     }
 
-    private static double decoded(double c) {
-        return c <= 0.04045 ? c / 12.92 : StrictMath.pow((c + 0.055) / 1.055, 2.4);
+    /** The linear value of a stored one; both run from 0 to 1. */
+    public double linear(double stored) {
+        if (this == AS_STORED) {
+            return stored;
+        }
+        return stored <= 0.04045 ? stored / 12.92 : StrictMath.pow((stored + 0.055) / 1.055, 2.4);
     }
 }

@@ -3,7 +3,7 @@ package nephele.engine.render.frame;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.asset.Picture;
+import nephele.engine.level.appearance.Decoding;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
@@ -29,14 +29,22 @@ public final class PictureArrays implements AutoCloseable {
                 format,
                 new Texture.Extent(array.width(), array.height(), array.layers().size()),
                 Sampling.MIPMAPPED_REPEAT);
+        Decoding decoding = format == PixelFormat.SRGB8_ALPHA8 ? Decoding.SRGB : Decoding.AS_STORED;
+        List<List<byte[]>> smaller = array.layers().parallelStream()
+                .map(picture -> MipLevels.below(picture, decoding))
+                .toList();
         ByteBuffer texels = MemoryUtil.memAlloc(4 * array.width() * array.height());
         for (int layer = 0; layer < array.layers().size(); layer++) {
-            Picture picture = array.layers().get(layer);
-            texels.clear().put(picture.samples()).flip();
-            texture.upload(layer, texels);
+            texture.upload(
+                    layer,
+                    texels.clear().put(array.layers().get(layer).samples()).flip());
+            for (int level = 1; level <= smaller.get(layer).size(); level++) {
+                byte[] image = smaller.get(layer).get(level - 1);
+                texture.uploadLevel(level, layer, texels.clear().put(image).flip());
+            }
         }
         MemoryUtil.memFree(texels);
-        texture.finishMipmaps(anisotropy);
+        texture.anisotropy(anisotropy);
         return texture;
     }
 

@@ -75,18 +75,7 @@ public final class Texture implements AutoCloseable {
                         format.pixels,
                         format.type,
                         none);
-            case ARRAY ->
-                glTexImage3D(
-                        GL_TEXTURE_2D_ARRAY,
-                        0,
-                        format.internal,
-                        extent.width,
-                        extent.height,
-                        extent.layers,
-                        0,
-                        format.pixels,
-                        format.type,
-                        none);
+            case ARRAY -> allocateArray(none);
             case CUBE -> {
                 for (int face = 0; face < 6; face++) {
                     int target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face;
@@ -105,6 +94,27 @@ public final class Texture implements AutoCloseable {
         }
     }
 
+    private void allocateArray(ByteBuffer none) {
+        for (int level = 0; level < levels(); level++) {
+            glTexImage3D(
+                    GL_TEXTURE_2D_ARRAY,
+                    level,
+                    format.internal,
+                    Math.max(extent.width >> level, 1),
+                    Math.max(extent.height >> level, 1),
+                    extent.layers,
+                    0,
+                    format.pixels,
+                    format.type,
+                    none);
+        }
+    }
+
+    /** 1, or as many as lead to a single texel by halves. */
+    private int levels() {
+        return sampling.isMipmapped() ? 32 - Integer.numberOfLeadingZeros(Math.max(extent.width, extent.height)) : 1;
+    }
+
     /** Replaces one layer or cube face; rows as stored, the first at t = 0. {@code texels} is direct. */
     public void upload(int layer, ByteBuffer texels) {
         bind(0);
@@ -117,12 +127,19 @@ public final class Texture implements AutoCloseable {
         }
     }
 
-    /** After the last upload: makes the smaller levels. */
-    public void finishMipmaps(float anisotropy) {
+    /** Replaces a smaller image of one layer of an array; level 1 has half the sides, rounded down but never to 0. */
+    public void uploadLevel(int level, int layer, ByteBuffer texels) {
         bind(0);
-        glGenerateMipmap(shape.target);
+        int width = Math.max(extent.width >> level, 1);
+        int height = Math.max(extent.height >> level, 1);
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, layer, width, height, 1, format.pixels, format.type, texels);
+    }
+
+    /** How many samples across a slanted surface may take, where the driver can. */
+    public void anisotropy(float most) {
         if (gl.limits().maxAnisotropy() > 1) {
-            float level = Math.min(anisotropy, gl.limits().maxAnisotropy());
+            bind(0);
+            float level = Math.min(most, gl.limits().maxAnisotropy());
             glTexParameterf(shape.target, TEXTURE_MAX_ANISOTROPY, Math.max(1, level));
         }
     }
