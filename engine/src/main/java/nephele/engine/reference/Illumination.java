@@ -2,6 +2,7 @@ package nephele.engine.reference;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
@@ -9,13 +10,17 @@ import nephele.engine.level.appearance.Lamp;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.SampleSequence.Point;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The light on a place: sun and lamps by one ray each, the sky by one ray of many. Light does not pass portals. */
+/** The light on a place: sun and lamps by one ray each, the sky by a few of many. Light does not pass portals. */
 final class Illumination {
     /** As {@code surface-light.glsl}: lights may be arbitrarily near and strong, half floats may not overflow. */
     private static final double MAX_RADIANCE = 65504;
+
+    /** Rays a sample that look for the sky: in a room with a small window few of them find it. */
+    static final int SKY_RAYS = 4;
 
     /** Rays leave this far above their face: over rounding, under anything that is seen. */
     private static final double LIFT_METRES = 1e-7;
@@ -46,9 +51,9 @@ final class Illumination {
     /**
      * Radiance towards the eye.
      *
-     * @param point of the unit square: which ray of those that integrate the sky
+     * @param skyPoints of the unit square, by number below {@link #SKY_RAYS}: which rays look for the sky
      */
-    Vector3d radiance(SurfacePoint surface, double pointX, double pointY) {
+    Vector3d radiance(SurfacePoint surface, IntFunction<Point> skyPoints) {
         Vector3d sum = new Vector3d();
         Vector3d origin = lifted(surface);
         if (sun != null) {
@@ -60,11 +65,8 @@ final class Illumination {
         if (ambient != null) {
             Vector3d all = ambient.toVector();
             sum.add(surface.reflected(all, all));
-        } else if (skyLight.isPresent() && seesSky(surface, origin, pointX, pointY)) {
-            Vector3d onNormal = skyLight.get().ambient(surface.normal());
-            Vector3d mirrored =
-                    surface.gloss() == null ? onNormal : skyLight.get().ambient(surface.mirrorDirection());
-            sum.add(surface.reflected(onNormal, mirrored));
+        } else if (skyLight.isPresent()) {
+            addSky(surface, origin, skyPoints, sum);
         }
         Vec3 own = surface.emission();
         return sum.min(new Vector3d(MAX_RADIANCE)).add(own.x(), own.y(), own.z());
@@ -100,15 +102,32 @@ final class Illumination {
         }
     }
 
-    /** One ray of equal cosine weight over the face: Malley's method on a point of the unit square. */
-    private boolean seesSky(SurfacePoint surface, Vector3d origin, double pointX, double pointY) {
-        double radius = Math.sqrt(pointX);
-        double angle = 2 * Math.PI * pointY;
+    private void addSky(SurfacePoint surface, Vector3d origin, IntFunction<Point> points, Vector3d sum) {
         Vector3d across =
                 Directions.perpendicular(Vec3.of(surface.faceNormal())).toVector();
         Vector3d up = new Vector3d(surface.faceNormal()).cross(across);
-        Vector3d direction = new Vector3d(surface.faceNormal()).mul(Math.sqrt(1 - pointX));
-        direction.fma(radius * StrictMath.cos(angle), across).fma(radius * StrictMath.sin(angle), up);
-        return !solids.isBlocked(SolidRays.ray(origin, direction), Double.POSITIVE_INFINITY, surface.solid());
+        int free = 0;
+        for (int i = 0; i < SKY_RAYS; i++) {
+            Vector3d direction = onHemisphere(points.apply(i), across, up, surface.faceNormal());
+            boolean isBlocked =
+                    solids.isBlocked(SolidRays.ray(origin, direction), Double.POSITIVE_INFINITY, surface.solid());
+            free += isBlocked ? 0 : 1;
+        }
+        if (free > 0) {
+            Vector3d onNormal = skyLight.get().ambient(surface.normal());
+            Vector3d mirrored =
+                    surface.gloss() == null ? onNormal : skyLight.get().ambient(surface.mirrorDirection());
+            sum.fma((double) free / SKY_RAYS, surface.reflected(onNormal, mirrored));
+        }
+    }
+
+    /** Equal cosine weight for equal areas of the unit square (Malley's method). */
+    private static Vector3d onHemisphere(Point point, Vector3d across, Vector3d up, Vector3dc normal) {
+        double radius = Math.sqrt(point.x());
+        double angle = 2 * Math.PI * point.y();
+        return new Vector3d(normal)
+                .mul(Math.sqrt(1 - point.x()))
+                .fma(radius * StrictMath.cos(angle), across)
+                .fma(radius * StrictMath.sin(angle), up);
     }
 }

@@ -9,10 +9,14 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
+import nephele.engine.reference.SampleSequence.Point;
+import nephele.engine.reference.SampleSequence.Use;
 import org.joml.Vector3d;
 
 /** Traces a picture, row by row on several threads; what it shows does not depend on their number. */
 public final class ReferencePicture {
+    private static final Point MIDDLE = new Point(0.5, 0.5);
+
     private final TracedLevel level;
     private final Pinhole eye;
     private final TraceSettings settings;
@@ -75,14 +79,17 @@ public final class ReferencePicture {
 
     /** The mean over the square of the pixel. */
     private void pixel(EyePath path, int column, int row) {
-        double[] sample = new double[SampleSequence.DIMENSIONS];
         Vector3d sum = new Vector3d();
         for (int i = 0; i < settings.samples(); i++) {
-            sequence.point(column, row, i, sample);
-            double x = settings.samples() == 1 ? 0.5 : sample[0];
-            double y = settings.samples() == 1 ? 0.5 : sample[1];
-            Vector3d direction = eye.direction((column + x) / settings.width(), (row + y) / settings.height());
-            sum.add(level.radiance(path, eye, direction, sample));
+            int sample = i;
+            Point in = settings.samples() == 1 ? MIDDLE : sequence.point(Use.PIXEL, column, row, i);
+            Vector3d direction =
+                    eye.direction((column + in.x()) / settings.width(), (row + in.y()) / settings.height());
+            sum.add(level.radiance(
+                    path,
+                    eye,
+                    direction,
+                    ray -> sequence.point(Use.SKY, column, row, sample * Illumination.SKY_RAYS + ray)));
         }
         int at = 3 * (row * settings.width() + column);
         rgb[at] = (float) (sum.x / settings.samples());

@@ -2,6 +2,7 @@ package nephele.engine.reference;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Brush;
@@ -10,6 +11,7 @@ import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
+import nephele.engine.reference.SampleSequence.Point;
 import org.joml.Vector3d;
 
 /** A level made ready for rays; immutable, shared by all threads. */
@@ -43,14 +45,18 @@ public final class TracedLevel {
         return new EyePath(solids, portals);
     }
 
-    /** Radiance that reaches the eye along a ray, which {@code path} walks. */
-    Vector3d radiance(EyePath path, Pinhole eye, Vector3d direction, double[] sample) {
+    /**
+     * Radiance that reaches the eye along a ray, which {@code path} walks.
+     *
+     * @param skyPoints see {@link Illumination#radiance}
+     */
+    Vector3d radiance(EyePath path, Pinhole eye, Vector3d direction, IntFunction<Point> skyPoints) {
         if (path.walk(eye.eye().toVector(), direction, eye.nearMetres(), eye.farMetres())) {
             int face = solids.face(path.ray(), path.solid());
             Vec3 place = path.ray().at(path.end());
             Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
             SurfacePoint surface = surfaces.at(path.solid(), face, place, toEye);
-            return light.radiance(surface, sample[2], sample[3]);
+            return light.radiance(surface, skyPoints);
         }
         Vector3d away = new Vector3d(path.direction()).normalize();
         return sky.map(all -> all.from(away.x, away.y, away.z)).orElseGet(Vector3d::new);
