@@ -190,6 +190,7 @@ public final class GameLoop implements AutoCloseable {
         if (stages.in(Stage.RUNNING)) {
             var walk = current.session().walk();
             walk.advance(now - lastNanos);
+            walk.takeNews().forEach(event -> EventText.of(event).ifPresent(message::say));
             if (walk.isFinished()) {
                 message.say("The replay is over");
                 openMenuOrClosePage();

@@ -1,5 +1,7 @@
 package nephele.app.play;
 
+import java.util.ArrayList;
+import java.util.List;
 import nephele.app.draw.Viewpoints;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
@@ -10,6 +12,7 @@ import nephele.engine.sim.ReplayRecorder;
 import nephele.engine.sim.SimSettings;
 import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.TickEvent;
 
 /** The simulated part of a game: two states to draw between, the clock that makes ticks and the record of all input. */
 public final class Walk {
@@ -18,6 +21,7 @@ public final class Walk {
     private final TickInput input;
     private final ReplayRecorder recorder;
     private final FixedStep clock;
+    private final List<TickEvent> news = new ArrayList<>();
     private SimState before;
     private SimState after;
 
@@ -52,6 +56,14 @@ public final class Walk {
         recorder.record(done);
         before = after;
         after = simulation.step(after, done);
+        news.addAll(after.around().trace().events());
+    }
+
+    /** What happened since the last call. */
+    List<TickEvent> takeNews() {
+        List<TickEvent> taken = List.copyOf(news);
+        news.clear();
+        return taken;
     }
 
     public boolean isFinished() {

@@ -1,0 +1,34 @@
+package nephele.app.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.placement.Refusal;
+import nephele.engine.sim.Shots.Colour;
+import nephele.engine.sim.TickEvent;
+import nephele.engine.sim.TickEvent.Handled;
+import org.junit.jupiter.api.Test;
+
+class EventTextTest {
+    @Test
+    void everyRefusalHasItsOwnReason() {
+        Set<String> texts = new HashSet<>();
+        for (Refusal reason : Refusal.values()) {
+            texts.add(EventText.of(new TickEvent.PortalRefused(Colour.FIRST, reason, Vec3.ZERO))
+                    .orElseThrow());
+        }
+        assertEquals(Refusal.values().length, texts.size());
+        assertTrue(texts.stream().allMatch(text -> text.startsWith("No portal: ")));
+    }
+
+    @Test
+    void whatWentWellNeedsNoWords() {
+        assertEquals(Optional.empty(), EventText.of(new TickEvent.PortalOpened(Colour.SECOND, 1)));
+        assertEquals(Optional.empty(), EventText.of(new Handled(Handled.Kind.PICKED_UP, 0)));
+        assertTrue(EventText.of(new Handled(Handled.Kind.TOO_HEAVY, 0)).isPresent());
+    }
+}
