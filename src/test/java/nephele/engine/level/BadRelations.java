@@ -5,6 +5,8 @@ import static nephele.engine.level.BadLevel.level;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * Values that are fine alone and wrong together, geometry that encloses nothing, and assets that are none. C.2 row 14: a
@@ -88,6 +90,18 @@ final class BadRelations {
                     "portals[0].widthMetres",
                     "do not scale",
                     "\"portals\": [" + portal("a", "b", 1) + "," + portal("b", "a", 2) + "]"),
+            level(
+                    "portals[0].shape",
+                    "has to come out",
+                    "\"portals\": [" + portal("a", "b", 1).replace("}", ", \"shape\": \"ellipse\"}") + ","
+                            + portal("b", "a", 1) + "]"),
+            level(
+                    "portals",
+                    "a level may have 62",
+                    "\"portals\": ["
+                            + IntStream.range(0, 64)
+                                    .mapToObj(i -> portal("p" + i, "p" + (i ^ 1), 1))
+                                    .collect(Collectors.joining(",")) + "]"),
             level(
                     "portals[0].up",
                     "along the normal",

@@ -47,6 +47,16 @@ final class PlayCommand implements Command {
             description = "The simulation's rate with --record (default: 120).")
     private Integer ticksPerSecond;
 
+    @Option(
+            names = "--assist",
+            paramLabel = "NAME",
+            split = ",",
+            description = {
+                "What helps the player at portals: funnel, floor-exit-speed, speed-cap, or none",
+                "(default: funnel,floor-exit-speed). Stored with --record; a replay brings its own."
+            })
+    private List<String> assists;
+
     @Option(names = "--replay", paramLabel = "FILE", description = "Show a replay, at the rate that the file says.")
     private String replay;
 
@@ -104,17 +114,18 @@ final class PlayCommand implements Command {
     }
 
     private SimSettings settings() {
-        if (ticksPerSecond == null) {
-            return SimSettings.DEFAULT;
-        }
-        if (record == null) {
-            throw CommandFailure.usage("--ticks-per-second belongs to --record; a replay brings its own rate");
-        }
-        if (replay != null) {
+        if (replay != null && ticksPerSecond != null) {
             throw CommandFailure.usage("--ticks-per-second and --replay exclude each other");
         }
+        if (replay != null && assists != null) {
+            throw CommandFailure.usage("--assist and --replay exclude each other: a replay brings its own");
+        }
+        if (ticksPerSecond != null && record == null) {
+            throw CommandFailure.usage("--ticks-per-second belongs to --record; a replay brings its own rate");
+        }
+        int rate = ticksPerSecond == null ? SimSettings.DEFAULT.ticksPerSecond() : ticksPerSecond;
         try {
-            return new SimSettings(ticksPerSecond, List.of());
+            return new SimSettings(rate, AssistNames.parse(assists));
         } catch (IllegalArgumentException outOfRange) {
             throw CommandFailure.usage("--ticks-per-second: " + outOfRange.getMessage());
         }

@@ -14,5 +14,32 @@ final class BodyRules {
         }
     };
 
+    /** The space that is opened behind a portal is this deep. */
+    private static final double MOST_REACH_METRES = 2.5;
+
+    static final LevelRule REACH = (level, assets, report) -> {
+        boolean hasPortals = level.portalGun() != null || !level.portals().isEmpty();
+        for (int i = 0; hasPortals && i < level.bodies().size(); i++) {
+            double reach = reachMetres(level.bodies().get(i));
+            if (reach > MOST_REACH_METRES) {
+                report.accept(Problem.warning(
+                        "bodies[" + i + "]",
+                        "reaches " + Math.round(reach * 100) / 100.0
+                                + " m from its centre: in a portal, what is farther than " + MOST_REACH_METRES
+                                + " m from the plane meets this side's solids"));
+            }
+        }
+    };
+
     private BodyRules() {}
+
+    private static double reachMetres(Body body) {
+        if (body instanceof Body.Box box) {
+            return box.size().toVector().length() / 2;
+        }
+        if (body instanceof Body.Sphere sphere) {
+            return sphere.radiusMetres();
+        }
+        return ((Body.Capsule) body).heightMetres() / 2;
+    }
 }

@@ -17,9 +17,11 @@ public final class LevelRules {
             LightRules.SHADOWS,
             SkyRules.FILES,
             PortalRules.LINKS,
+            PortalRules.COUNT,
             PortalRules.ON_SURFACE,
             ModelRules.PARENTS,
             BodyRules.SHAPES,
+            BodyRules.REACH,
             PlayerRules.FREE,
             PlayerRules.SOMEWHERE,
             FutureRules.NOT_YET);

@@ -17,6 +17,18 @@ final class PortalRules {
         }
     };
 
+    /** With the two of a gun as many as a mask of the simulation has bits. */
+    private static final int MOST_PORTALS = 62;
+
+    static final LevelRule COUNT = (level, assets, report) -> {
+        if (level.portals().size() > MOST_PORTALS) {
+            report.accept(Problem.error(
+                    "portals",
+                    "has " + level.portals().size() + " portals: a level may have " + MOST_PORTALS
+                            + " and a gun's two"));
+        }
+    };
+
     /** Metres off a face, and cosine between its normal and the portal's: half a degree. */
     private static final double ON_FACE_METRES = 1e-3;
 
@@ -76,6 +88,9 @@ final class PortalRules {
         } else if (partner.widthMetres() != portal.widthMetres() || partner.heightMetres() != portal.heightMetres()) {
             report.accept(Problem.error(
                     path + ".widthMetres", "must be as wide and high as '" + partner.id() + "': portals do not scale"));
+        } else if (partner.shape() != portal.shape()) {
+            report.accept(Problem.error(
+                    path + ".shape", "must be the shape of '" + partner.id() + "': what goes in has to come out"));
         }
         var across = portal.normal().toVector().cross(portal.up().toVector());
         double scale =

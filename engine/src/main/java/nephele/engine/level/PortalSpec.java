@@ -9,6 +9,6 @@ public record PortalSpec(
         @Written(required = true) Vec3 centre,
         @Written(required = true) Vec3 normal,
         @Written(absent = "[0, 1, 0]") Vec3 up,
-        @Written(required = true, min = 1e-2) double widthMetres,
-        @Written(required = true, min = 1e-2) double heightMetres,
-        @Written(absent = "\"rectangle\"") PortalShape shape) {}
+        @Written(absent = "1.2", min = 1e-2) double widthMetres,
+        @Written(absent = "2.1", min = 1e-2) double heightMetres,
+        @Written(absent = "\"arch\"") PortalShape shape) {}

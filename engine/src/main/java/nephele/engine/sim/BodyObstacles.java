@@ -113,7 +113,7 @@ final class BodyObstacles {
 
     /** Behind a portal that is open for the player is the other side: what stands there in the wall's back is not met. */
     private boolean isBehindOpening(int body, long mask) {
-        for (int i = 0; mask >> i != 0; i++) {
+        for (int i = 0; i < Math.min(seamed.portals().size(), SeamedWorld.MOST_PORTALS); i++) {
             Portal portal = (mask & 1L << i) != 0 ? seamed.portals().portal(i) : null;
             if (portal != null && !isBefore(portal) && isBeside(portal, body)) {
                 return true;

@@ -83,16 +83,18 @@ final class Occupants {
         if (was == 0 && after.active(shape, centre, STILL) == 0 || isFree(shape)) {
             return true;
         }
-        // What was in a wall before is no worse off now.
-        if (recovery.depth(before.around(was), shape, centre) > SUNK_METRES) {
-            return true;
-        }
         for (int i = 0; i < before.portals().size(); i++) {
             if ((was & 1L << i) != 0 && outOf(before.portals().portal(i), shape)) {
                 return true;
             }
         }
-        return recovery.find(world(shape), shape, centre, push) && arrives(shape);
+        if (recovery.find(world(shape), shape, centre, push) && arrives(shape)) {
+            return true;
+        }
+        push.zero();
+        // What was in a wall before and is no worse off now is no reason to refuse.
+        double depth = recovery.depth(before.around(was), shape, centre);
+        return depth > SUNK_METRES && recovery.depth(world(shape), shape, centre) <= depth;
     }
 
     private CollisionWorld world(RoundedHull shape) {

@@ -11,6 +11,9 @@ import org.joml.Vector3d;
  */
 final class Uprighting {
     private static final double RADIANS_PER_SECOND = 2 * Math.PI;
+    /** The head, 0.6 m from the centre, moves 3 cm in such a step: a tenth of the capsule's radius. */
+    private static final double MOST_RADIANS = Math.PI / 60;
+
     private static final double LOOK_AHEAD_SECONDS = 0.3;
 
     private final Mover mover;
@@ -32,13 +35,26 @@ final class Uprighting {
         }
         Heading heading = player.look().heading();
         player.look(new Look(heading, tilt.viewNearer(radians)));
-        if (!tilt.isBodyUpright()) {
-            Vec3 up = tilt.bodyNearer(radians, forward(heading));
-            RoundedHull turned = PlayerMotion.shape(player.stance(), up);
-            if (standsUp(player, turned) || hasRoom(player, turned)) {
-                player.look(new Look(heading, player.look().tilt().withBody(up)));
-            }
+        int left = (int) Math.ceil(radians / MOST_RADIANS);
+        double angle = radians / left;
+        while (left > 0 && turnBody(player, heading, angle)) {
+            left--;
         }
+    }
+
+    /** By so little that nothing lies between before and after; false when it is upright or has no room. */
+    private boolean turnBody(PlayerMotion player, Heading heading, double angle) {
+        Tilt tilt = player.look().tilt();
+        if (tilt.isBodyUpright()) {
+            return false;
+        }
+        Vec3 up = tilt.bodyNearer(angle, forward(heading));
+        RoundedHull turned = PlayerMotion.shape(player.stance(), up);
+        if (!standsUp(player, turned) && !hasRoom(player, turned)) {
+            return false;
+        }
+        player.look(new Look(heading, tilt.withBody(up)));
+        return true;
     }
 
     private static Vec3 forward(Heading heading) {

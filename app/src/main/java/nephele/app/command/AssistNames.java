@@ -1,0 +1,43 @@
+package nephele.app.command;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import nephele.app.terminal.CommandFailure;
+import nephele.engine.sim.Assist;
+
+/** The assists that a person names on the command line. */
+final class AssistNames {
+    /** Somebody who plays for the puzzle wants to land where the portal is; the speed is their own affair. */
+    private static final List<Assist> DEFAULT = List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED);
+
+    private static final String NONE = "none";
+
+    private AssistNames() {}
+
+    /** @param names {@code null}: not named, the default */
+    static List<Assist> parse(List<String> names) {
+        if (names == null) {
+            return DEFAULT;
+        }
+        List<Assist> assists = new ArrayList<>();
+        for (String name : names) {
+            if (!name.equals(NONE)) {
+                assists.add(parse(name));
+            } else if (names.size() > 1) {
+                throw CommandFailure.usage("--assist none stands alone");
+            }
+        }
+        return assists;
+    }
+
+    private static Assist parse(String name) {
+        return Arrays.stream(Assist.values())
+                .filter(assist -> assist.text().equals(name))
+                .findFirst()
+                .orElseThrow(() -> CommandFailure.usage("--assist " + name + ": there is "
+                        + Arrays.stream(Assist.values()).map(Assist::text).collect(Collectors.joining(", "))
+                        + " and none"));
+    }
+}

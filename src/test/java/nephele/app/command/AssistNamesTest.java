@@ -1,0 +1,26 @@
+package nephele.app.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.app.terminal.CommandFailure;
+import nephele.engine.sim.Assist;
+import org.junit.jupiter.api.Test;
+
+final class AssistNamesTest {
+    @Test
+    void whoNamesNoneGetsTheDefault() {
+        assertEquals(List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED), AssistNames.parse(null));
+        assertEquals(List.of(), AssistNames.parse(List.of("none")));
+        assertEquals(List.of(Assist.SPEED_CAP), AssistNames.parse(List.of("speed-cap")));
+    }
+
+    @Test
+    void anUnknownNameIsToldWithThoseThereAre() {
+        var failure = assertThrows(CommandFailure.class, () -> AssistNames.parse(List.of("funel")));
+        assertTrue(failure.getMessage().contains("funnel, floor-exit-speed, speed-cap and none"));
+        assertThrows(CommandFailure.class, () -> AssistNames.parse(List.of("none", "funnel")));
+    }
+}
