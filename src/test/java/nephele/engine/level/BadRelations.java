@@ -5,8 +5,6 @@ import static nephele.engine.level.BadLevel.level;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 
 /**
  * Values that are fine alone and wrong together, geometry that encloses nothing, and assets that are none. C.2 row 14: a
@@ -101,7 +99,8 @@ final class BadRelations {
                     "\"portals\": ["
                             + IntStream.range(0, 64)
                                     .mapToObj(i -> portal("p" + i, "p" + (i ^ 1), 1))
-                                    .collect(Collectors.joining(",")) + "]"),
+                                    .collect(Collectors.joining(","))
+                            + "]"),
             level(
                     "portals[0].up",
                     "along the normal",
