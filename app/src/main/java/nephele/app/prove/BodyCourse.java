@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.app.art.BenchBodies;
 import nephele.engine.collision.CollisionWorld;
-import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyTable;
@@ -20,7 +19,6 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 
 /** Bodies of a level on their own, and how far they are from where they belong. */
 final class BodyCourse {
@@ -39,7 +37,7 @@ final class BodyCourse {
     private BodyCourse(Level level, List<Vec3> places) {
         BodyTable table = BodyTable.of(level);
         step = new RigidStep(table, GRAVITY);
-        surroundings = surroundings(SeamedWorld.of(CollisionWorld.of(level), Portals.of(level)));
+        surroundings = Surroundings.of(SeamedWorld.of(CollisionWorld.of(level), Portals.of(level)));
         bodies = table.start();
         this.places = places;
     }
@@ -85,25 +83,6 @@ final class BodyCourse {
                 List.of(),
                 bodies,
                 null);
-    }
-
-    private static Surroundings surroundings(SeamedWorld world) {
-        return new Surroundings() {
-            @Override
-            public Portals portals() {
-                return world.portals();
-            }
-
-            @Override
-            public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
-                return world.active(shape, at, way);
-            }
-
-            @Override
-            public CollisionWorld around(long active) {
-                return world.around(active);
-            }
-        };
     }
 
     int size() {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
-import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.SeamedWorld;
 import nephele.engine.level.Body;
 import nephele.engine.level.PortalShape;
@@ -16,7 +15,6 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 
 /** A few solids, portals and bodies, and the bodies' motion through them. */
 final class BodyScene {
@@ -87,24 +85,7 @@ final class BodyScene {
 
     /** From now on these are the portals. */
     BodyScene open(Portals open) {
-        SeamedWorld world = SeamedWorld.of(new CollisionWorld(solids), open);
-        Portals valid = world.portals();
-        surroundings = new Surroundings() {
-            @Override
-            public Portals portals() {
-                return valid;
-            }
-
-            @Override
-            public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
-                return world.active(shape, at, way);
-            }
-
-            @Override
-            public CollisionWorld around(long active) {
-                return world.around(active);
-            }
-        };
+        surroundings = Surroundings.of(SeamedWorld.of(new CollisionWorld(solids), open));
         return this;
     }
 

@@ -1,15 +1,15 @@
 package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
-import nephele.engine.collision.Collider;
 import nephele.engine.collision.HullDistance;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Separation;
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * How far a fast body gets before it is a little way into another one that moves too: conservative advancement along
- * their relative way, both turned as at the start of the tick. Reused.
+ * How far a fast body gets before it is a little way into another one, or a character, that moves too: conservative
+ * advancement along their relative way, both turned as at the start of the tick. Reused.
  */
 final class FastPairs {
     private static final double TOUCH_METRES = 1e-8;
@@ -20,22 +20,33 @@ final class FastPairs {
     private final Separation separation = new Separation();
     private final HullDistance distance = new HullDistance();
     private final double[] axes = new double[9];
-    /** Displacement of every body in this tick, as far as nothing stops it. */
+    /** Displacement of every body and character in this tick, as far as nothing stops it. */
     private double[] ways = new double[0];
 
+    private final Vector3d relative = new Vector3d();
+    private final Vector3d away = new Vector3d();
+    private final Vector3d normal = new Vector3d();
+    private Influences influences;
+    private int bodies;
     private double metres;
-    private double approach;
 
     FastPairs(Poses poses, NarrowPhase narrow) {
         this.poses = poses;
         this.narrow = narrow;
     }
 
-    void clear(int bodies) {
-        if (ways.length < 3 * bodies) {
-            ways = new double[3 * bodies];
+    void begin(int bodiesOfTick, Influences from, double seconds) {
+        bodies = bodiesOfTick;
+        influences = from;
+        int count = bodies + influences.characters();
+        if (ways.length < 3 * count) {
+            ways = new double[3 * count];
         }
-        Arrays.fill(ways, 0, 3 * bodies, 0);
+        Arrays.fill(ways, 0, 3 * count, 0);
+        for (int i = bodies; i < count; i++) {
+            Vector3dc v = influences.characterList().get(i - bodies).velocity;
+            way(i, v.x() * seconds, v.y() * seconds, v.z() * seconds);
+        }
     }
 
     void way(int body, double x, double y, double z) {
@@ -44,41 +55,64 @@ final class FastPairs {
         ways[3 * body + 2] = z;
     }
 
-    /** The free share of a body's way from where it was at the start of the tick. */
-    double free(int body, int bodies, Vector3dc way, double depth) {
+    /**
+     * The free share of a body's way.
+     *
+     * @param hasCrossed the body went through a portal in this tick: the others count as they were at the tick's start
+     */
+    double free(int body, Vector3dc from, Vector3dc way, double depth, boolean hasCrossed) {
+        int count = bodies + (influences.meetsCharacters(body) ? influences.characters() : 0);
         double free = 1;
-        for (int other = 0; other < bodies; other++) {
-            if (other != body && poses.overlap(body, other)) {
-                free = Math.min(free, against(body, other, way, depth));
+        for (int other = 0; other < count && free > 0; other++) {
+            if (other != body && isNear(body, from, way, other)) {
+                relative.set(way);
+                if (!hasCrossed) {
+                    relative.sub(ways[3 * other], ways[3 * other + 1], ways[3 * other + 2]);
+                }
+                free = Math.min(free, against(body, other, from, way, depth));
             }
         }
         return free;
     }
 
-    private double against(int body, int other, Vector3dc way, double depth) {
-        double x = way.x() - ways[3 * other];
-        double y = way.y() - ways[3 * other + 1];
-        double z = way.z() - ways[3 * other + 2];
+    /** What let no share of the way free: out of it, unit length. */
+    Vector3dc normal() {
+        return normal;
+    }
+
+    private boolean isNear(int body, Vector3dc from, Vector3dc way, int other) {
+        for (int axis = 0; axis < 3; axis++) {
+            double gap = from.get(axis) - poses.centre[3 * other + axis];
+            double own = way.get(axis);
+            double its = ways[3 * other + axis];
+            double reach = poses.extent(body, axis) + poses.extent(other, axis);
+            if (gap + Math.min(0, own) - Math.max(0, its) > reach
+                    || gap + Math.max(0, own) - Math.min(0, its) < -reach) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private double against(int body, int other, Vector3dc from, Vector3dc way, double depth) {
         boolean box = poses.kind[other] == BodyTable.BOX;
         RoundedHull shape = box ? turnedInto(body, other) : narrow.turnedHull(body);
         double t = 0;
         for (int i = 0; i < MOST_STEPS; i++) {
-            double dX = poses.centre[3 * body] - poses.centre[3 * other] + t * x;
-            double dY = poses.centre[3 * body + 1] - poses.centre[3 * other + 1] + t * y;
-            double dZ = poses.centre[3 * body + 2] - poses.centre[3 * other + 2] + t * z;
-            if (box) {
-                measureInBox(shape, other, dX, dY, dZ, x, y, z);
-            } else {
-                distance.measure(shape, dX, dY, dZ, narrow.turnedHull(other));
-                metres = distance.metres();
-                approach = -(distance.normalX() * x + distance.normalY() * y + distance.normalZ() * z);
-            }
+            measure(shape, other, from, t);
             double gap = metres + depth;
-            if (gap <= TOUCH_METRES) {
-                return i == 0 ? 1 : t;
+            double approach = -away.dot(relative);
+            if (gap <= TOUCH_METRES && i > 0) {
+                return t;
             }
-            if (approach <= 0) {
+            // Deep in at the start, it need not give way to what comes after it: that one stops.
+            double inward = gap <= TOUCH_METRES ? Math.min(approach, -away.dot(way)) : approach;
+            if (inward <= (gap <= TOUCH_METRES ? FastSweep.SLIDING * relative.length() : 0)) {
                 return 1;
+            }
+            if (gap <= TOUCH_METRES) {
+                normal.set(away);
+                return 0;
             }
             t += gap / approach;
             if (t >= 1) {
@@ -86,6 +120,23 @@ final class FastPairs {
             }
         }
         return t;
+    }
+
+    /** Sets {@link #metres} and {@link #away}, the direction in world axes that leads out. */
+    private void measure(RoundedHull shape, int other, Vector3dc from, double t) {
+        double dX = from.x() - poses.centre[3 * other] + t * relative.x;
+        double dY = from.y() - poses.centre[3 * other + 1] + t * relative.y;
+        double dZ = from.z() - poses.centre[3 * other + 2] + t * relative.z;
+        if (poses.kind[other] == BodyTable.BOX) {
+            measureInBox(shape, other, dX, dY, dZ);
+            return;
+        }
+        RoundedHull its = other < bodies
+                ? narrow.turnedHull(other)
+                : influences.characterList().get(other - bodies).upright;
+        distance.measure(shape, dX, dY, dZ, its);
+        metres = distance.metres();
+        away.set(distance.normalX(), distance.normalY(), distance.normalZ());
     }
 
     private RoundedHull turnedInto(int body, int box) {
@@ -100,15 +151,20 @@ final class FastPairs {
         return x[p] * x[q] + x[p + 1] * x[q + 1] + x[p + 2] * x[q + 2];
     }
 
-    private void measureInBox(
-            RoundedHull shape, int box, double dX, double dY, double dZ, double x, double y, double z) {
-        Collider solid = narrow.boxSolid(box);
+    private void measureInBox(RoundedHull shape, int box, double dX, double dY, double dZ) {
         separation.measure(
-                shape, local(box, 0, dX, dY, dZ), local(box, 1, dX, dY, dZ), local(box, 2, dX, dY, dZ), solid);
+                shape,
+                local(box, 0, dX, dY, dZ),
+                local(box, 1, dX, dY, dZ),
+                local(box, 2, dX, dY, dZ),
+                narrow.boxSolid(box));
         metres = separation.metres();
-        approach = -(separation.normalX() * local(box, 0, x, y, z)
-                + separation.normalY() * local(box, 1, x, y, z)
-                + separation.normalZ() * local(box, 2, x, y, z));
+        away.zero();
+        for (int axis = 0; axis < 3; axis++) {
+            double part = axis == 0 ? separation.normalX() : axis == 1 ? separation.normalY() : separation.normalZ();
+            int at = 9 * box + 3 * axis;
+            away.add(part * poses.axes[at], part * poses.axes[at + 1], part * poses.axes[at + 2]);
+        }
     }
 
     private double local(int box, int axis, double x, double y, double z) {

@@ -5,20 +5,25 @@ import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Separation;
 import nephele.engine.math.ItemList;
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
  * How far a fast body gets before it is a little way into a solid (conservative advancement, Mirtich 1996). A little way
  * in, not before it: what it slides along does not stop it, and the contact is there for the solver in the next tick.
- * Solids that it is that far in already are the solver's business too. Reused.
+ * What it is that far in already it may leave and slide along, but not enter farther. Reused.
  */
 final class FastSweep {
+    /** Going inwards by less than this per metre of the way is sliding: what rounding makes of a tangent. */
+    static final double SLIDING = 1e-9;
+
     private static final double TOUCH_METRES = 1e-8;
     private static final int MOST_STEPS = 64;
 
     private final Separation separation = new Separation();
     private final ItemList near = new ItemList();
     private final double[] box = new double[6];
+    private final Vector3d normal = new Vector3d();
 
     /**
      * The free share of a way, 0 to 1.
@@ -26,6 +31,31 @@ final class FastSweep {
      * @param depth in metres, how far in the body may get
      */
     double free(CollisionWorld world, RoundedHull shape, Vector3dc from, Vector3dc way, double depth) {
+        find(world, shape, from, way);
+        double free = 1;
+        for (int i = 0; i < near.size() && free > 0; i++) {
+            free = Math.min(free, against(world.collider(near.get(i)), shape, from, way, depth));
+        }
+        return free;
+    }
+
+    /** What let no share of the way free: out of it, unit length. */
+    Vector3dc normal() {
+        return normal;
+    }
+
+    /** Metres from a shape to the nearest solid that its bounds touch; negative inside, infinite where there is none. */
+    double gap(CollisionWorld world, RoundedHull shape, Vector3dc at) {
+        find(world, shape, at, normal.zero());
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < near.size(); i++) {
+            separation.measure(shape, at.x(), at.y(), at.z(), world.collider(near.get(i)));
+            least = Math.min(least, separation.metres());
+        }
+        return least;
+    }
+
+    private void find(CollisionWorld world, RoundedHull shape, Vector3dc from, Vector3dc way) {
         for (int axis = 0; axis < 3; axis++) {
             double start = from.get(axis);
             double move = way.get(axis);
@@ -33,11 +63,6 @@ final class FastSweep {
             box[3 + axis] = start + shape.greatest(axis) + Math.max(0, move);
         }
         world.overlapping(box, 0, near);
-        double free = 1;
-        for (int i = 0; i < near.size(); i++) {
-            free = Math.min(free, against(world.collider(near.get(i)), shape, from, way, depth));
-        }
-        return free;
     }
 
     private double against(Collider solid, RoundedHull shape, Vector3dc from, Vector3dc way, double depth) {
@@ -45,13 +70,17 @@ final class FastSweep {
         for (int i = 0; i < MOST_STEPS; i++) {
             separation.measure(shape, from.x() + t * way.x(), from.y() + t * way.y(), from.z() + t * way.z(), solid);
             double gap = separation.metres() + depth;
-            if (gap <= TOUCH_METRES) {
-                return i == 0 ? 1 : t;
-            }
             double approach =
                     -(separation.normalX() * way.x() + separation.normalY() * way.y() + separation.normalZ() * way.z());
-            if (approach <= 0) {
+            if (gap <= TOUCH_METRES && i > 0) {
+                return t;
+            }
+            if (approach <= (gap <= TOUCH_METRES ? SLIDING * way.length() : 0)) {
                 return 1;
+            }
+            if (gap <= TOUCH_METRES) {
+                normal.set(separation.normalX(), separation.normalY(), separation.normalZ());
+                return 0;
             }
             t += gap / approach;
             if (t >= 1) {

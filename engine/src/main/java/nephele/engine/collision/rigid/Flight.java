@@ -16,6 +16,8 @@ final class Flight {
     /** A fast body may get so far into what it hits, and no deeper than an eighth of its thickness. */
     private static final double MOST_DEPTH_METRES = 5e-3;
 
+    private static final int MOST_SLIDES = 4;
+
     private final BodyTable table;
     private final Vec3 gravity;
     private final NarrowPhase narrow;
@@ -23,12 +25,17 @@ final class Flight {
     private final Spin spin = new Spin();
     private final FastSweep sweep = new FastSweep();
     private final FastPairs pairs;
+    private final FastTurn turn;
+    private final double[] axes = new double[9];
     private final Crossing crossing = new Crossing();
     private final Vector3d place = new Vector3d();
     private final Vector3d velocity = new Vector3d();
     private final Vector3d pull = new Vector3d();
     private final Vector3d way = new Vector3d();
     private final Vector3d turning = new Vector3d();
+    /** Out of what leaves nothing of the way free. */
+    private final Vector3d blocking = new Vector3d();
+
     private final Quaterniond orientation = new Quaterniond();
     private Surroundings surroundings;
     private Portals portals;
@@ -40,14 +47,18 @@ final class Flight {
         this.narrow = narrow;
         this.poses = poses;
         pairs = new FastPairs(poses, narrow);
+        turn = new FastTurn(poses, narrow, sweep);
     }
 
-    /** @param pressed whom the solver moved */
-    void begin(Surroundings around, double tickSeconds, TickBodies bodies, boolean[] pressed, Motions motions) {
+    void begin(Surroundings around, Influences influences, TickBodies bodies, double tickSeconds) {
         surroundings = around;
         portals = around.portals();
         seconds = tickSeconds;
-        pairs.clear(bodies.count);
+        pairs.begin(bodies.count, influences, seconds);
+    }
+
+    /** @param pressed whom the solver moved */
+    void expect(TickBodies bodies, boolean[] pressed, Motions motions) {
         double half = seconds * seconds / 2;
         for (int body = 0; body < bodies.count; body++) {
             int v = Bodies.STRIDE * body + Bodies.VELOCITY;
@@ -75,7 +86,9 @@ final class Flight {
         m[at + 7] = velocity.x;
         m[at + 8] = velocity.y;
         m[at + 9] = velocity.z;
+        turn.begin(m, at + Bodies.ORIENTATION);
         spin.turn(m, at, seconds, table, body);
+        fitTurn(bodies, body);
     }
 
     /** The solver moved the body. */
@@ -84,21 +97,43 @@ final class Flight {
         int at = Bodies.STRIDE * body;
         int d = 6 * body;
         System.arraycopy(motions.velocity, d, m, at + Bodies.VELOCITY, 6);
-        Spin.turnBy(m, at, motions.moved[d + 3], motions.moved[d + 4], motions.moved[d + 5]);
         velocity.set(motions.moved[d], motions.moved[d + 1], motions.moved[d + 2]);
         pull.zero();
         travel(bodies, body, 1);
         for (int i = 0; i < bodies.crossings(body); i++) {
-            mapVelocity(m, at, portals.passage(bodies.crossing(body, i)));
+            Passage passage = portals.passage(bodies.crossing(body, i));
+            mapDirection(m, at + Bodies.VELOCITY, passage);
+            mapDirection(motions.moved, d + 3, passage);
+        }
+        turn.begin(m, at + Bodies.ORIENTATION);
+        Spin.turnBy(m, at, motions.moved[d + 3], motions.moved[d + 4], motions.moved[d + 5]);
+        fitTurn(bodies, body);
+    }
+
+    private void mapDirection(double[] of, int at, Passage passage) {
+        turning.set(of[at], of[at + 1], of[at + 2]);
+        passage.direction(turning);
+        of[at] = turning.x;
+        of[at + 1] = turning.y;
+        of[at + 2] = turning.z;
+    }
+
+    private void fitTurn(TickBodies bodies, int body) {
+        int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
+        if (turn.isFast(bodies.motion, q, body, farMetres(body))) {
+            System.arraycopy(poses.axes, 9 * body, axes, 0, 9);
+            turn.fit(bodies.motion, q, body, place, surroundings, depth(body));
+            System.arraycopy(axes, 0, poses.axes, 9 * body, 9);
         }
     }
 
-    private void mapVelocity(double[] m, int at, Passage passage) {
-        turning.set(m[at + 7], m[at + 8], m[at + 9]);
-        passage.direction(turning);
-        m[at + 7] = turning.x;
-        m[at + 8] = turning.y;
-        m[at + 9] = turning.z;
+    /** Who goes farther in a tick could get past something unseen. */
+    private double farMetres(int body) {
+        return poses.leastHalf(body) / 2;
+    }
+
+    private double depth(int body) {
+        return Math.min(MOST_DEPTH_METRES, farMetres(body) / 4);
     }
 
     /** From the body's place with {@link #velocity} and {@link #pull}, portal by portal, for so long. */
@@ -111,9 +146,7 @@ final class Flight {
             boolean enters = portals.size() > 0 && crossing.find(portals, place, velocity, pull, left);
             double t = enters ? crossing.seconds() : left;
             velocity.mul(t, way).fma(t * t / 2, pull);
-            double share = freeShare(bodies, body);
-            if (share < 1) {
-                advance(share * t);
+            if (way.lengthSquared() > farMetres(body) * farMetres(body) && isStopped(bodies, body, t)) {
                 break;
             }
             if (!enters) {
@@ -156,23 +189,40 @@ final class Flight {
         m[w + 2] = turning.z;
     }
 
-    /** Which share of the way is free of solids; looked at only when the body could get past one unseen. */
-    private double freeShare(TickBodies bodies, int body) {
-        double limit = poses.leastHalf(body) / 2;
-        if (way.lengthSquared() <= limit * limit) {
-            return 1;
+    /** Whether something stands in the way; then the body has gone as far as it can, or along what it is deep in. */
+    private boolean isStopped(TickBodies bodies, int body, double t) {
+        double share = freeShare(bodies, body);
+        if (share >= 1) {
+            return false;
         }
-        double depth = Math.min(MOST_DEPTH_METRES, limit / 4);
-        double free = 1;
-        if (bodies.hasCrossed(body)) {
+        for (int i = 0; share == 0 && i < MOST_SLIDES; i++) {
+            way.fma(-way.dot(blocking), blocking);
+            boolean enters = portals.size() > 0 && crossing.find(portals, place, way, turning.zero(), 1);
+            share = enters ? 0 : freeShare(bodies, body);
+        }
+        place.fma(share, way);
+        velocity.fma(share * t, pull);
+        return true;
+    }
+
+    /** Which share of the way is free of solids, bodies and characters. */
+    private double freeShare(TickBodies bodies, int body) {
+        System.arraycopy(poses.axes, 9 * body, axes, 0, 9);
+        boolean hasCrossed = bodies.hasCrossed(body);
+        if (hasCrossed) {
             double[] m = bodies.motion;
             int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
             poses.turn(body, m[q], m[q + 1], m[q + 2], m[q + 3]);
-        } else {
-            free = pairs.free(body, bodies.count, way, depth);
         }
-        var hull = narrow.turnedHull(body);
-        long mask = portals.size() == 0 ? 0 : surroundings.active(hull, place, way);
-        return Math.min(free, sweep.free(surroundings.around(mask), hull, place, way, depth));
+        double free = pairs.free(body, place, way, depth(body), hasCrossed);
+        blocking.set(pairs.normal());
+        if (free > 0) {
+            var hull = narrow.turnedHull(body);
+            long mask = portals.size() == 0 ? 0 : surroundings.active(hull, place, way);
+            free = Math.min(free, sweep.free(surroundings.around(mask), hull, place, way, depth(body)));
+            blocking.set(sweep.normal());
+        }
+        System.arraycopy(axes, 0, poses.axes, 9 * body, 9);
+        return free;
     }
 }

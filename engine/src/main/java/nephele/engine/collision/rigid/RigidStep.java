@@ -61,7 +61,8 @@ public final class RigidStep {
         }
         search.findContacts(bodies, surroundings, influences, seconds);
         solve(influences, seconds);
-        move(before, surroundings, seconds);
+        flight.begin(surroundings, influences, bodies, seconds);
+        move(before);
         fallAsleep(seconds);
         giveImpulses(influences);
         ContactMemory carried = search.remember(before.contacts(), bodies);
@@ -223,7 +224,7 @@ public final class RigidStep {
         }
     }
 
-    private void move(Bodies before, Surroundings surroundings, double seconds) {
+    private void move(Bodies before) {
         Arrays.fill(pressed, 0, bodies.count, false);
         for (int m = 0; m < rows.count; m++) {
             if (rows.carries(m)) {
@@ -231,7 +232,7 @@ public final class RigidStep {
                 mark(rows.slotB[m]);
             }
         }
-        flight.begin(surroundings, seconds, bodies, pressed, motions);
+        flight.expect(bodies, pressed, motions);
         for (int body = 0; body < bodies.count; body++) {
             if (!bodies.isAwake(body)) {
                 continue;

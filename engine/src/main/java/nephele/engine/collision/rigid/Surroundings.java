@@ -2,6 +2,7 @@ package nephele.engine.collision.rigid;
 
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
 
@@ -23,6 +24,26 @@ public interface Surroundings {
 
     /** What a shape meets that is active on these portals. The same mask gives the same object. */
     CollisionWorld around(long active);
+
+    /** The static world with its portals' seams. */
+    static Surroundings of(SeamedWorld world) {
+        return new Surroundings() {
+            @Override
+            public Portals portals() {
+                return world.portals();
+            }
+
+            @Override
+            public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
+                return world.active(shape, at, way);
+            }
+
+            @Override
+            public CollisionWorld around(long active) {
+                return world.around(active);
+            }
+        };
+    }
 
     /** One world for everybody and no portal. */
     static Surroundings of(CollisionWorld world) {

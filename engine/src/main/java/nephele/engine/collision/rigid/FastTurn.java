@@ -1,0 +1,87 @@
+package nephele.engine.collision.rigid;
+
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * Turns a body no farther into solids than it may get: after a blow an edge goes a radian in a tick, and what has dug
+ * itself through a wall is pushed out on the wrong side of it. Looked at only where corners move far. Reused.
+ */
+final class FastTurn {
+    private static final int MOST_HALVINGS = 4;
+
+    private final Poses poses;
+    private final NarrowPhase narrow;
+    private final FastSweep sweep;
+    private final double[] before = new double[4];
+    private final double[] after = new double[4];
+    private final Vector3d still = new Vector3d();
+
+    FastTurn(Poses poses, NarrowPhase narrow, FastSweep sweep) {
+        this.poses = poses;
+        this.narrow = narrow;
+        this.sweep = sweep;
+    }
+
+    /** Remembers how the body is turned whose orientation stands at {@code q}. */
+    void begin(double[] motion, int q) {
+        System.arraycopy(motion, q, before, 0, 4);
+    }
+
+    /** Whether a corner was moved by more than {@code metres} since. */
+    boolean isFast(double[] motion, int q, int body, double metres) {
+        if (poses.kind[body] == BodyTable.SPHERE) {
+            return false;
+        }
+        double cosine = 0;
+        for (int i = 0; i < 4; i++) {
+            cosine += before[i] * motion[q + i];
+        }
+        double chord = 2 * poses.radius(body);
+        return chord * chord * (1 - cosine * cosine) > metres * metres;
+    }
+
+    /** Takes back as much of the turn as leads deeper into a solid than {@code depth} and than the body was. */
+    void fit(double[] motion, int q, int body, Vector3dc at, Surroundings surroundings, double depth) {
+        System.arraycopy(motion, q, after, 0, 4);
+        double most = Math.min(-depth, gap(before, body, at, surroundings));
+        double share = 1;
+        for (int i = 0; i <= MOST_HALVINGS; i++) {
+            if (gap(motion, q, body, at, surroundings) >= most) {
+                return;
+            }
+            share /= 2;
+            towards(i == MOST_HALVINGS ? 0 : share, motion, q);
+        }
+    }
+
+    private double gap(double[] turned, int body, Vector3dc at, Surroundings surroundings) {
+        return gap(turned, 0, body, at, surroundings);
+    }
+
+    private double gap(double[] turned, int q, int body, Vector3dc at, Surroundings surroundings) {
+        poses.turn(body, turned[q], turned[q + 1], turned[q + 2], turned[q + 3]);
+        var hull = narrow.turnedHull(body);
+        Portals portals = surroundings.portals();
+        CollisionWorld world = surroundings.around(portals.size() == 0 ? 0 : surroundings.active(hull, at, still));
+        return sweep.gap(world, hull, at);
+    }
+
+    /** Between both along the shorter arc, by the normalised mean of the quaternions. */
+    private void towards(double share, double[] motion, int q) {
+        double cosine = 0;
+        for (int i = 0; i < 4; i++) {
+            cosine += before[i] * after[i];
+        }
+        double square = 0;
+        for (int i = 0; i < 4; i++) {
+            motion[q + i] = (1 - share) * before[i] + (cosine < 0 ? -share : share) * after[i];
+            square += motion[q + i] * motion[q + i];
+        }
+        for (int i = 0; i < 4; i++) {
+            motion[q + i] = share == 0 ? before[i] : motion[q + i] / Math.sqrt(square);
+        }
+    }
+}
