@@ -10,7 +10,7 @@ import org.joml.Vector3dc;
  * itself through a wall is pushed out on the wrong side of it. Looked at only where corners move far. Reused.
  */
 final class FastTurn {
-    private static final int MOST_HALVINGS = 4;
+    private static final int MOST_HALVINGS = 6;
 
     private final Poses poses;
     private final NarrowPhase narrow;
@@ -43,18 +43,24 @@ final class FastTurn {
         return chord * chord * (1 - cosine * cosine) > metres * metres;
     }
 
-    /** Takes back as much of the turn as leads deeper into a solid than {@code depth} and than the body was. */
-    void fit(double[] motion, int q, int body, Vector3dc at, Surroundings surroundings, double depth) {
+    /**
+     * Takes back as much of the turn as leads deeper into a solid than {@code depth} and than the body was.
+     *
+     * @return whether anything is left of the turn
+     */
+    boolean fit(double[] motion, int q, int body, Vector3dc at, Surroundings surroundings, double depth) {
         System.arraycopy(motion, q, after, 0, 4);
         double most = Math.min(-depth, gap(before, body, at, surroundings));
         double share = 1;
         for (int i = 0; i <= MOST_HALVINGS; i++) {
             if (gap(motion, q, body, at, surroundings) >= most) {
-                return;
+                return share > 0;
             }
             share /= 2;
-            towards(i == MOST_HALVINGS ? 0 : share, motion, q);
+            share = i == MOST_HALVINGS ? 0 : share;
+            towards(share, motion, q);
         }
+        return false;
     }
 
     private double gap(double[] turned, int body, Vector3dc at, Surroundings surroundings) {

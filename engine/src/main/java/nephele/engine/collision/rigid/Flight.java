@@ -1,5 +1,6 @@
 package nephele.engine.collision.rigid;
 
+import java.util.Arrays;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Crossing;
 import nephele.engine.portal.Passage;
@@ -122,7 +123,11 @@ final class Flight {
         int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
         if (turn.isFast(bodies.motion, q, body, farMetres(body))) {
             System.arraycopy(poses.axes, 9 * body, axes, 0, 9);
-            turn.fit(bodies.motion, q, body, place, surroundings, depth(body));
+            if (!turn.fit(bodies.motion, q, body, place, surroundings, depth(body))) {
+                // Corners that seem to turn away from a wall, and do not, would keep the solver from stopping the body.
+                int w = Bodies.STRIDE * body + Bodies.SPIN;
+                Arrays.fill(bodies.motion, w, w + 3, 0);
+            }
             System.arraycopy(axes, 0, poses.axes, 9 * body, 9);
         }
     }
