@@ -12,22 +12,25 @@ import java.util.function.Supplier;
 record BodyCost(double millisecondsPerTwoTicks, double bytesPerBodyAndTick) {
     private static final int WARM_ROUNDS = 6;
 
-    static BodyCost measure(Supplier<BodyCourse> course, int ticks, double seconds) {
+    /** Some bodies and what moves them for a tick. */
+    record Course(int bodies, Runnable tick) {}
+
+    static BodyCost measure(Supplier<Course> course, int ticks) {
         for (int round = 0; round < WARM_ROUNDS; round++) {
-            run(course.get(), ticks, seconds);
+            run(course.get(), ticks);
         }
-        return run(course.get(), ticks, seconds);
+        return run(course.get(), ticks);
     }
 
-    private static BodyCost run(BodyCourse bodies, int ticks, double seconds) {
+    private static BodyCost run(Course course, int ticks) {
         var thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long bytes = thread.getCurrentThreadAllocatedBytes();
         long nanos = thread.getCurrentThreadCpuTime();
         for (int tick = 0; tick < ticks; tick++) {
-            bodies.tick(seconds);
+            course.tick().run();
         }
         nanos = thread.getCurrentThreadCpuTime() - nanos;
         bytes = thread.getCurrentThreadAllocatedBytes() - bytes;
-        return new BodyCost(nanos / 1e6 / ticks * 2, (double) bytes / ticks / bodies.size());
+        return new BodyCost(nanos / 1e6 / ticks * 2, (double) bytes / ticks / course.bodies());
     }
 }

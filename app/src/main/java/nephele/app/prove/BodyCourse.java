@@ -23,7 +23,7 @@ import org.joml.Vector3d;
 /** Bodies of a level on their own, and how far they are from where they belong. */
 final class BodyCourse {
     private static final Vec3 GRAVITY = new Vec3(0, -9.81, 0);
-    private static final Environment DARK =
+    static final Environment DARK =
             new Environment(null, new Sky.Constant(Vec3.ZERO), null, 0, ToneCurve.CLIP, null, List.of());
 
     private final RigidStep step;

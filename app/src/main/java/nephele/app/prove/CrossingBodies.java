@@ -12,7 +12,6 @@ import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
 import nephele.engine.collision.rigid.Surroundings;
-import nephele.engine.level.Body;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
@@ -21,13 +20,12 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * A cube, a box or a ball, thrown at up to 100 m/s and spinning through one pair of portals, again and again.
+ * A box, a ball or a capsule, thrown at up to 100 m/s and spinning through one pair of portals, again and again.
  */
 final class CrossingBodies {
     /** What stands in a solid by less is pressed against it: a solver lets bodies sink in a little. */
     private static final double PRESSED_METRES = 0.01;
 
-    private static final int MOST_TRIES = 10;
     private static final double SECONDS_BEFORE = 0.33;
     private static final double SECONDS_AFTER = 0.25;
     private static final Vec3 GRAVITY = new Vec3(0, -PlayerBody.GRAVITY, 0);
@@ -50,52 +48,21 @@ final class CrossingBodies {
         surroundings = Surroundings.of(SeamedWorld.of(place.world(), place.portals()));
         seconds = 1.0 / ticksPerSecond;
         var random = new SplittableRandom(~number);
-        Vec3 half = half(random);
-        boolean isBall = random.nextInt(4) == 0;
-        table = new BodyTable(List.of(isBall ? ball(half.x()) : box(half)));
-        points = isBall ? onBall(half.x()) : onBox(half);
+        ThrownBody thrown = ThrownBody.of(random);
+        table = new BodyTable(List.of(thrown.body()));
+        points = thrown.points();
         step = new RigidStep(table, GRAVITY);
     }
 
-    private static Vec3 half(SplittableRandom random) {
-        double cube = random.nextDouble(0.1, 0.4);
-        return new Vec3(cube, cube, random.nextInt(3) > 0 ? cube : random.nextDouble(0.1, 0.4));
-    }
-
-    private static Body box(Vec3 half) {
-        Vec3 size = new Vec3(2 * half.x(), 2 * half.y(), 2 * half.z());
-        return new Body.Box("box", Vec3.ZERO, size, 10, null, 0.6, 0.2);
-    }
-
-    private static Body ball(double radius) {
-        return new Body.Sphere("ball", Vec3.ZERO, radius, 10, null, 0.6, 0.4);
-    }
-
-    private static List<Vector3d> onBox(Vec3 half) {
-        List<Vector3d> points = new ArrayList<>();
-        for (int i = 0; i < 27; i++) {
-            if (i != 13) {
-                points.add(new Vector3d((i % 3 - 1) * half.x(), (i / 3 % 3 - 1) * half.y(), (i / 9 - 1) * half.z()));
-            }
-        }
-        return points;
-    }
-
-    private static List<Vector3d> onBall(double radius) {
-        List<Vector3d> points = onBox(new Vec3(1, 1, 1));
-        points.forEach(point -> point.normalize(radius));
-        return points;
-    }
-
-    /** Tries until it goes through, a few times. */
-    void cross(SplittableRandom random, String where, CrossingTally tally) {
-        for (int i = 0; i < MOST_TRIES; i++) {
+    /** Draws anew until it goes through, and says whether it did. */
+    boolean cross(SplittableRandom random, String where, CrossingTally tally) {
+        for (int i = 0; i < CrossingsProof.MOST_TRIES; i++) {
             BodyState start = start(random);
             if (start != null && crosses(where, start, tally)) {
-                tally.through();
-                return;
+                return true;
             }
         }
+        return false;
     }
 
     private boolean crosses(String where, BodyState start, CrossingTally tally) {
@@ -106,7 +73,7 @@ final class CrossingBodies {
             bodies = step.step(bodies, surroundings, influences, seconds);
             if (!crossed && bodies.crossings(0) > 0) {
                 crossed = true;
-                last = tick + (int) Math.ceil(SECONDS_AFTER / seconds);
+                last = tick + 1 + (int) Math.ceil(SECONDS_AFTER / seconds);
             }
         }
         if (crossed) {

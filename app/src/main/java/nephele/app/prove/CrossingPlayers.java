@@ -21,14 +21,14 @@ import org.joml.Vector3d;
 
 /** Players that walk, run, jump, fall and turn through one pair of portals. */
 final class CrossingPlayers {
-    private static final int MOST_TRIES = 10;
-    private static final int TICKS_AFTER = 10;
+    private static final double SECONDS_AFTER = 0.25;
 
     private final PortalRoom.Place place;
     private final SeamedWorld seamed;
     private final SeamedClearance clearance;
     private final Simulation simulation;
     private final int mostTicks;
+    private final int ticksAfter;
     private final Recovery recovery = new Recovery();
 
     CrossingPlayers(PortalRoom.Place place, int ticksPerSecond) {
@@ -37,18 +37,19 @@ final class CrossingPlayers {
         clearance = new SeamedClearance(place);
         SimLevel level = SimLevel.of(place.world(), new PlayerStart(place.origin(), 0, 0), place.portals());
         mostTicks = ticksPerSecond / 3;
+        ticksAfter = (int) Math.ceil(SECONDS_AFTER * ticksPerSecond);
         simulation = new Simulation(level, new SimSettings(ticksPerSecond, List.of()), FaultLog.SILENT);
     }
 
-    /** Tries until somebody goes through, a few times. */
-    void cross(SplittableRandom random, String where, CrossingTally tally) {
-        for (int i = 0; i < MOST_TRIES; i++) {
+    /** Draws anew until somebody goes through, and says whether anybody did. */
+    boolean cross(SplittableRandom random, String where, CrossingTally tally) {
+        for (int i = 0; i < CrossingsProof.MOST_TRIES; i++) {
             PlayerState start = start(random);
             if (start != null && crosses(where, start, random, tally)) {
-                tally.through();
-                return;
+                return true;
             }
         }
+        return false;
     }
 
     private boolean crosses(String where, PlayerState start, SplittableRandom random, CrossingTally tally) {
@@ -60,7 +61,7 @@ final class CrossingPlayers {
             state = simulation.step(state, input);
             if (!crossed && state.around().trace().playerCrossed().length() > 0) {
                 crossed = true;
-                last = tick + TICKS_AFTER;
+                last = tick + 1 + ticksAfter;
                 input = input(random);
             }
             if (!check(where + " at tick " + tick, state.player(), tally)) {

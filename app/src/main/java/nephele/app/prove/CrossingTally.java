@@ -8,6 +8,7 @@ final class CrossingTally {
     private static final int MOST_EXAMPLES = 10;
 
     private long through;
+    private long without;
     private long escaped;
     private long stuck;
     private double deepestPlayer;
@@ -16,6 +17,10 @@ final class CrossingTally {
 
     void through() {
         through++;
+    }
+
+    void without() {
+        without++;
     }
 
     void escaped(String what) {
@@ -48,6 +53,7 @@ final class CrossingTally {
                 escaped + stuck,
                 List.of(
                         Figure.sum("crossings", through, ""),
+                        Figure.sum("units without a crossing", without, ""),
                         Figure.sum("out of the room", escaped, ""),
                         Figure.sum("in a solid", stuck, ""),
                         Figure.greatest("deepest point of a player in a solid", deepestPlayer * 1000, "mm"),

@@ -24,6 +24,9 @@ final class PortalRoom {
     private static final double HIGH = 4;
     private static final double ROUNDING = 1e-9;
     private static final int DRAWS = 200;
+    /** A portal off the ramp has so much room before it. */
+    private static final double RAMP_METRES = 0.7;
+
     private static final PortalShape[] SHAPES = PortalShape.values();
 
     private final SplittableRandom random;
@@ -114,7 +117,7 @@ final class PortalRoom {
         for (int i = 0; i < DRAWS; i++) {
             Portal a = end("a", random.nextInt(7), aperture, ramp);
             Portal b = end("b", random.nextInt(7), aperture, ramp);
-            if (apart(a, b)) {
+            if (apart(a, b) && isOffRamp(a, ramp) && isOffRamp(b, ramp)) {
                 return List.of(a, b);
             }
         }
@@ -145,8 +148,8 @@ final class PortalRoom {
         return switch (face) {
             case 0 -> portal(id, at(along, sill, -HALF), new Vec3(0, 0, 1), UP, aperture);
             case 1 -> portal(id, at(-HALF, sill, along), new Vec3(1, 0, 0), UP, aperture);
-            case 2 -> portal(id, at(along, sill, -HALF), new Vec3(0, 0, 1), UP, aperture);
-            case 3 -> portal(id, at(-HALF, sill, -HALF + half), new Vec3(1, 0, 0), UP, aperture);
+            case 2 -> portal(id, at(along, sill, HALF), new Vec3(0, 0, -1), UP, aperture);
+            case 3 -> portal(id, at(HALF, sill, along), new Vec3(-1, 0, 0), UP, aperture);
             case 4 -> portal(id, at(x, 0, z), UP, lying, aperture);
             case 5 -> portal(id, at(x, HIGH, z), new Vec3(0, -1, 0), lying, aperture);
             default -> new Portal(id, ramp.centre(), ramp.frame(), aperture);
@@ -176,12 +179,30 @@ final class PortalRoom {
         return !coplanar || beside;
     }
 
+    /** Whether it is the ramp's own or has room before it. */
+    private boolean isOffRamp(Portal end, Portal ramp) {
+        if (end.frame().equals(ramp.frame())) {
+            return true;
+        }
+        Aabb block = solids.get(solids.size() - 1).bounds();
+        return !reaches(
+                end,
+                RAMP_METRES,
+                new Aabb(
+                        block.minX() - origin.x(),
+                        block.minY() - origin.y(),
+                        block.minZ() - origin.z(),
+                        block.maxX() - origin.x(),
+                        block.maxY() - origin.y(),
+                        block.maxZ() - origin.z()));
+    }
+
     /** Boxes on the floor, some just before an exit but none in it. */
     private void furniture(List<Portal> ends) {
         double before = random.nextDouble(0.01, 0.7);
         for (int i = random.nextInt(9); i > 0; i--) {
             double x = random.nextDouble(-HALF, HALF);
-            double z = random.nextDouble(-HALF, 1);
+            double z = random.nextDouble(-HALF, HALF);
             double size = random.nextDouble(0.1, 0.9);
             double high = random.nextDouble(0.05, 1.2);
             Aabb box = new Aabb(x - size, 0, z - size, x + size, high, z + size);
