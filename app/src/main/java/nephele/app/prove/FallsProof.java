@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Aabb;
@@ -23,12 +24,12 @@ import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 
 /**
- * Drops a player from 2 m into one floor portal, out of another and back, ten thousand times at each of four tick rates,
+ * Drops a player, and then a spinning cube, a ball and a capsule, from 2 m into one floor portal, out of another and back, ten thousand times at each of four tick rates,
  * and looks how high it gets. A unit is a fall at the rate of its number.
  */
 public final class FallsProof implements Proof {
-    private static final double HEIGHT_METRES = 2;
-    private static final double BAR_METRES = 1e-6;
+    static final double HEIGHT_METRES = 2;
+    static final double BAR_METRES = 1e-6;
     private static final int[] RATES = {30, 60, 120, 240};
     private static final long FALLS = 10_000;
 
@@ -64,7 +65,9 @@ public final class FallsProof implements Proof {
         long unit = from;
         while (unit < from + count) {
             long end = Math.min(from + count, (unit / FALLS + 1) * FALLS);
-            result = result.and(falls(RATES[(int) (unit / FALLS % RATES.length)], end - unit));
+            int rate = RATES[(int) (unit / FALLS % RATES.length)];
+            result = result.and(falls(rate, end - unit))
+                    .and(new FallingBodies(SeamedWorld.of(floor(), portals())).run(rate, end - unit));
             unit = end;
             progress.unitsDone(unit - from);
         }
@@ -102,17 +105,25 @@ public final class FallsProof implements Proof {
     }
 
     private static Simulation simulation(int rate) {
+        return new Simulation(
+                SimLevel.of(
+                        floor(),
+                        new PlayerStart(new Vec3(-3, HEIGHT_METRES - Stance.STANDING.centreAboveFeet(), 0), 0, 0),
+                        portals()),
+                new SimSettings(rate, List.of()),
+                FaultLog.SILENT);
+    }
+
+    private static CollisionWorld floor() {
         Aabb floor = new Aabb(-50, -1, -50, 50, 0, 50);
+        return new CollisionWorld(List.of(new Collider("floor", ConvexPolyhedron.box(floor))));
+    }
+
+    private static Portals portals() {
         Aperture aperture = Aperture.of(PortalShape.ARCH, 1.2, 2.1);
         var up = new Vec3(0, 1, 0);
         var first = new Portal("a", new Vec3(-3, 0, 0), Portal.facing(up, new Vec3(0, 0, -1)), aperture);
         var second = new Portal("b", new Vec3(3, 0, 0), Portal.facing(up, new Vec3(1, 0, 0)), aperture);
-        return new Simulation(
-                SimLevel.of(
-                        new CollisionWorld(List.of(new Collider("floor", ConvexPolyhedron.box(floor)))),
-                        new PlayerStart(new Vec3(-3, HEIGHT_METRES - Stance.STANDING.centreAboveFeet(), 0), 0, 0),
-                        new Portals(List.of(first, second), List.of(1, 0))),
-                new SimSettings(rate, List.of()),
-                FaultLog.SILENT);
+        return new Portals(List.of(first, second), List.of(1, 0));
     }
 }

@@ -15,4 +15,8 @@ public final class BitHash {
     public static long join(long hash, double number) {
         return join(hash, Double.doubleToLongBits(number));
     }
+
+    public static long join(long hash, Vec3 v) {
+        return join(join(join(hash, v.x()), v.y()), v.z());
+    }
 }

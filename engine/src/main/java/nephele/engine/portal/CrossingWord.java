@@ -1,6 +1,7 @@
 package nephele.engine.portal;
 
 import java.util.Arrays;
+import nephele.engine.math.BitHash;
 
 /**
  * Which portals lie between two places, in order, with every there-and-back taken out: a reduced word of the free group
@@ -44,6 +45,15 @@ public final class CrossingWord {
         longer[0] = portals.partner(portal);
         System.arraycopy(entries, 0, longer, 1, entries.length);
         return new CrossingWord(longer);
+    }
+
+    /** Joins its length and its letters to a hash. */
+    public long hash(long before) {
+        long hash = BitHash.join(before, (long) entries.length);
+        for (int entry : entries) {
+            hash = BitHash.join(hash, (long) entry);
+        }
+        return hash;
     }
 
     @Override

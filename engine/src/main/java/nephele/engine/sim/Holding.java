@@ -1,5 +1,6 @@
 package nephele.engine.sim;
 
+import nephele.engine.math.BitHash;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
@@ -76,7 +77,7 @@ public record Holding(int body, CrossingWord word, int ticksUnseen, int leaving)
         if (equals(NOTHING)) {
             return seed;
         }
-        long hash = StateHash.join(StateHash.join(StateHash.join(seed, body), ticksUnseen), leaving);
-        return StateHash.join(hash, word);
+        long hash = BitHash.join(BitHash.join(BitHash.join(seed, body), ticksUnseen), leaving);
+        return word.hash(hash);
     }
 }

@@ -1,5 +1,6 @@
 package nephele.engine.sim;
 
+import nephele.engine.math.BitHash;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerBody.Stance;
 
@@ -75,12 +76,12 @@ public record PlayerState(
     }
 
     long hash(long seed) {
-        long hash = StateHash.join(StateHash.join(seed, feet), velocity);
-        hash = StateHash.join(hash, heading.yawMillidegrees());
-        hash = StateHash.join(hash, heading.pitchMillidegrees());
-        hash = StateHash.join(hash, Double.doubleToLongBits(eyeMetres));
-        hash = StateHash.join(hash, stance.ordinal());
-        hash = ground == null ? StateHash.join(hash, 0) : StateHash.join(hash, ground);
-        return tilt.hash(StateHash.join(hash, jumpHeld ? 1 : 0));
+        long hash = BitHash.join(BitHash.join(seed, feet), velocity);
+        hash = BitHash.join(hash, heading.yawMillidegrees());
+        hash = BitHash.join(hash, heading.pitchMillidegrees());
+        hash = BitHash.join(hash, Double.doubleToLongBits(eyeMetres));
+        hash = BitHash.join(hash, stance.ordinal());
+        hash = ground == null ? BitHash.join(hash, 0) : BitHash.join(hash, ground);
+        return tilt.hash(BitHash.join(hash, jumpHeld ? 1 : 0));
     }
 }

@@ -1,5 +1,6 @@
 package nephele.engine.sim;
 
+import nephele.engine.math.BitHash;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
@@ -8,12 +9,12 @@ final class PortalHash {
     private PortalHash() {}
 
     static long join(long seed, Portals portals) {
-        long hash = StateHash.join(seed, portals.size());
+        long hash = BitHash.join(seed, portals.size());
         for (int i = 0; i < portals.size(); i++) {
             Portal portal = portals.portal(i);
-            hash = StateHash.join(StateHash.join(hash, portals.partner(i)), portal.centre());
-            hash = StateHash.join(hash, portal.frame().up());
-            hash = StateHash.join(hash, portal.frame().back());
+            hash = BitHash.join(BitHash.join(hash, portals.partner(i)), portal.centre());
+            hash = BitHash.join(hash, portal.frame().up());
+            hash = BitHash.join(hash, portal.frame().back());
         }
         return hash;
     }

@@ -1,5 +1,6 @@
 package nephele.engine.sim;
 
+import nephele.engine.math.BitHash;
 import nephele.engine.portal.Portals;
 
 /** Where the portals of the gun are among {@link Portals}; {@link #UNFIRED} for one that was not shot yet. */
@@ -38,6 +39,6 @@ public record Shots(int first, int second) {
     }
 
     long hash(long seed) {
-        return equals(NONE) ? seed : StateHash.join(StateHash.join(seed, first), second);
+        return equals(NONE) ? seed : BitHash.join(BitHash.join(seed, first), second);
     }
 }

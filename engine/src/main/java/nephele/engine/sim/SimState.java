@@ -1,5 +1,7 @@
 package nephele.engine.sim;
 
+import nephele.engine.math.BitHash;
+
 /**
  * Everything that the next tick depends on, besides the level and the input.
  *
@@ -29,7 +31,7 @@ public record SimState(long tick, long random, int faults, PlayerState player, C
 
     /** 64 bits over every bit of the state, equal on every machine. */
     public long hash() {
-        long hash = StateHash.join(StateHash.join(0, tick), random);
-        return around.hash(player.hash(StateHash.join(hash, faults)));
+        long hash = BitHash.join(BitHash.join(0, tick), random);
+        return around.hash(player.hash(BitHash.join(hash, faults)));
     }
 }

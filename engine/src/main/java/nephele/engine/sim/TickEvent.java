@@ -1,5 +1,6 @@
 package nephele.engine.sim;
 
+import nephele.engine.math.BitHash;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.placement.Refusal;
 
@@ -12,7 +13,7 @@ public sealed interface TickEvent {
     record PortalOpened(Shots.Colour shot, int portal) implements TickEvent {
         @Override
         public long hash(long seed) {
-            return StateHash.join(StateHash.join(StateHash.join(seed, 1), shot.ordinal()), portal);
+            return BitHash.join(BitHash.join(BitHash.join(seed, 1), shot.ordinal()), portal);
         }
     }
 
@@ -20,8 +21,8 @@ public sealed interface TickEvent {
     record PortalRefused(Shots.Colour shot, Refusal reason, Vec3 where) implements TickEvent {
         @Override
         public long hash(long seed) {
-            long hash = StateHash.join(StateHash.join(seed, 2), shot.ordinal());
-            return StateHash.join(StateHash.join(hash, reason.ordinal()), where);
+            long hash = BitHash.join(BitHash.join(seed, 2), shot.ordinal());
+            return BitHash.join(BitHash.join(hash, reason.ordinal()), where);
         }
     }
 
@@ -39,7 +40,7 @@ public sealed interface TickEvent {
 
         @Override
         public long hash(long seed) {
-            return StateHash.join(StateHash.join(StateHash.join(seed, 3), kind.ordinal()), body);
+            return BitHash.join(BitHash.join(BitHash.join(seed, 3), kind.ordinal()), body);
         }
     }
 
@@ -47,7 +48,7 @@ public sealed interface TickEvent {
     record NothingInReach() implements TickEvent {
         @Override
         public long hash(long seed) {
-            return StateHash.join(seed, 4);
+            return BitHash.join(seed, 4);
         }
     }
 }

@@ -1,6 +1,7 @@
 package nephele.engine.sim;
 
 import java.util.List;
+import nephele.engine.math.BitHash;
 import nephele.engine.portal.CrossingWord;
 
 /**
@@ -26,7 +27,7 @@ public record TickTrace(int pressed, CrossingWord playerCrossed, List<TickEvent>
         if (equals(NONE)) {
             return seed;
         }
-        long hash = StateHash.join(StateHash.join(seed, pressed), playerCrossed);
+        long hash = playerCrossed.hash(BitHash.join(seed, pressed));
         for (TickEvent event : events) {
             hash = event.hash(hash);
         }

@@ -1,5 +1,6 @@
 package nephele.engine.sim;
 
+import nephele.engine.math.BitHash;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
@@ -78,8 +79,8 @@ public record Tilt(Vec3 up, double x, double y, double z, double w) {
         if (isUpright()) {
             return seed;
         }
-        long hash = StateHash.join(StateHash.join(seed, up), Double.doubleToLongBits(x));
-        hash = StateHash.join(StateHash.join(hash, Double.doubleToLongBits(y)), Double.doubleToLongBits(z));
-        return StateHash.join(hash, Double.doubleToLongBits(w));
+        long hash = BitHash.join(BitHash.join(seed, up), Double.doubleToLongBits(x));
+        hash = BitHash.join(BitHash.join(hash, Double.doubleToLongBits(y)), Double.doubleToLongBits(z));
+        return BitHash.join(hash, Double.doubleToLongBits(w));
     }
 }
