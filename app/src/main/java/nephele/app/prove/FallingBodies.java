@@ -2,8 +2,6 @@ package nephele.app.prove;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.collision.CollisionWorld;
-import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
@@ -13,10 +11,8 @@ import nephele.engine.collision.rigid.RigidStep;
 import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Portals;
 import nephele.engine.sim.PlayerBody;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 
 /** Bodies of the solver that fall from floor to floor, each alone and through the first of two portals. */
 final class FallingBodies {
@@ -49,7 +45,7 @@ final class FallingBodies {
         RigidStep step = new RigidStep(new BodyTable(List.of(body)), GRAVITY);
         Vec3 spin = body instanceof Body.Capsule ? Vec3.ZERO : SPIN;
         Bodies bodies = Bodies.of(List.of(BodyState.resting(body.centre()).moving(Vec3.ZERO, spin)));
-        Surroundings surroundings = surroundings();
+        Surroundings surroundings = Surroundings.of(seamed);
         double worst = 0;
         long passes = 0;
         long idleTicks = 0;
@@ -77,24 +73,5 @@ final class FallingBodies {
     private static double apex(Bodies bodies) {
         double v = bodies.velocity(0, new Vector3d()).y;
         return bodies.centre(0, new Vector3d()).y + v * v / (2 * PlayerBody.GRAVITY);
-    }
-
-    private Surroundings surroundings() {
-        return new Surroundings() {
-            @Override
-            public Portals portals() {
-                return seamed.portals();
-            }
-
-            @Override
-            public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
-                return seamed.active(shape, at, way);
-            }
-
-            @Override
-            public CollisionWorld around(long active) {
-                return seamed.around(active);
-            }
-        };
     }
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.collision.CollisionWorld;
-import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
@@ -18,7 +17,6 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import org.joml.Quaterniond;
-import org.joml.Vector3dc;
 
 /**
  * Cubes of the solver, thrown spinning through one pair each, under gravity. After the tick in which a cube crosses, its
@@ -54,27 +52,8 @@ final class FlownTraversals {
             Vec3 size = new Vec3(CUBE_METRES, CUBE_METRES, CUBE_METRES);
             cubes.add(new Body.Box("cube" + i, start.centre(), size, 1, null, 0.6, 0));
         }
-        surroundings = around(SeamedWorld.of(new CollisionWorld(List.of()), new Portals(ends, partners)));
+        surroundings = Surroundings.of(SeamedWorld.of(new CollisionWorld(List.of()), new Portals(ends, partners)));
         step = new RigidStep(new BodyTable(cubes), GRAVITY);
-    }
-
-    private static Surroundings around(SeamedWorld seamed) {
-        return new Surroundings() {
-            @Override
-            public Portals portals() {
-                return seamed.portals();
-            }
-
-            @Override
-            public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
-                return seamed.active(shape, at, way);
-            }
-
-            @Override
-            public CollisionWorld around(long active) {
-                return seamed.around(active);
-            }
-        };
     }
 
     /** Near the middle of the aperture, and through it before the tick is over. */
