@@ -5,13 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import nephele.engine.level.Body;
+import nephele.engine.level.PortalShape;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Section 5 row 23: a body that flies straight at an aperture passes untouched just when its outline fits. */
 class BodyFitTest {
@@ -23,8 +24,9 @@ class BodyFitTest {
     }
 
     @ParameterizedTest
-    @ValueSource(longs = {1, 2, 3, 4})
-    void passesUntouchedJustWhenItsOutlineFits(long seed) {
+    @CsvSource({"RECTANGLE, 1", "RECTANGLE, 2", "ARCH, 3", "ARCH, 4", "ELLIPSE, 5", "ELLIPSE, 6"})
+    void passesUntouchedJustWhenItsOutlineFits(PortalShape shape, long seed) {
+        Aperture aperture = Aperture.of(shape, 1.2, 2.1);
         SplittableRandom random = new SplittableRandom(seed);
         int fitting = 0;
         int held = 0;
@@ -33,12 +35,12 @@ class BodyFitTest {
             Vec3 at = v(random.nextDouble(-0.25, 0.25), 1.05 + random.nextDouble(-0.4, 0.4), 1.5);
             Quaterniond turn =
                     new Quaterniond().rotateXYZ(random.nextDouble(6), random.nextDouble(6), random.nextDouble(6));
-            double outside = outside(size, at, turn);
+            double outside = outside(aperture, size, at, turn);
             if (Math.abs(outside) < MARGIN_METRES) {
                 continue;
             }
-            boolean untouched = fliesUntouched(size, at, turn);
-            assertEquals(outside < 0, untouched, "box " + size + " at " + at + " is outside by " + outside);
+            boolean untouched = fliesUntouched(aperture, size, at, turn);
+            assertEquals(outside < 0, untouched, shape + ", box " + size + " at " + at + " is outside by " + outside);
             fitting += untouched ? 1 : 0;
             held += untouched ? 0 : 1;
         }
@@ -46,9 +48,7 @@ class BodyFitTest {
     }
 
     /** By how much the outline of the corners leaves the aperture: brute force, no GJK. */
-    private static double outside(Vec3 size, Vec3 at, Quaterniond turn) {
-        Aperture aperture =
-                BodyScene.portal(v(0, 1.05, 0), v(0, 0, 1), 1.2, 2.1).aperture();
+    private static double outside(Aperture aperture, Vec3 size, Vec3 at, Quaterniond turn) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < 8; i++) {
             Vector3d corner = new Vector3d(
@@ -61,12 +61,14 @@ class BodyFitTest {
         return most;
     }
 
-    private static boolean fliesUntouched(Vec3 size, Vec3 at, Quaterniond turn) {
+    private static boolean fliesUntouched(Aperture aperture, Vec3 size, Vec3 at, Quaterniond turn) {
         BodyScene scene = new BodyScene()
                 .weightless()
                 .box(-10, -10, -1, 10, 10, 0)
                 .box(30, -10, -10, 31, 10, 10)
-                .pair(v(0, 1.05, 0), v(0, 0, 1), v(30, 1.05, 0), v(-1, 0, 0), 1.2, 2.1);
+                .pair(
+                        BodyScene.portal(v(0, 1.05, 0), v(0, 0, 1), aperture),
+                        BodyScene.portal(v(30, 1.05, 0), v(-1, 0, 0), aperture));
         int box = scene.add(new Body.Box("box", at, size, 1, null, 0, 0));
         scene.start().set(box, new BodyState(at, turn, v(0, 0, -2), Vec3.ZERO)).run(1.5, 120);
         return scene.centre(box).distance(30 - (3 - at.z()), at.y(), -at.x()) < 1e-9
@@ -76,9 +78,25 @@ class BodyFitTest {
     /** A plank that goes in lengthways gets through, across it is held by the rim. */
     @Test
     void plankGoesLengthwaysOnly() {
+        Aperture aperture = Aperture.of(PortalShape.RECTANGLE, 1.2, 2.1);
         for (boolean lengthways : new boolean[] {true, false}) {
             Vec3 size = lengthways ? v(0.2, 0.2, 3) : v(3, 0.2, 0.2);
-            assertEquals(lengthways, fliesUntouched(size, v(0, 1, 1.8), new Quaterniond()));
+            assertEquals(lengthways, fliesUntouched(aperture, size, v(0, 1, 1.8), new Quaterniond()));
+        }
+    }
+
+    /** A corner of a rectangle is not open in an arch, and its foot not in an ellipse. */
+    @Test
+    void cornersAreOpenInARectangleOnly() {
+        Vec3 cube = v(0.2, 0.2, 0.2);
+        for (PortalShape shape : PortalShape.values()) {
+            Aperture aperture = Aperture.of(shape, 1.2, 2.1);
+            boolean atHead = shape == PortalShape.RECTANGLE;
+            boolean atFoot = shape != PortalShape.ELLIPSE;
+            assertEquals(
+                    atHead, fliesUntouched(aperture, cube, v(0.45, 1.95, 1.5), new Quaterniond()), shape + " head");
+            assertEquals(
+                    atFoot, fliesUntouched(aperture, cube, v(0.45, 0.15, 1.5), new Quaterniond()), shape + " foot");
         }
     }
 }

@@ -53,17 +53,25 @@ final class BodyScene {
 
     /** Two portals that lead to each other, rectangles. */
     BodyScene pair(Vec3 centreA, Vec3 normalA, Vec3 centreB, Vec3 normalB, double width, double height) {
+        return pair(portal(centreA, normalA, width, height), portal(centreB, normalB, width, height));
+    }
+
+    BodyScene pair(Portal a, Portal b) {
         int first = portals.size();
-        portals.add(portal(centreA, normalA, width, height));
-        portals.add(portal(centreB, normalB, width, height));
+        portals.add(a);
+        portals.add(b);
         partners.add(first + 1);
         partners.add(first);
         return this;
     }
 
     static Portal portal(Vec3 centre, Vec3 normal, double width, double height) {
+        return portal(centre, normal, Aperture.of(PortalShape.RECTANGLE, width, height));
+    }
+
+    static Portal portal(Vec3 centre, Vec3 normal, Aperture aperture) {
         Vec3 up = Math.abs(normal.y()) > 0.9 ? new Vec3(0, 0, -1) : new Vec3(0, 1, 0);
-        return new Portal("p", centre, Portal.facing(normal, up), Aperture.of(PortalShape.RECTANGLE, width, height));
+        return new Portal("p", centre, Portal.facing(normal, up), aperture);
     }
 
     int cube(double size, Vec3 at) {
