@@ -18,4 +18,14 @@ class PlacementProofTest {
         assertTrue(placed > 200 && placed < 800, placed + " portals");
         assertTrue(slid > 100 && slid < placed, slid + " slid");
     }
+
+    /** Beside the tips of holes of 5.6°, which were taken for cracks of noise. */
+    @Test
+    void tipsOfSharpHolesCount() {
+        for (long shot : new long[] {65_519, 89_653}) {
+            assertEquals(
+                    List.of(),
+                    new PlacementProof().run(shot, 1, Proof.Progress.NONE).examples());
+        }
+    }
 }

@@ -18,4 +18,12 @@ class RetriangulationProofTest {
         assertTrue(
                 compared > 150 && placed > 50 && placed < compared - 50, compared + " shots, " + placed + " portals");
     }
+
+    /** The longest piece of its upper edge leans enough to have been taken for an edge of its own. */
+    @Test
+    void aLeaningLongestPieceMakesNoStep() {
+        ProofResult result = new RetriangulationProof().run(6552, 1, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(5, result.figures().get(0).value());
+    }
 }

@@ -77,6 +77,46 @@ class OutlineTest {
         assertEquals(2 + 2 + 2 * (1 - tip) + 2 * side, length(outline), 2e-6);
     }
 
+    /** As sharp as 5.7° and 0.6°: where it is as narrow as a crack the tip is longer than any corner's. */
+    @Test
+    void sharpHolesKeepTheirTips() {
+        for (double wide : new double[] {0.1, 0.01}) {
+            List<ConvexPolygon> outline = outline(
+                    ConvexPolygon.of(new double[] {0, 0, 1, 0, 1, 1, 0, 1}),
+                    ConvexPolygon.of(new double[] {1, 0, 2, 0, 2, 1, 1 + wide, 1}));
+            assertEquals(6 - wide + Math.sqrt(1 + wide * wide) + 1, length(outline), 1e-6 + 2e-7 / wide);
+        }
+    }
+
+    /** One opens towards the hole as a tip does, and one is as wide everywhere. */
+    @Test
+    void cracksThatEndAtAHoleAreNoTips() {
+        for (double wide : new double[] {2e-5, Tolerance.CRACK, 1.8 * Tolerance.CRACK}) {
+            List<ConvexPolygon> outline = outline(
+                    ConvexPolygon.of(new double[] {0, 0, 4, 0, 4, 1, 0, 1}),
+                    ConvexPolygon.of(new double[] {0, 1, 1, 1 + wide, 1, 2, 0, 2}),
+                    ConvexPolygon.of(new double[] {3, 1 + wide, 4, 1 + wide, 4, 2, 3, 2}));
+            assertEquals(14, length(outline), 1e-3);
+        }
+    }
+
+    /** The longest piece leans by 2·10⁻⁵ over 0.75 m, which puts its line 10⁻⁴ off the far end. */
+    @Test
+    void noiseInTheLongestPieceDoesNotBreakTheEdge() {
+        List<ConvexPolygon> pieces = new ArrayList<>();
+        pieces.add(ConvexPolygon.of(new double[] {0, -1e-5, 0.75, 1e-5, 0.75, 2, 0, 2}));
+        for (int i = 0; i < 5; i++) {
+            double x = 0.75 + 0.6 * i;
+            pieces.add(ConvexPolygon.of(new double[] {x, -1e-5, x + 0.6, -1e-5, x + 0.6, 2, x, 2}));
+        }
+        List<ConvexPolygon> outline = outline(pieces.toArray(new ConvexPolygon[0]));
+        assertEquals(
+                1,
+                outline.stream()
+                        .filter(segment -> segment.length(0) > 1e-4 && segment.normalY(0) < -0.9)
+                        .count());
+    }
+
     @Test
     void noiseInPiecesOfOneEdgeIsStraightened() {
         List<ConvexPolygon> outline = outline(

@@ -3,7 +3,6 @@ package nephele.engine.portal.placement;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemList;
 
 /**
@@ -26,6 +25,12 @@ final class Outline {
     /** In the middle of a tip the gap is wider than this; where noise happens to close a crack it is less. */
     private static final double NARROW = Tolerance.CRACK / 10;
 
+    /** Metres off an even narrowing that a tip's gap may be; in its middle a gap of noise is off by more. */
+    private static final double EVEN = Tolerance.CRACK / 5;
+
+    /** Of the way from where a tip is two cracks wide to its end. */
+    private static final double[] TIP_SHARES = {-0.25, 0.5, 0.75};
+
     private final ShapeSet polygons;
     private final ItemList near = new ItemList();
     private final List<ConvexPolygon> parts = new ArrayList<>();
@@ -47,7 +52,7 @@ final class Outline {
 
     private void add(int polygon, int edge) {
         ConvexPolygon p = polygons.shape(polygon);
-        Line line = Line.beyond(p, edge, Tolerance.CRACK + BEYOND_CRACK);
+        Stretch line = Stretch.beyond(p, edge, Tolerance.CRACK + BEYOND_CRACK);
         near.clear();
         polygons.overlapping(line.bounds().grown(2 * Tolerance.CRACK), near);
         Neighbours others = new Neighbours(p, edge);
@@ -70,17 +75,17 @@ final class Outline {
             boolean stub = to - from <= 2 * Tolerance.CRACK;
             double low = stub ? from : others.tip(from, -1);
             double high = stub ? to : others.tip(to, 1);
-            Line edge = others.edge;
+            Stretch edge = others.edge;
             parts.add(ConvexPolygon.of(new double[] {edge.atX(low), edge.atY(low), edge.atX(high), edge.atY(high)}));
         }
     }
 
     /** Where along an edge the other polygons are. */
     private static final class Neighbours {
-        private final Line edge;
-        private final Line far;
-        private final Line close;
-        private final Line between;
+        private final Stretch edge;
+        private final Stretch far;
+        private final Stretch close;
+        private final Stretch between;
         /** In a polygon or in a crack beside one. */
         private final List<double[]> covered = new ArrayList<>();
         /** In a polygon without doubt. */
@@ -88,14 +93,17 @@ final class Outline {
         /** Not farther from a polygon than a wide crack of noise is. */
         private final List<double[]> noisy = new ArrayList<>();
 
+        private final List<ConvexPolygon> others = new ArrayList<>();
+
         Neighbours(ConvexPolygon polygon, int number) {
-            edge = Line.beyond(polygon, number, 0);
-            far = Line.beyond(polygon, number, Tolerance.CRACK + BEYOND_CRACK);
-            close = Line.beyond(polygon, number, BEYOND_CRACK);
-            between = Line.beyond(polygon, number, NARROW);
+            edge = Stretch.beyond(polygon, number, 0);
+            far = Stretch.beyond(polygon, number, Tolerance.CRACK + BEYOND_CRACK);
+            close = Stretch.beyond(polygon, number, BEYOND_CRACK);
+            between = Stretch.beyond(polygon, number, NARROW);
         }
 
         void add(ConvexPolygon other) {
+            others.add(other);
             keep(far.near(other, Tolerance.CRACK), covered);
             keep(close.within(other), touched);
             keep(between.within(other), noisy);
@@ -124,108 +132,42 @@ final class Outline {
                 }
             }
             double doubtful = Math.abs(end - at);
-            if (doubtful <= CORNER || doubtful <= LONGEST_TIP && !isNoisy((at + end) / 2)) {
+            boolean tip = doubtful <= LONGEST_TIP && !isNoisy((at + end) / 2);
+            if (doubtful <= CORNER || tip || narrowsEvenly(at, end)) {
                 return end;
             }
             return at + sense * Tolerance.CRACK / 2;
         }
 
+        /**
+         * Whether the gap shrinks evenly from before {@code at}, where it is two cracks wide, to none at {@code end}. A
+         * crack that ends at a hole has nothing beside it before.
+         */
+        private boolean narrowsEvenly(double at, double end) {
+            for (double share : TIP_SHARES) {
+                double even = 2 * Tolerance.CRACK * (1 - share);
+                if (!(Math.abs(gap(at + share * (end - at)) - even) < EVEN)) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        /** Metres from a point of the edge straight out to the next polygon. */
+        private double gap(double at) {
+            Stretch out = edge.outFrom(at, 3 * Tolerance.CRACK);
+            double least = Double.POSITIVE_INFINITY;
+            for (ConvexPolygon other : others) {
+                double[] span = out.within(other);
+                if (span != null && span[1] > 0) {
+                    least = Math.min(least, Math.max(0, span[0]));
+                }
+            }
+            return least;
+        }
+
         private boolean isNoisy(double at) {
             return noisy.stream().anyMatch(span -> span[0] <= at && at <= span[1]);
-        }
-    }
-
-    /** A stretch of a straight line. */
-    private record Line(double x, double y, double dx, double dy, double length) {
-        static Line beyond(ConvexPolygon polygon, int edge, double metres) {
-            double nx = polygon.normalX(edge);
-            double ny = polygon.normalY(edge);
-            return new Line(
-                    polygon.x(edge) + metres * nx, polygon.y(edge) + metres * ny, -ny, nx, polygon.length(edge));
-        }
-
-        Aabb bounds() {
-            double endX = x + length * dx;
-            double endY = y + length * dy;
-            return new Aabb(Math.min(x, endX), Math.min(y, endY), 0, Math.max(x, endX), Math.max(y, endY), 0);
-        }
-
-        double atX(double along) {
-            return x + along * dx;
-        }
-
-        double atY(double along) {
-            return y + along * dy;
-        }
-
-        /** The stretch inside a polygon; {@code null} for none. */
-        double[] within(ConvexPolygon polygon) {
-            return polygon.corners() < 3 ? null : inside(polygon);
-        }
-
-        /** The stretch that is not farther than {@code metres} from a polygon; {@code null} for none. */
-        double[] near(ConvexPolygon polygon, double metres) {
-            double[] span = inside(polygon);
-            for (int edge = 0; edge < polygon.corners(); edge++) {
-                span = union(span, besideEdge(polygon, edge, metres));
-                span = union(span, aroundCorner(polygon.x(edge), polygon.y(edge), metres));
-            }
-            return span == null || span[1] <= 0 || span[0] >= length ? null : span;
-        }
-
-        /** The parts of a convex shape make one stretch. */
-        private static double[] union(double[] a, double[] b) {
-            if (a == null || b == null) {
-                return a == null ? b : a;
-            }
-            return new double[] {Math.min(a[0], b[0]), Math.max(a[1], b[1])};
-        }
-
-        private double[] inside(ConvexPolygon polygon) {
-            double[] span = {Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY};
-            for (int i = 0; i < polygon.corners() && span != null; i++) {
-                span = clipped(span, polygon.normalX(i), polygon.normalY(i), polygon.distance(i));
-            }
-            return span;
-        }
-
-        private double[] besideEdge(ConvexPolygon polygon, int edge, double metres) {
-            double nx = polygon.normalX(edge);
-            double ny = polygon.normalY(edge);
-            double d = polygon.distance(edge);
-            double start = nx * polygon.y(edge) - ny * polygon.x(edge);
-            double[] span = {Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY};
-            span = clipped(span, nx, ny, d + metres);
-            span = clipped(span, -nx, -ny, metres - d);
-            span = clipped(span, ny, -nx, -start);
-            return clipped(span, -ny, nx, start + polygon.length(edge));
-        }
-
-        /** Keeps what has nx · x + ny · y ≤ d. */
-        private double[] clipped(double[] span, double nx, double ny, double d) {
-            if (span == null) {
-                return null;
-            }
-            double rate = nx * dx + ny * dy;
-            double behind = d - (nx * x + ny * y);
-            if (rate == 0) {
-                return behind >= 0 ? span : null;
-            }
-            double at = behind / rate;
-            double from = rate < 0 ? Math.max(span[0], at) : span[0];
-            double to = rate > 0 ? Math.min(span[1], at) : span[1];
-            return from <= to ? new double[] {from, to} : null;
-        }
-
-        private double[] aroundCorner(double cornerX, double cornerY, double metres) {
-            double along = (cornerX - x) * dx + (cornerY - y) * dy;
-            double off = (cornerY - y) * dx - (cornerX - x) * dy;
-            double square = metres * metres - off * off;
-            if (square < 0) {
-                return null;
-            }
-            double half = Math.sqrt(square);
-            return new double[] {along - half, along + half};
         }
     }
 }

@@ -11,6 +11,8 @@ import nephele.engine.math.ItemList;
  * Makes one straight segment of outline parts that follow each other along one line but for noise. A wall's edge that
  * was cut into pieces is one edge again: without that, noise of 10 µm on a piece of 1 cm would turn the way in which a
  * portal slides by a thousandth, and move it by as much of the slide. A segment lies where the innermost of its parts do.
+ * The longest part leads; as noise in its ends tilts it, others are looked for the farther off its line the farther along
+ * they are, and kept if they lie on the line through all of them.
  */
 final class Straightening {
     /** Metres off the common line that count as noise. */
@@ -46,10 +48,23 @@ final class Straightening {
     }
 
     private ConvexPolygon from(int seed) {
+        ConvexPolygon shape = parts.shape(seed);
+        Fit fit = fit(seed, NOISE / shape.length(0));
+        if (!fit.line.holds(shape, 0)) {
+            fit = fit(seed, 0);
+        }
+        fit.members.forEach(member -> taken[member] = true);
+        return fit.members.size() == 1 ? shape : innermost(fit.line, fit.members);
+    }
+
+    private record Fit(Line line, List<Integer> members) {}
+
+    /** @param doubt at first about the slope of the seed's own line, as {@link Line#holds} takes it */
+    private Fit fit(int seed, double doubt) {
         List<Integer> members = List.of(seed);
         Line line = Line.along(parts.shape(seed));
         for (int i = 0; i < MOST_FITS; i++) {
-            List<Integer> grown = reached(seed, line);
+            List<Integer> grown = reached(seed, line, i == 0 ? doubt : 0);
             boolean same = grown.equals(members);
             members = grown;
             if (same) {
@@ -57,12 +72,11 @@ final class Straightening {
             }
             line = fitted(line, members);
         }
-        members.forEach(member -> taken[member] = true);
-        return members.size() == 1 ? parts.shape(seed) : innermost(line, members);
+        return new Fit(line, members);
     }
 
     /** Parts on the line from one to the next, in ascending order. */
-    private List<Integer> reached(int seed, Line line) {
+    private List<Integer> reached(int seed, Line line, double doubt) {
         List<Integer> found = new ArrayList<>(List.of(seed));
         Span span = line.span(parts.shape(seed));
         boolean grows = true;
@@ -72,7 +86,7 @@ final class Straightening {
             parts.overlapping(line.bounds(span).grown(2 * Tolerance.CRACK), near);
             for (int i = 0; i < near.size(); i++) {
                 int part = near.get(i);
-                if (!taken[part] && !found.contains(part) && line.holds(parts.shape(part))) {
+                if (!taken[part] && !found.contains(part) && line.holds(parts.shape(part), doubt)) {
                     found.add(part);
                     span = span.and(line.span(parts.shape(part)));
                     grows = true;
@@ -160,9 +174,18 @@ final class Straightening {
             return new Span(Math.min(a, b), Math.max(a, b));
         }
 
-        boolean holds(ConvexPolygon part) {
+        /**
+         * Whether a part lies on the line but for noise.
+         *
+         * @param doubt about the line's slope, in metres a metre: how much farther off parts may be as they are farther away
+         */
+        boolean holds(ConvexPolygon part, double doubt) {
             double cosine = -part.normalY(0) * dx + part.normalX(0) * dy;
-            return Math.abs(off(part, 0)) <= NOISE && Math.abs(off(part, 1)) <= NOISE && cosine >= ALONG;
+            return isNear(part, 0, doubt) && isNear(part, 1, doubt) && cosine >= ALONG;
+        }
+
+        private boolean isNear(ConvexPolygon part, int end, double doubt) {
+            return Math.abs(off(part, end)) <= NOISE + doubt * Math.abs(along(part, end));
         }
 
         Aabb bounds(Span span) {
