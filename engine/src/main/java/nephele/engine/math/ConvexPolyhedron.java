@@ -73,6 +73,19 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         return new Face(face, plane, List.of(c[at[0]], c[at[1]], c[at[2]], c[at[3]]));
     }
 
+    /** Four numbers for each face, for who asks often: its unit normal and distance. */
+    public double[] flatPlanes() {
+        double[] flat = new double[4 * faces.size()];
+        for (int i = 0; i < faces.size(); i++) {
+            Plane p = faces.get(i).plane();
+            flat[4 * i] = p.nx();
+            flat[4 * i + 1] = p.ny();
+            flat[4 * i + 2] = p.nz();
+            flat[4 * i + 3] = p.distance();
+        }
+        return flat;
+    }
+
     /**
      * The intersection of the half spaces behind {@code planes}. Planes that touch it in less than a face give none.
      *

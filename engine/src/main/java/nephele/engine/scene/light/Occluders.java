@@ -2,8 +2,6 @@ package nephele.engine.scene.light;
 
 import java.util.List;
 import nephele.engine.level.Brush;
-import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.Plane;
 import nephele.engine.math.Ray;
 import nephele.engine.math.SpatialIndex;
 
@@ -16,20 +14,8 @@ final class Occluders {
     private final SpatialIndex index;
 
     Occluders(List<Brush> brushes) {
-        planes = brushes.stream().map(brush -> flat(brush.shape())).toArray(double[][]::new);
+        planes = brushes.stream().map(brush -> brush.shape().flatPlanes()).toArray(double[][]::new);
         index = SpatialIndex.of(brushes.stream().map(b -> b.shape().bounds()).toList());
-    }
-
-    private static double[] flat(ConvexPolyhedron shape) {
-        double[] flat = new double[4 * shape.faces().size()];
-        for (int i = 0; i < shape.faces().size(); i++) {
-            Plane p = shape.faces().get(i).plane();
-            flat[4 * i] = p.nx();
-            flat[4 * i + 1] = p.ny();
-            flat[4 * i + 2] = p.nz();
-            flat[4 * i + 3] = p.distance();
-        }
-        return flat;
     }
 
     /** Inside or on the surface of a solid other than {@code except}. */
