@@ -212,6 +212,7 @@ class BodyPortalTest {
         for (int i = 0; i < 1200; i++) {
             scene.tick(1 / 120.0);
             double now = energy(scene, cube, inertia);
+            assertTrue(now <= before * (1 + 1e-9), "tick " + i + ": " + now + " from " + before);
             assertTrue(now <= last + before * 1e-3, "tick " + i + ": " + now + " from " + last);
             last = now;
         }
