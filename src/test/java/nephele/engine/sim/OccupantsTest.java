@@ -174,7 +174,7 @@ final class OccupantsTest {
     }
 
     private static double depth(PortalSpace space, RoundedHull shape, Vector3d at) {
-        CollisionWorld world = space.around(space.active(shape, at, new Vector3d()));
+        CollisionWorld world = space.seamed().around(space.seamed().active(shape, at, new Vector3d()));
         var near = new ItemList();
         world.overlapping(
                 new Aabb(

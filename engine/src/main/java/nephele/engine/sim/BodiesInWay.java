@@ -80,7 +80,7 @@ final class BodiesInWay implements Obstacles, MovingSurfaces {
         Passage back = portals.passage(exit);
         boolean isMapped = false;
         for (int body = 0; body < bodies.size(); body++) {
-            if (!reachesThrough(body, entry)) {
+            if (!table.mayReachThrough(body, bodies.centre(body, centre), entry)) {
                 continue;
             }
             if (!isMapped) {
@@ -94,15 +94,6 @@ final class BodiesInWay implements Obstacles, MovingSurfaces {
                 offer(body, exit, t);
             }
         }
-    }
-
-    private boolean reachesThrough(int body, Portal entry) {
-        bodies.centre(body, centre);
-        double x = entry.across(centre.x, centre.y, centre.z);
-        double y = entry.upward(centre.x, centre.y, centre.z);
-        double height = entry.inFront(centre.x, centre.y, centre.z);
-        double reach = table.reachMetres(body);
-        return height >= 0 && height < reach && entry.aperture().outside(x, y) < reach;
     }
 
     private void offer(int body, int exit, double share) {

@@ -83,7 +83,7 @@ final class BodyObstacles {
         for (int i = 0; i < Math.min(portals.size(), SeamedWorld.MOST_PORTALS); i++) {
             if (portals.isOpen(i)) {
                 bodies.centre(body, centre);
-                boolean sticksOut = isIn(portals.portal(portals.partner(i)), body);
+                boolean sticksOut = table.mayReachThrough(body, centre, portals.portal(portals.partner(i)));
                 if (sticksOut || isBefore(portals.portal(portals.partner(i))) && (mask & 1L << i) != 0) {
                     portals.passage(portals.partner(i)).point(centre);
                     if (isNear(body, shape, place, way)) {
@@ -98,24 +98,11 @@ final class BodyObstacles {
         return portal.inFront(centre.x, centre.y, centre.z) >= 0;
     }
 
-    /** Whether the body at {@code centre} may reach through a portal that it is before. */
-    private boolean isIn(Portal portal, int body) {
-        return isBefore(portal)
-                && portal.inFront(centre.x, centre.y, centre.z) < table.reachMetres(body)
-                && isBeside(portal, body);
-    }
-
-    private boolean isBeside(Portal portal, int body) {
-        double x = portal.across(centre.x, centre.y, centre.z);
-        double y = portal.upward(centre.x, centre.y, centre.z);
-        return portal.aperture().outside(x, y) < table.reachMetres(body);
-    }
-
     /** Behind a portal that is open for the player is the other side: what stands there in the wall's back is not met. */
     private boolean isBehindOpening(int body, long mask) {
         for (int i = 0; i < Math.min(seamed.portals().size(), SeamedWorld.MOST_PORTALS); i++) {
             Portal portal = (mask & 1L << i) != 0 ? seamed.portals().portal(i) : null;
-            if (portal != null && !isBefore(portal) && isBeside(portal, body)) {
+            if (portal != null && !isBefore(portal) && table.mayReachBeside(body, centre, portal)) {
                 return true;
             }
         }

@@ -7,6 +7,7 @@ import nephele.engine.collision.Sweep;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import org.joml.Quaterniond;
@@ -28,8 +29,8 @@ final class Occupants {
     private final Sweep sweep = new Sweep();
     private final Vector3d centre = new Vector3d();
     private final Vector3d push = new Vector3d();
-    private PortalSpace before;
-    private PortalSpace after;
+    private Surroundings before;
+    private Surroundings after;
 
     Occupants(BodyTable table) {
         this.table = table;
@@ -37,8 +38,8 @@ final class Occupants {
 
     /** The state with everybody in free places of the new space; {@code null} when somebody finds none. */
     SimState settle(SimState state, PortalSpace from, PortalSpace to) {
-        before = from;
-        after = to;
+        before = from.surroundings();
+        after = to.surroundings();
         PlayerState player = player(state.player());
         Bodies bodies = player == null ? null : bodies(state.around().bodies());
         return bodies == null

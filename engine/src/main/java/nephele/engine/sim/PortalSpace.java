@@ -2,7 +2,6 @@ package nephele.engine.sim;
 
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.RayCast;
-import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.math.Ray;
@@ -10,14 +9,16 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
 
 /** What follows from the level and the portals of a tick. Its portals are closed where the exit is no place to come out. */
-final class PortalSpace implements Surroundings {
+final class PortalSpace {
     private final SeamedWorld seamed;
     private final Portals portals;
+    private final Surroundings surroundings;
     private final RayCast cast = new RayCast();
 
     PortalSpace(CollisionWorld statics, Portals given) {
         seamed = SeamedWorld.of(statics, given);
         portals = seamed.portals();
+        surroundings = Surroundings.of(seamed);
     }
 
     SeamedWorld seamed() {
@@ -30,18 +31,12 @@ final class PortalSpace implements Surroundings {
         return cast.cast(seamed.statics(), ray, 1) ? cast.distance() : 1;
     }
 
-    @Override
-    public Portals portals() {
+    Portals portals() {
         return portals;
     }
 
-    @Override
-    public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
-        return seamed.active(shape, at, way);
-    }
-
-    @Override
-    public CollisionWorld around(long active) {
-        return seamed.around(active);
+    /** The same as the bodies' solver asks for it. */
+    Surroundings surroundings() {
+        return surroundings;
     }
 }

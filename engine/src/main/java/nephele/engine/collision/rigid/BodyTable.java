@@ -8,6 +8,7 @@ import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -165,6 +166,19 @@ public final class BodyTable {
         double y = half[3 * body + 1];
         double z = half[3 * body + 2];
         return kind[body] == BOX ? Math.sqrt(x * x + y * y + z * z) : y + z;
+    }
+
+    /** Whether a body whose centre is here, before a portal, may reach through it. */
+    public boolean mayReachThrough(int body, Vector3dc centre, Portal portal) {
+        double height = portal.inFront(centre.x(), centre.y(), centre.z());
+        return height >= 0 && height < reachMetres(body) && mayReachBeside(body, centre, portal);
+    }
+
+    /** Whether a body whose centre is here, at any depth, may reach over or under a portal's aperture. */
+    public boolean mayReachBeside(int body, Vector3dc centre, Portal portal) {
+        double x = portal.across(centre.x(), centre.y(), centre.z());
+        double y = portal.upward(centre.x(), centre.y(), centre.z());
+        return portal.aperture().outside(x, y) < reachMetres(body);
     }
 
     int kind(int body) {

@@ -11,7 +11,7 @@ import org.joml.Vector3dc;
  * beyond it instead of the wall that it is in.
  */
 public interface Surroundings {
-    /** The portals that are open at this tick; bodies wake when this is another object than at the tick before. */
+    /** The portals that are open at this tick; bodies wake where they differ from those of the tick before. */
     Portals portals();
 
     /**
