@@ -15,6 +15,7 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Moment;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.VisibleSet;
@@ -29,6 +30,7 @@ public final class Renderer implements AutoCloseable {
     private final List<String> stepNames = new ArrayList<>(List.of("clear"));
     private final ClearColour clearColour;
     private final VisibleSet visible;
+    private final Moment start;
     private final Multisampling multisampling;
     private RenderTarget linear;
     /** So many passes come before the first one that reads the surface's pixels. */
@@ -41,6 +43,7 @@ public final class Renderer implements AutoCloseable {
         this.shared = new SharedResources(gl, scene);
         this.multisampling = new Multisampling(gl, settings.quality().samples());
         this.clearColour = ClearColour.of(scene.level().environment(), settings.output());
+        this.start = Moment.atStart(scene.level());
         this.visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
     }
 
@@ -100,13 +103,23 @@ public final class Renderer implements AutoCloseable {
         void submitted(int step);
     }
 
-    /** Draws one view over the whole of {@code picture}; nothing when that has no pixels, as a minimised window. */
+    /** Draws one view of the level as it is before the first tick. */
     public void draw(View view, RenderTarget picture) {
-        draw(view, picture, StepListener.NONE);
+        draw(view, start, picture);
     }
 
     /** As {@link #draw(View, RenderTarget)}, telling {@code listener} after each step. */
     public void draw(View view, RenderTarget picture, StepListener listener) {
+        draw(view, start, picture, listener);
+    }
+
+    /** Draws one view over the whole of {@code picture}; nothing when that has no pixels, as a minimised window. */
+    public void draw(View view, Moment moment, RenderTarget picture) {
+        draw(view, moment, picture, StepListener.NONE);
+    }
+
+    /** As {@link #draw(View, Moment, RenderTarget)}, telling {@code listener} after each step. */
+    public void draw(View view, Moment moment, RenderTarget picture, StepListener listener) {
         gl.state().resetCounts();
         if (picture.width() == 0 || picture.height() == 0) {
             return;
@@ -125,13 +138,13 @@ public final class Renderer implements AutoCloseable {
             see(view);
         }
         shared.frameUniforms().upload(view, ClearColour.exposure(scene.level().environment()));
-        drawPasses(view, drawn, surface, picture, listener);
+        drawPasses(new FrameContext(view, moment, drawn, picture, visible), surface, listener);
     }
 
-    private void drawPasses(
-            View view, RenderTarget drawn, RenderTarget surface, RenderTarget picture, StepListener listener) {
-        FrameContext frame = new FrameContext(view, drawn, picture, visible);
-        FrameContext resolved = drawn == surface ? frame : new FrameContext(view, surface, picture, visible);
+    private void drawPasses(FrameContext frame, RenderTarget surface, StepListener listener) {
+        FrameContext resolved = frame.surface() == surface
+                ? frame
+                : new FrameContext(frame.view(), frame.moment(), surface, frame.picture(), visible);
         for (int i = 0; i < passes.size(); i++) {
             passes.get(i).draw(i < surfacePasses ? frame : resolved);
             if (i + 1 == surfacePasses) {

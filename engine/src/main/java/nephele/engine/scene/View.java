@@ -2,6 +2,7 @@ package nephele.engine.scene;
 
 import nephele.engine.level.Camera;
 import nephele.engine.math.Basis;
+import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix4d;
 
@@ -11,10 +12,16 @@ import org.joml.Matrix4d;
  *
  * @param id distinguishes views of one frame; history is kept by it
  * @param eye world metres
+ * @param clip only what is in front of it is seen, as behind a portal; {@code null} for everything
  */
-public record View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection) {
+public record View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection, Plane clip) {
     /** The player's or the author's own view, as opposed to one through a portal. */
     public static final int MAIN = 0;
+
+    /** Through no portal. */
+    public View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection) {
+        this(id, eye, right, up, back, projection, null);
+    }
 
     /**
      * Looks from {@code eye} to {@code target}; where {@code up} is parallel to that, another up is taken, and where

@@ -1,0 +1,151 @@
+package nephele.engine.scene;
+
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.level.Body;
+import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * What is drawn besides what never changes: portals, bodies and the player's figure at one instant. Whoever plays fills
+ * it before a frame; one object serves frame after frame.
+ */
+public final class Moment {
+    /** Doubles a body: centre, then orientation x y z w. */
+    private static final int STRIDE = 7;
+
+    private final double[] bodies;
+    private double seconds;
+    private Portals portals;
+    private double[] openness;
+    private int[] colours;
+    private Posture figure;
+    private List<Ghost> ghosts = List.of();
+
+    private Moment(int bodyCount) {
+        bodies = new double[STRIDE * bodyCount];
+    }
+
+    /** A level before its first tick: its own portals open, its bodies where they begin, nobody in it. */
+    public static Moment atStart(Level level) {
+        Moment start = new Moment(level.bodies().size());
+        for (int i = 0; i < level.bodies().size(); i++) {
+            Body body = level.bodies().get(i);
+            start.body(i, body.centre().toVector(), new Quaterniond());
+        }
+        start.portals(Portals.of(level));
+        return start;
+    }
+
+    /** Simulated time: what moves of itself moves by it. */
+    public double seconds() {
+        return seconds;
+    }
+
+    public void seconds(double now) {
+        seconds = now;
+    }
+
+    public Portals portals() {
+        return portals;
+    }
+
+    /** Replaces the portals; new ones are fully open and of the colour {@code 2 + index}. */
+    public void portals(Portals now) {
+        if (now == portals) {
+            return;
+        }
+        portals = now;
+        openness = new double[now.size()];
+        colours = new int[now.size()];
+        Arrays.fill(openness, 1);
+        Arrays.setAll(colours, portal -> 2 + portal);
+    }
+
+    /** How far a portal has opened since it was made, 0 to 1: its aperture is drawn scaled by it. */
+    public double openness(int portal) {
+        return openness[portal];
+    }
+
+    /** 0 and 1 for the two shots, 2 and more for those of the level. */
+    public int colour(int portal) {
+        return colours[portal];
+    }
+
+    public void look(int portal, int colour, double open) {
+        colours[portal] = colour;
+        openness[portal] = open;
+    }
+
+    public int bodies() {
+        return bodies.length / STRIDE;
+    }
+
+    public void body(int index, Vector3dc centre, Quaterniondc worldFromBody) {
+        int at = STRIDE * index;
+        bodies[at] = centre.x();
+        bodies[at + 1] = centre.y();
+        bodies[at + 2] = centre.z();
+        bodies[at + 3] = worldFromBody.x();
+        bodies[at + 4] = worldFromBody.y();
+        bodies[at + 5] = worldFromBody.z();
+        bodies[at + 6] = worldFromBody.w();
+    }
+
+    public Vector3d centre(int body, Vector3d out) {
+        int at = STRIDE * body;
+        return out.set(bodies[at], bodies[at + 1], bodies[at + 2]);
+    }
+
+    /** World from body. */
+    public Quaterniond orientation(int body, Quaterniond out) {
+        int at = STRIDE * body + 3;
+        return out.set(bodies[at], bodies[at + 1], bodies[at + 2], bodies[at + 3]);
+    }
+
+    /** How the player's figure stands, {@code null} where nobody is to be seen. */
+    public Posture figure() {
+        return figure;
+    }
+
+    public void figure(Posture now) {
+        figure = now;
+    }
+
+    /** Where shots would open portals now. */
+    public List<Ghost> ghosts() {
+        return ghosts;
+    }
+
+    public void ghosts(List<Ghost> now) {
+        ghosts = now;
+    }
+
+    /**
+     * How a figure stands.
+     *
+     * @param centre of its body: on one side of every portal
+     * @param up from feet to head, unit length
+     * @param yawRadians where it looks, as {@code math.Basis.ofYawPitch} has it; {@code pitchRadians} alike
+     * @param heightMetres from sole to crown now
+     * @param step of the walking cycle that has passed, 0 to 1 for left and right
+     * @param stride 0 standing, 1 walking, more running
+     * @param airborne 0 on the ground, 1 in the air
+     * @param carrying 0 with free hands, 1 with a thing before it
+     */
+    public record Posture(
+            Vec3 centre,
+            Vec3 up,
+            double yawRadians,
+            double pitchRadians,
+            double heightMetres,
+            double step,
+            double stride,
+            double airborne,
+            double carrying) {}
+}
