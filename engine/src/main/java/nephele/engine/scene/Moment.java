@@ -133,8 +133,10 @@ public final class Moment {
      * @param up from feet to head, unit length
      * @param yawRadians where it looks, as {@code math.Basis.ofYawPitch} has it; {@code pitchRadians} alike
      * @param heightMetres from sole to crown now
-     * @param step of the walking cycle that has passed, 0 to 1 for left and right
-     * @param stride 0 standing, 1 walking, more running
+     * @param step of the walking cycle that has passed, 0 to 1 for left and right; a second adds {@link
+     *     nephele.engine.scene.thing.Gait#cyclesPerSecond}, so that no foot slides
+     * @param stride speed over the ground by {@link nephele.engine.scene.thing.Gait#WALKING_METRES_PER_SECOND}: 0 standing
+     * @param travelRadians where it walks, seen from where it looks: 0 ahead, positive to the left, π backwards
      * @param airborne 0 on the ground, 1 in the air
      * @param carrying 0 with free hands, 1 with a thing before it
      */
@@ -146,6 +148,7 @@ public final class Moment {
             double heightMetres,
             double step,
             double stride,
+            double travelRadians,
             double airborne,
             double carrying) {}
 }
