@@ -1,0 +1,39 @@
+package nephele.engine.measure;
+
+/**
+ * Linear RGB with the primaries of sRGB, row after row; any row may come first, as long as all pictures that are compared agree.
+ *
+ * @param rgb three values a pixel, finite; radiance, or what a display emits from 0 to 1
+ */
+public record LinearPicture(int width, int height, float[] rgb) {
+    /** Rec. 709 luminance weights of linear red, green and blue. */
+    private static final double[] LUMINANCE = {0.2126, 0.7152, 0.0722};
+
+    public LinearPicture {
+        if (width < 1 || height < 1 || rgb.length != 3 * width * height) {
+            throw new IllegalArgumentException("a picture of " + width + "×" + height
+                    + " pixels needs three values each, not " + rgb.length + " in all");
+        }
+        for (int i = 0; i < rgb.length; i++) {
+            if (!Float.isFinite(rgb[i])) {
+                throw new IllegalArgumentException("pixel " + i / 3 % width + "," + i / 3 / width
+                        + " is not finite: its error would pass unnoticed");
+            }
+        }
+    }
+
+    public int pixels() {
+        return width * height;
+    }
+
+    double luminance(int pixel) {
+        return LUMINANCE[0] * rgb[3 * pixel] + LUMINANCE[1] * rgb[3 * pixel + 1] + LUMINANCE[2] * rgb[3 * pixel + 2];
+    }
+
+    void requireSameSize(LinearPicture other) {
+        if (width != other.width || height != other.height) {
+            throw new IllegalArgumentException("pictures of " + width + "×" + height + " and " + other.width + "×"
+                    + other.height + " pixels cannot be compared");
+        }
+    }
+}
