@@ -38,7 +38,8 @@ final class Display implements AutoCloseable {
     String draw(Session session, HudContent content, StepListener listener, Shot shot) {
         var picture = target();
         double aspect = (double) picture.width() / picture.height();
-        session.renderer().draw(session.walk().view(aspect), picture, listener);
+        var walk = session.walk();
+        session.renderer().draw(walk.view(aspect), walk.moment(), picture, listener);
         String saved = shot == Shot.WITHOUT_OVERLAY ? screenshots.take(picture) : null;
         overlay.draw(hud.canvas(content, area(), window.scale()), picture);
         if (shot == Shot.WITH_OVERLAY) {

@@ -90,6 +90,8 @@ public final class GameLoop implements AutoCloseable {
             chooseByKey(key);
         } else if (stages.in(Stage.RUNNING) && key == Control.RESTART) {
             stages.change(Stage.RESTARTING);
+        } else if (stages.in(Stage.RUNNING) && key == Control.PERSON) {
+            current.session().walk().changePerson();
         } else if (stages.in(Stage.RUNNING) && key == Control.MENU) {
             openMenuOrClosePage();
         }

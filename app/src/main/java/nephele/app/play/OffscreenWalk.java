@@ -63,7 +63,8 @@ public final class OffscreenWalk {
             profile.done("waiting for the level");
             try (var renderer = renderer(gl, prepared)) {
                 profile.done("upload and compile");
-                renderer.draw(walk(prepared, replay()).view(aspect()), target);
+                var walk = walk(prepared, replay());
+                renderer.draw(walk.view(aspect()), walk.moment(), target);
                 gl.finish();
                 profile.done("first frame");
                 profile.beside("level", prepared.nanos());
@@ -95,7 +96,7 @@ public final class OffscreenWalk {
 
     private long drawOne(GlContext gl, Renderer renderer, RenderTarget target, Walk walk) {
         long start = System.nanoTime();
-        renderer.draw(walk.view(aspect()), target);
+        renderer.draw(walk.view(aspect()), walk.moment(), target);
         gl.finish();
         return System.nanoTime() - start;
     }

@@ -5,10 +5,17 @@ import java.util.List;
 import nephele.app.draw.Viewpoints;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portals;
+import nephele.engine.scene.Moment;
 import nephele.engine.scene.View;
+import nephele.engine.sim.FaultLog;
 import nephele.engine.sim.FixedStep;
 import nephele.engine.sim.PlayerPose;
+import nephele.engine.sim.PlayerState;
 import nephele.engine.sim.ReplayRecorder;
+import nephele.engine.sim.SimLevel;
 import nephele.engine.sim.SimSettings;
 import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
@@ -16,14 +23,22 @@ import nephele.engine.sim.TickEvent;
 
 /** The simulated part of a game: two states to draw between, the clock that makes ticks and the record of all input. */
 public final class Walk {
+    /** A way longer than the velocities of its ends account for, and this, is no way: the player began again. */
+    private static final double LEAP_METRES = 1;
+
     private final Simulation simulation;
-    private final SimState start;
+    private final double secondsPerTick;
     private final TickInput input;
     private final ReplayRecorder recorder;
     private final FixedStep clock;
     private final List<TickEvent> news = new ArrayList<>();
+    private final PortalAges ages;
+    private final LiveMoment live;
+    private final Boom boom;
     private SimState before;
     private SimState after;
+    private Gait gaitBefore = Gait.STANDING;
+    private Gait gaitAfter = Gait.STANDING;
 
     /**
      * Where a walk begins and what its recording is called.
@@ -34,12 +49,17 @@ public final class Walk {
 
     public Walk(Level level, Beginning beginning, TickInput input) {
         this.input = input;
-        simulation = new Simulation(level, beginning.settings);
-        start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);
+        SimLevel simLevel = SimLevel.of(level);
+        simulation = new Simulation(simLevel, beginning.settings, FaultLog.SILENT);
+        SimState start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);
+        secondsPerTick = 1.0 / beginning.settings.ticksPerSecond();
         recorder = new ReplayRecorder(beginning.levelFile, beginning.settings, beginning.from);
         clock = new FixedStep(beginning.settings.ticksPerSecond());
         before = start;
         after = start;
+        ages = new PortalAges(start, secondsPerTick);
+        live = new LiveMoment(level);
+        boom = new Boom(simLevel.statics(), secondsPerTick);
     }
 
     /** Simulates the ticks that are due after a frame of this length. */
@@ -57,6 +77,31 @@ public final class Walk {
         before = after;
         after = simulation.step(after, done);
         news.addAll(after.around().trace().events());
+        ages.after(after);
+        gaitBefore = gaitAfter;
+        gaitAfter = gaitAfter.next(after, secondsPerTick);
+        if (isLeap()) {
+            before = after;
+            gaitBefore = gaitAfter;
+            boom.cut();
+        } else {
+            boom.tick(before, after);
+        }
+    }
+
+    private boolean isLeap() {
+        PlayerState from = before.player();
+        PlayerState to = after.player();
+        CrossingWord crossed = after.around().trace().playerCrossed();
+        Portals portals = after.around().portals();
+        Vec3 place = from.centre();
+        for (int i = 0; i < crossed.length(); i++) {
+            place = portals.passage(crossed.entry(i)).point(place);
+        }
+        double metres = to.centre().toVector().distance(place.toVector());
+        double speed =
+                from.velocity().toVector().length() + to.velocity().toVector().length();
+        return metres > LEAP_METRES + speed * secondsPerTick;
     }
 
     /** What happened since the last call. */
@@ -78,9 +123,23 @@ public final class Walk {
         return recorder;
     }
 
-    /** The player's view between the last two ticks. */
+    /** From the first to the third person or back. */
+    public void changePerson() {
+        boom.toggle();
+    }
+
+    /** The player's view between the last two ticks: from the eye, or along the boom. */
     public View view(double aspect) {
-        var pose = PlayerPose.between(before, after, clock.share());
-        return Viewpoints.ofEye(pose.eye(), pose.view(), aspect);
+        PlayerPose camera = boom.camera(before, after, clock.share());
+        return Viewpoints.ofEye(camera.eye(), camera.view(), aspect);
+    }
+
+    /** What is to be seen between the last two ticks; the same object every time. */
+    public Moment moment() {
+        double share = clock.share();
+        double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
+        live.world(before, after, share, ages);
+        live.figure(PlayerPose.between(before, after, share), gaitBefore.towards(gaitAfter, share), seconds);
+        return live.moment();
     }
 }

@@ -75,7 +75,7 @@ final class Soak {
 
     private void draw() {
         long before = stopwatch.allocatedBytes();
-        renderer.draw(walk.view((double) picture.width() / picture.height()), picture);
+        renderer.draw(walk.view((double) picture.width() / picture.height()), walk.moment(), picture);
         bytesOfFrames += stopwatch.allocatedBytes() - before;
         gl.finish();
         frames++;

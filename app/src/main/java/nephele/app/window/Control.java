@@ -17,6 +17,7 @@ public enum Control {
     FIRE_SECOND("Right click", "second portal", Control.MOUSE + GLFW_MOUSE_BUTTON_RIGHT),
     CARRY("E", "pick up and let go", GLFW_KEY_E),
     THROW("F", "throw what is held", GLFW_KEY_F),
+    PERSON("V", "see yourself, or through your own eyes", GLFW_KEY_V),
     RESTART("R", "start the level again", GLFW_KEY_R),
     MENU("Esc", "menu", GLFW_KEY_ESCAPE),
     CONFIRM("Enter", "choose in the menu", GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER),

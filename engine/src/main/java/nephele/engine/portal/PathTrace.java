@@ -25,11 +25,21 @@ public final class PathTrace {
         TOO_MANY_CROSSINGS
     }
 
+    /** Hears of each straight piece of a path, in the space where it lies. */
+    @FunctionalInterface
+    public interface Legs {
+        Legs NOBODY = (from, way) -> {};
+
+        /** Both vectors are the walker's own: read them at once. */
+        void leg(Vector3dc from, Vector3dc way);
+    }
+
     private final Portals portals;
     private final Obstacles obstacles;
     private final Crossing crossing = new Crossing();
     private final Vector3d place = new Vector3d();
     private final Vector3d rest = new Vector3d();
+    private final Vector3d piece = new Vector3d();
     private final int[] entered = new int[MOST_CROSSINGS];
     private int crossings;
     private double freeFraction;
@@ -42,6 +52,11 @@ public final class PathTrace {
 
     /** Walks from a point as far as {@code way} goes, through every portal on it, up to the first obstacle. */
     public End walk(Vector3dc from, Vector3dc way) {
+        return walk(from, way, Legs.NOBODY);
+    }
+
+    /** The same, telling of each piece before the next one. */
+    public End walk(Vector3dc from, Vector3dc way, Legs legs) {
         place.set(from);
         rest.set(way);
         crossings = 0;
@@ -54,8 +69,10 @@ public final class PathTrace {
             double left = 1 - walked;
             if (crosses && crossing.seconds() <= free + FLUSH_METRES / Math.max(length * left, FLUSH_METRES)) {
                 walked += left * crossing.seconds();
+                legs.leg(place, crossing.place().sub(place, piece));
                 enter();
             } else {
+                legs.leg(place, rest.mul(free, piece));
                 place.fma(free, rest);
                 walked += left * free;
                 end = free < 1 ? End.BLOCKED : End.ARRIVED;

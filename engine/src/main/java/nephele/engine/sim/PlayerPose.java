@@ -1,6 +1,7 @@
 package nephele.engine.sim;
 
 import nephele.engine.math.Basis;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
@@ -12,32 +13,72 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Where the player's eye is and looks between two ticks: what rendering needs of the simulation. A tick in which the
- * player went through portals is seen from behind the last one: the earlier state is moved there as if it had been on
- * the straight way in, and nothing sweeps through the room. An eye beyond a portal is where it sees, not the body.
+ * Where the player is between two ticks: what rendering needs of the simulation. A tick in which the player went
+ * through portals is seen from behind the last one: the earlier state is moved there as if it had been on the straight
+ * way in, and nothing sweeps through the room. An eye beyond a portal is where it sees, not the body.
+ *
+ * @param later the view as it is in the space of the later state, however few of its portals are behind the eye yet
  */
-public record PlayerPose(Vec3 eye, Basis view) {
+public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
+    /**
+     * The body on its own side of every portal.
+     *
+     * @param eye as if no portal were between it and the centre
+     * @param up from feet to head, unit length
+     */
+    public record Body(Vec3 centre, Vec3 eye, Vec3 up, double yawRadians, double pitchRadians) {}
+
     /** @param share of the tick that has passed, 0 to 1; yaw turns by the shorter way */
     public static PlayerPose between(SimState before, SimState after, double share) {
         PlayerState a = before.player();
         PlayerState b = after.player();
         CrossingWord crossed = after.around().trace().playerCrossed();
         Portals portals = after.around().portals();
-        if (portals.size() == 0) {
-            return new PlayerPose(mix(a.eye(), b.eye(), share), level(a.heading(), b.heading(), share));
-        }
         Vec3 centre = mix(brought(a.centre(), crossed, portals), b.centre(), share);
         Vec3 eye = mix(brought(a.eye(), crossed, portals), b.eye(), share);
         Basis view = crossed.length() == 0 && a.tilt().isViewLevel() && b.tilt().isViewLevel()
                 ? level(a.heading(), b.heading(), share)
                 : turned(brought(PlayerEye.view(a), crossed, portals), PlayerEye.view(b), share);
-        return seenFrom(centre, new PlayerPose(eye, view), crossed, portals);
+        Vec3 up = up(a.tilt().up(), b.tilt().up(), crossed, portals, share);
+        int ahead = crossingsAhead(centre, crossed, portals);
+        Heading from = ahead > 0 || crossed.length() == 0 ? a.heading() : b.heading();
+        double yaw = yaw(from, b.heading(), ahead > 0 ? 0 : share);
+        double pitch = pitch(from, b.heading(), ahead > 0 ? 0 : share);
+        var there = new PlayerPose(eye, view, new Body(centre, eye, up, yaw, pitch), view);
+        return portals.size() == 0 ? there : there.back(ahead, crossed, portals).toEye(portals);
+    }
+
+    private static double yaw(Heading a, Heading b, double share) {
+        return a.yawRadians() + share * a.yawRadiansTo(b);
+    }
+
+    private static double pitch(Heading a, Heading b, double share) {
+        return a.pitchRadians() + (b.pitchRadians() - a.pitchRadians()) * share;
+    }
+
+    private static Vec3 up(Vec3 a, Vec3 b, CrossingWord crossed, Portals portals, double share) {
+        Vector3d earlier = a.toVector();
+        for (int i = 0; i < crossed.length(); i++) {
+            portals.passage(crossed.entry(i)).direction(earlier);
+        }
+        Vec3 from = Vec3.of(earlier);
+        return from.equals(b) ? b : Directions.turned(from, b, share);
+    }
+
+    /** Turns a direction of the later state's space into the eye's. */
+    public Vector3d fromLater(Vector3d direction) {
+        double x = later.right().toVector().dot(direction);
+        double y = later.up().toVector().dot(direction);
+        double z = later.back().toVector().dot(direction);
+        return direction
+                .set(0, 0, 0)
+                .fma(x, view.right().toVector())
+                .fma(y, view.up().toVector())
+                .fma(z, view.back().toVector());
     }
 
     private static Basis level(Heading a, Heading b, double share) {
-        double yaw = a.yawRadians() + share * a.yawRadiansTo(b);
-        double pitch = a.pitchRadians() + (b.pitchRadians() - a.pitchRadians()) * share;
-        return Basis.ofYawPitch(yaw, pitch);
+        return Basis.ofYawPitch(yaw(a, b, share), pitch(a, b, share));
     }
 
     private static Basis turned(Basis a, Basis b, double share) {
@@ -69,26 +110,41 @@ public record PlayerPose(Vec3 eye, Basis view) {
         return new Basis(by.direction(view.right()), by.direction(view.up()), by.direction(view.back()));
     }
 
-    /** Undoes the crossings that lie ahead of a place in the tick, then goes from the body's centre to the eye. */
-    private static PlayerPose seenFrom(Vec3 centre, PlayerPose pose, CrossingWord crossed, Portals portals) {
+    /** How many of the tick's last crossings still lie ahead of a place on its way. */
+    private static int crossingsAhead(Vec3 centre, CrossingWord crossed, Portals portals) {
         Vec3 from = centre;
-        PlayerPose there = pose;
         for (int i = crossed.length() - 1; i >= 0; i--) {
             int exit = portals.partner(crossed.entry(i));
             if (portals.portal(exit).inFront(from.x(), from.y(), from.z()) >= 0) {
-                break;
+                return crossed.length() - 1 - i;
             }
-            Passage back = portals.passage(exit);
-            from = back.point(from);
-            there = new PlayerPose(back.point(there.eye), turned(there.view, back));
+            from = portals.passage(exit).point(from);
         }
+        return crossed.length();
+    }
+
+    /** Undoes the last crossings. */
+    private PlayerPose back(int crossings, CrossingWord crossed, Portals portals) {
+        PlayerPose there = this;
+        for (int i = 1; i <= crossings; i++) {
+            Passage by = portals.passage(portals.partner(crossed.entry(crossed.length() - i)));
+            Body was = there.body;
+            Body body = new Body(
+                    by.point(was.centre), by.point(was.eye), by.direction(was.up), was.yawRadians, was.pitchRadians);
+            there = new PlayerPose(body.eye, turned(there.view, by), body, later);
+        }
+        return there;
+    }
+
+    /** Goes from the body's centre to the eye. */
+    private PlayerPose toEye(Portals portals) {
         var toEye = new PathTrace(portals, Obstacles.NONE);
-        toEye.walk(from.toVector(), there.eye.toVector().sub(from.toVector()));
-        Basis view = there.view;
+        toEye.walk(body.centre.toVector(), body.eye.toVector().sub(body.centre.toVector()));
+        Basis seen = view;
         for (int i = 0; i < toEye.crossings(); i++) {
-            view = turned(view, portals.passage(toEye.entered(i)));
+            seen = turned(seen, portals.passage(toEye.entered(i)));
         }
-        return toEye.crossings() == 0 ? there : new PlayerPose(Vec3.of(toEye.place()), view);
+        return toEye.crossings() == 0 ? this : new PlayerPose(Vec3.of(toEye.place()), seen, body, later);
     }
 
     private static Vec3 mix(Vec3 a, Vec3 b, double share) {
