@@ -74,19 +74,20 @@ final class LiveMoment {
     }
 
     /** The player, and the time. */
-    void figure(PlayerPose pose, Gait gait, double seconds) {
+    void figure(PlayerPose pose, Limbs limbs, double seconds) {
         PlayerPose.Body body = pose.body();
         moment.seconds(seconds);
         moment.figure(new Moment.Posture(
-                middle(body, gait.heightMetres()),
+                middle(body, limbs.heightMetres()),
                 body.up(),
                 body.yawRadians(),
                 body.pitchRadians(),
-                gait.heightMetres(),
-                gait.step(),
-                gait.stride(),
-                gait.airborne(),
-                gait.carrying()));
+                limbs.heightMetres(),
+                limbs.step(),
+                limbs.stride(),
+                limbs.travelRadians(),
+                limbs.airborne(),
+                limbs.carrying()));
     }
 
     /** Half the figure's height below its crown, which follows the eye; the body's centre where a portal parts them. */

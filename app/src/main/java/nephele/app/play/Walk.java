@@ -37,8 +37,8 @@ public final class Walk {
     private final Boom boom;
     private SimState before;
     private SimState after;
-    private Gait gaitBefore = Gait.STANDING;
-    private Gait gaitAfter = Gait.STANDING;
+    private Limbs limbsBefore = Limbs.STANDING;
+    private Limbs limbsAfter = Limbs.STANDING;
 
     /**
      * Where a walk begins and what its recording is called.
@@ -78,11 +78,11 @@ public final class Walk {
         after = simulation.step(after, done);
         news.addAll(after.around().trace().events());
         ages.after(after);
-        gaitBefore = gaitAfter;
-        gaitAfter = gaitAfter.next(after, secondsPerTick);
+        limbsBefore = limbsAfter;
+        limbsAfter = limbsAfter.next(after, secondsPerTick);
         if (isLeap()) {
             before = after;
-            gaitBefore = gaitAfter;
+            limbsBefore = limbsAfter;
             boom.cut();
         } else {
             boom.tick(before, after);
@@ -139,7 +139,7 @@ public final class Walk {
         double share = clock.share();
         double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
         live.world(before, after, share, ages);
-        live.figure(PlayerPose.between(before, after, share), gaitBefore.towards(gaitAfter, share), seconds);
+        live.figure(PlayerPose.between(before, after, share), limbsBefore.towards(limbsAfter, share), seconds);
         return live.moment();
     }
 }
