@@ -62,9 +62,6 @@ final class Boom {
     /** The camera at a share of the tick between two states. */
     PlayerPose camera(SimState earlier, SimState later, double share) {
         PlayerPose pose = PlayerPose.between(earlier, later, share);
-        if (!isOut()) {
-            return pose;
-        }
         BoomState there = entering(earlier, later).after(share * secondsPerTick, wanted ? 1 : 0);
         way(pose, there);
         double extent =

@@ -95,6 +95,9 @@ final class LiveMoment {
         Vector3d way = body.eye().toVector();
         way.fma(EYE_BELOW_CROWN_METRES - heightMetres / 2, body.up().toVector());
         Vec3 middle = Vec3.of(way);
+        if (moment.portals().size() == 0) {
+            return middle;
+        }
         var trace = new PathTrace(moment.portals(), Obstacles.NONE);
         trace.walk(body.centre().toVector(), way.sub(body.centre().toVector()));
         return trace.crossings() == 0 ? middle : body.centre();

@@ -37,6 +37,9 @@ public final class Walk {
     private final Boom boom;
     private SimState before;
     private SimState after;
+    private PlayerPose pose;
+    private SimState posedAfter;
+    private double posedShare;
     private Limbs limbsBefore = Limbs.STANDING;
     private Limbs limbsAfter = Limbs.STANDING;
 
@@ -130,7 +133,7 @@ public final class Walk {
 
     /** The player's view between the last two ticks: from the eye, or along the boom. */
     public View view(double aspect) {
-        PlayerPose camera = boom.camera(before, after, clock.share());
+        PlayerPose camera = boom.isOut() ? boom.camera(before, after, clock.share()) : pose();
         return Viewpoints.ofEye(camera.eye(), camera.view(), aspect);
     }
 
@@ -139,7 +142,17 @@ public final class Walk {
         double share = clock.share();
         double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
         live.world(before, after, share, ages);
-        live.figure(PlayerPose.between(before, after, share), limbsBefore.towards(limbsAfter, share), seconds);
+        live.figure(pose(), limbsBefore.towards(limbsAfter, share), seconds);
         return live.moment();
+    }
+
+    /** View and moment of one frame share it. */
+    private PlayerPose pose() {
+        if (posedAfter != after || posedShare != clock.share()) {
+            posedAfter = after;
+            posedShare = clock.share();
+            pose = PlayerPose.between(before, after, posedShare);
+        }
+        return pose;
     }
 }
