@@ -16,7 +16,6 @@ import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.RenderSettings.Culling;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.Quality;
@@ -77,7 +76,7 @@ class FramePlanGlTest {
             for (int i = 3; i < 100; i++) {
                 // Every tenth has all features: compiling their shaders takes most of the time.
                 TestLevel level = i % 10 == 0 ? everything() : plain();
-                RenderSettings settings = new RenderSettings(Output.values()[i % 3], Quality.LOW, Culling.ON);
+                RenderSettings settings = RenderSettings.of(Output.values()[i % 3], Quality.LOW);
                 Renderer.load(offscreen.gl, level.level(), tiles(), settings).close();
             }
             assertEquals(before, offscreen.gl.live().counts());

@@ -102,7 +102,7 @@ class MetamorphicGlTest {
         RenderSettings on = RenderSettings.of(Output.DIRECT);
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE);
                 Renderer culled = Renderer.load(offscreen.gl, level, tiles(), on);
-                Renderer whole = Renderer.load(offscreen.gl, level, tiles(), on.with(Culling.OFF))) {
+                Renderer whole = Renderer.load(offscreen.gl, level, tiles(), on.with(Culling.NONE))) {
             long culledTriangles = 0;
             for (View view : views(offscreen, views)) {
                 whole.draw(view, offscreen.picture);

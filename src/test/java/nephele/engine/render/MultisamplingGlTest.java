@@ -11,7 +11,6 @@ import java.util.Arrays;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.RenderSettings.Culling;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.PixelFormat;
@@ -41,7 +40,7 @@ class MultisamplingGlTest {
     }
 
     private static RenderSettings settings(Output output, int samples) {
-        return new RenderSettings(output, Quality.HIGH.withSamples(samples), Culling.ON);
+        return RenderSettings.of(output, Quality.HIGH.withSamples(samples));
     }
 
     private static int[] drawn(Offscreen offscreen, Output output, int samples) {

@@ -3,8 +3,6 @@ package nephele.app.command;
 import nephele.app.draw.QualityChoice;
 import nephele.app.levels.PrintedProgress;
 import nephele.engine.level.LevelFile;
-import nephele.engine.render.RenderSettings;
-import nephele.engine.render.RenderSettings.Culling;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
@@ -66,8 +64,8 @@ final class PictureOptions {
     /** @param forced instead of what was asked for, or null */
     Renderer renderer(LevelFile.Opened opened, GlContext gl, Output forced, PrintedProgress progress) {
         var choice = choice();
-        var settings = new RenderSettings(
-                forced != null ? forced : output(opened), choice.on(gl.limits().software()), Culling.ON);
+        var settings = choice.settings(
+                forced != null ? forced : output(opened), gl.limits().software());
         return Renderer.load(gl, Scene.of(choice.shown(opened.level()), opened.assets(), progress), settings);
     }
 }

@@ -3,11 +3,16 @@ package nephele.app.draw;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import nephele.app.terminal.CommandFailure;
 import nephele.engine.level.Level;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.RenderSettings.Decoration;
+import nephele.engine.render.RenderSettings.Deepest;
+import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
 
 /**
@@ -16,38 +21,45 @@ import nephele.engine.render.frame.Quality;
  * @param preset low, medium, high, ultra or auto
  */
 public record QualityChoice(String preset, Map<String, String> settings) {
-    /** Every field of {@link Quality} that `--set` can change. */
-    private static final List<Field> FIELDS = List.of(
-            new Field(
-                    "anisotropy",
-                    1,
-                    16,
-                    (quality, value) -> new Quality(value, quality.shadowTexels(), quality.samples())),
-            new Field(
+    /** Every field of {@link Quality} and of {@link RenderSettings} that `--set` can change. */
+    private static final List<SettingKey> KEYS = List.of(
+            SettingKey.whole(
+                    "anisotropy", 1, 16, (all, value) -> all.with(all.quality().withAnisotropy(value))),
+            SettingKey.whole(
                     "shadowTexels",
                     64,
                     16384,
-                    (quality, value) -> new Quality(quality.anisotropy(), value, quality.samples())),
-            new Field("samples", 1, 8, (quality, value) -> quality.withSamples(value)));
+                    (all, value) -> all.with(all.quality().withShadowTexels(value))),
+            SettingKey.whole(
+                    "samples", 1, 8, (all, value) -> all.with(all.quality().withSamples(value))),
+            SettingKey.word(
+                    "portalTechnique",
+                    PortalTechnique.class,
+                    (all, value) -> all.with(all.quality().withPortalTechnique(value))),
+            SettingKey.whole(
+                    "viewBudget",
+                    0,
+                    9999,
+                    (all, value) -> all.with(all.quality().withViewBudget(value))),
+            SettingKey.share(
+                    "portalResolution",
+                    0.1,
+                    (all, value) -> all.with(all.quality().withPortalResolution(value))),
+            SettingKey.word("culling", Culling.class, RenderSettings::with),
+            SettingKey.word("narrowing", Narrowing.class, RenderSettings::with),
+            SettingKey.word("rims", Decoration.class, RenderSettings::with));
 
     private static final String DEBUG = "debug";
-
-    private record Field(String key, int least, int most, BiFunction<Quality, Integer, Quality> change) {
-        boolean takes(String value) {
-            return value.matches("[0-9]{1,5}") && Integer.parseInt(value) >= least && Integer.parseInt(value) <= most;
-        }
-    }
 
     /** Fails with wrong usage unless everything in here is known. */
     public void check() {
         if (showsIds() && !settings.get(DEBUG).equals("ids")) {
             throw CommandFailure.usage("--set debug is ids, not `" + settings.get(DEBUG) + "`");
         }
-        on(true);
+        settings(Output.DIRECT, true);
     }
 
-    /** The quality for a machine: auto is low where OpenGL runs in software, else ultra. Ids are never blended. */
-    public Quality on(boolean software) {
+    private Quality preset(boolean software) {
         var quality =
                 switch (preset.toLowerCase(Locale.ROOT)) {
                     case "low" -> Quality.LOW;
@@ -59,12 +71,25 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                         throw CommandFailure.usage(
                                 "--quality is low, medium, high, ultra or auto, not `" + preset + "`");
                 };
+        return quality;
+    }
+
+    /** The quality for a machine: auto is low where OpenGL runs in software, else ultra. */
+    public Quality on(boolean software) {
+        return settings(Output.DIRECT, software).quality();
+    }
+
+    /** All that is drawn with. Ids are never blended, decorated or taken from another frame. */
+    public RenderSettings settings(Output output, boolean software) {
+        var all = RenderSettings.of(output, preset(software));
         for (var setting : settings.entrySet()) {
             if (!setting.getKey().equals(DEBUG)) {
-                quality = changed(quality, setting.getKey(), setting.getValue());
+                all = changed(all, setting.getKey(), setting.getValue());
             }
         }
-        return showsIds() ? quality.withSamples(1) : quality;
+        return showsIds()
+                ? all.with(all.quality().withSamples(1)).with(Decoration.OFF).with(Deepest.MARK)
+                : all;
     }
 
     /** The level that is drawn: the author's, or one that shows something else about it. */
@@ -82,17 +107,12 @@ public record QualityChoice(String preset, Map<String, String> settings) {
         return settings.containsKey(DEBUG);
     }
 
-    private static Quality changed(Quality quality, String key, String value) {
-        var known = FIELDS.stream().filter(field -> field.key.equals(key)).findFirst();
-        if (known.isEmpty()) {
-            var keys = FIELDS.stream().map(Field::key).collect(Collectors.joining(", "));
-            throw CommandFailure.usage("--set knows no `" + key + "`; it knows: " + keys);
+    private static RenderSettings changed(RenderSettings all, String name, String value) {
+        var key = KEYS.stream().filter(known -> known.name().equals(name)).findFirst();
+        if (key.isEmpty()) {
+            var names = KEYS.stream().map(SettingKey::name).collect(Collectors.joining(", "));
+            throw CommandFailure.usage("--set knows no `" + name + "`; it knows: " + names);
         }
-        var field = known.get();
-        if (!field.takes(value)) {
-            throw CommandFailure.usage("--set " + key + " is a whole number from " + field.least + " to " + field.most
-                    + ", not `" + value + "`");
-        }
-        return field.change.apply(quality, Integer.parseInt(value));
+        return key.get().applied(all, value);
     }
 }

@@ -10,7 +10,6 @@ import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.PrintedProgress;
 import nephele.engine.render.Capture;
 import nephele.engine.render.RenderSettings;
-import nephele.engine.render.RenderSettings.Culling;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -124,7 +123,7 @@ public final class OffscreenWalk {
     private Renderer renderer(GlContext gl, Preparation.Prepared prepared) {
         var output = request.quality().output(prepared.opened().level());
         var quality = request.quality().on(gl.limits().software());
-        var settings = new RenderSettings(output, quality, Culling.ON);
+        var settings = RenderSettings.of(output, quality);
         return AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 

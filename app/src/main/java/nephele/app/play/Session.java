@@ -5,7 +5,6 @@ import nephele.app.levels.AssetComplaint;
 import nephele.app.window.Input;
 import nephele.engine.level.Level;
 import nephele.engine.render.RenderSettings;
-import nephele.engine.render.RenderSettings.Culling;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.SimSettings;
@@ -33,7 +32,7 @@ final class Session implements AutoCloseable {
         var prepared = preparation.get();
         var output = request.quality().output(prepared.opened().level());
         var quality = request.quality().on(gl.limits().software());
-        var settings = new RenderSettings(output, quality, Culling.ON);
+        var settings = RenderSettings.of(output, quality);
         var renderer = AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
         return new Session(request, prepared, renderer, input);
     }

@@ -23,10 +23,10 @@ public final class Frustum {
     /** a, b, c, d and absolute slack of each half space a·x + b·y + c·z + d ≥ 0, x relative to the eye. */
     private final double[] planes;
 
-    private final int count;
-    private final double eyeX;
-    private final double eyeY;
-    private final double eyeZ;
+    private int count;
+    private double eyeX;
+    private double eyeY;
+    private double eyeZ;
 
     private Frustum(double[] planes, int count, double eyeX, double eyeY, double eyeZ) {
         this.planes = planes;
@@ -76,16 +76,37 @@ public final class Frustum {
         return new Frustum(more, count + 1, eyeX, eyeY, eyeZ);
     }
 
+    /** One that is filled anew for every frame, with at most so many half spaces. */
+    public static Frustum reusable(int mostPlanes) {
+        return new Frustum(new double[mostPlanes * STRIDE], 0, 0, 0, 0);
+    }
+
+    /** Makes a {@link #reusable} frustum see everything around {@code eye}. */
+    public void restart(Vec3 eye) {
+        count = 0;
+        eyeX = eye.x();
+        eyeY = eye.y();
+        eyeZ = eye.z();
+    }
+
+    /** Also cuts away, from a {@link #reusable} frustum, where a·x + b·y + c·z + d is negative, x relative to the eye. */
+    public void keep(double a, double b, double c, double d) {
+        put(planes, count++ * STRIDE, a, b, c, d, Math.max(Math.abs(eyeX), Math.max(Math.abs(eyeY), Math.abs(eyeZ))));
+    }
+
     private static void put(double[] planes, int index, Vector4d plane, Vec3 eye) {
-        int at = index * STRIDE;
-        planes[at] = plane.x;
-        planes[at + 1] = plane.y;
-        planes[at + 2] = plane.z;
-        planes[at + 3] = plane.w;
         double farthest = Math.max(Math.abs(eye.x()), Math.max(Math.abs(eye.y()), Math.abs(eye.z())));
+        put(planes, index * STRIDE, plane.x, plane.y, plane.z, plane.w, farthest);
+    }
+
+    private static void put(double[] planes, int at, double a, double b, double c, double d, double farthest) {
+        planes[at] = a;
+        planes[at + 1] = b;
+        planes[at + 2] = c;
+        planes[at + 3] = d;
         // Boxes and planes are rounded where the eye is before they become relative to it.
-        double rounding = 0x1p-50 * farthest * (Math.abs(plane.x) + Math.abs(plane.y) + Math.abs(plane.z));
-        planes[at + 4] = Math.abs(plane.w) * RELATIVE_SLACK + rounding;
+        double rounding = 0x1p-50 * farthest * (Math.abs(a) + Math.abs(b) + Math.abs(c));
+        planes[at + 4] = Math.abs(d) * RELATIVE_SLACK + rounding;
     }
 
     /** False only when no part of the box can be visible; an empty box never is, one with an infinite side always. */
@@ -95,6 +116,28 @@ public final class Frustum {
         }
         double[] bounds = {box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()};
         return SpatialIndex.isUnbounded(bounds, 0) || classify(bounds, 0, allPlanes()) != OUTSIDE;
+    }
+
+    /** False only when no part of the sphere around a box can be visible. */
+    boolean maySeeSphere(double[] bounds, int at) {
+        double x = (bounds[at] + bounds[at + 3]) / 2 - eyeX;
+        double y = (bounds[at + 1] + bounds[at + 4]) / 2 - eyeY;
+        double z = (bounds[at + 2] + bounds[at + 5]) / 2 - eyeZ;
+        double halfX = bounds[at + 3] - bounds[at];
+        double halfY = bounds[at + 4] - bounds[at + 1];
+        double halfZ = bounds[at + 5] - bounds[at + 2];
+        double radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ) / 2;
+        for (int p = 0; p < count * STRIDE; p += STRIDE) {
+            double a = planes[p];
+            double b = planes[p + 1];
+            double c = planes[p + 2];
+            double length = Math.sqrt(a * a + b * b + c * c);
+            double reach = Math.abs(a * x) + Math.abs(b * y) + Math.abs(c * z) + length * radius;
+            if (a * x + b * y + c * z + planes[p + 3] + length * radius < -(reach * RELATIVE_SLACK + planes[p + 4])) {
+                return false;
+            }
+        }
+        return true;
     }
 
     double eyeX() {

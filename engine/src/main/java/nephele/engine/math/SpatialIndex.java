@@ -64,6 +64,22 @@ public final class SpatialIndex {
         }
     }
 
+    /** As {@link #cull}, testing a sphere around each box, one after the other. */
+    public void cullSpheres(Frustum frustum, RangeVisitor visible) {
+        int runStart = 0;
+        for (int slot = 0; slot < tree.emptyFrom(); slot++) {
+            if (slot >= tree.unbounded() && !frustum.maySeeSphere(tree.slotBounds(), 6 * slot)) {
+                if (slot > runStart) {
+                    visible.range(runStart, slot);
+                }
+                runStart = slot + 1;
+            }
+        }
+        if (tree.emptyFrom() > runStart) {
+            visible.range(runStart, tree.emptyFrom());
+        }
+    }
+
     /** Every item whose box overlaps or touches {@code box}, in the order of the tree. */
     public void overlapping(Aabb box, ItemVisitor found) {
         if (box.isEmpty()) {

@@ -2,6 +2,8 @@ package nephele.engine.render;
 
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.pass.portal.OpeningDepthPass;
+import nephele.engine.render.pass.portal.PortalPass;
 import nephele.engine.render.pass.shadow.LampShadowPass;
 import nephele.engine.render.pass.shadow.SkyVisibilityPass;
 import nephele.engine.render.pass.shadow.SunShadowPass;
@@ -16,9 +18,11 @@ public final class RenderFeatures {
             SunShadowPass.FEATURE,
             LampShadowPass.FEATURE,
             SkyVisibilityPass.FEATURE,
+            OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,
             GradientSkyPass.FEATURE,
             SkyboxPass.FEATURE,
+            PortalPass.FEATURE,
             ToneMapPass.FEATURE);
 
     private RenderFeatures() {}

@@ -1,21 +1,85 @@
 package nephele.engine.render;
 
+import nephele.engine.math.Frustum;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.scene.View;
+import nephele.engine.scene.VisibleSet;
 
 /** What the caller, not the level, decides about a picture. */
-public record RenderSettings(Output output, Quality quality, Culling culling) {
-    /** OFF draws everything: what ON must not differ from. */
+public record RenderSettings(
+        Output output, Quality quality, Culling culling, Narrowing narrowing, Decoration decoration, Deepest deepest) {
+    /** How solids outside of a view are left out; pictures do not differ. */
     public enum Culling {
+        /** Everything is drawn. */
+        NONE,
+        /** A sphere around each solid, one after the other. */
+        SPHERE,
+        /** Boxes around solids, and around more and more of them. */
+        HIERARCHY;
+
+        void find(VisibleSet visible, View view) {
+            switch (this) {
+                case NONE -> visible.takeAll();
+                case SPHERE -> visible.findBySpheres(view);
+                case HIERARCHY -> visible.find(view);
+            }
+        }
+
+        void find(VisibleSet visible, Frustum frustum) {
+            switch (this) {
+                case NONE -> visible.takeAll();
+                case SPHERE -> visible.findBySpheres(frustum);
+                case HIERARCHY -> visible.find(frustum);
+            }
+        }
+    }
+
+    /** Whether a view through a portal is drawn only where the portal shows; pictures do not differ. */
+    public enum Narrowing {
         ON,
         OFF
     }
 
+    /** Whether what only guides the player is drawn: rims of portals, where a shot would land. */
+    public enum Decoration {
+        ON,
+        OFF
+    }
+
+    /** What fills the openings that the view budget does not reach. */
+    public enum Deepest {
+        /** The picture before this one; where there is none, the wall that the opening lies in shows. */
+        HISTORY,
+        /** A colour that nothing else has, see {@code Renderer.MARK}. */
+        MARK
+    }
+
     public static RenderSettings of(Output output) {
-        return new RenderSettings(output, Quality.HIGH, Culling.ON);
+        return of(output, Quality.HIGH);
+    }
+
+    public static RenderSettings of(Output output, Quality quality) {
+        return new RenderSettings(output, quality, Culling.HIERARCHY, Narrowing.ON, Decoration.ON, Deepest.HISTORY);
+    }
+
+    public RenderSettings with(Quality newQuality) {
+        return new RenderSettings(output, newQuality, culling, narrowing, decoration, deepest);
     }
 
     public RenderSettings with(Culling newCulling) {
-        return new RenderSettings(output, quality, newCulling);
+        return new RenderSettings(output, quality, newCulling, narrowing, decoration, deepest);
+    }
+
+    public RenderSettings with(Narrowing newNarrowing) {
+        return new RenderSettings(output, quality, culling, newNarrowing, decoration, deepest);
+    }
+
+    public RenderSettings with(Decoration newDecoration) {
+        return new RenderSettings(output, quality, culling, narrowing, newDecoration, deepest);
+    }
+
+    public RenderSettings with(Deepest newDeepest) {
+        return new RenderSettings(output, quality, culling, narrowing, decoration, newDeepest);
     }
 }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
-import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
@@ -18,6 +18,8 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Moment;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
+import nephele.engine.scene.ViewNode;
+import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.VisibleSet;
 
 /** One level on the GPU, with the passes that it requires and nothing else. */
@@ -32,6 +34,9 @@ public final class Renderer implements AutoCloseable {
     private final VisibleSet visible;
     private final Moment start;
     private final Multisampling multisampling;
+    /** {@code null} in a level where portals cannot be. */
+    private PortalViews portals;
+
     private RenderTarget linear;
     /** So many passes come before the first one that reads the surface's pixels. */
     private int surfacePasses;
@@ -79,10 +84,22 @@ public final class Renderer implements AutoCloseable {
                 pass.load(context);
             }
         }
+        if (ViewTree.mayGrow(scene.level())) {
+            portals = portalViews();
+        }
         while (surfacePasses < passes.size()
                 && !passes.get(surfacePasses).reads().contains(Target.SURFACE)) {
             surfacePasses++;
         }
+    }
+
+    private PortalViews portalViews() {
+        List<Pass> inEveryView = passes.stream().filter(Pass::inEveryView).toList();
+        return new PortalViews(gl, settings, shared, scene.solids(), inEveryView, exposure());
+    }
+
+    private double exposure() {
+        return ClearColour.exposure(scene.level().environment());
     }
 
     public Scene scene() {
@@ -135,16 +152,15 @@ public final class Renderer implements AutoCloseable {
             return;
         }
         if (visible != null) {
-            see(view);
+            settings.culling().find(visible, view);
         }
-        shared.frameUniforms().upload(view, ClearColour.exposure(scene.level().environment()));
-        drawPasses(new FrameContext(view, moment, drawn, picture, visible), surface, listener);
+        ViewNode root = portals == null ? null : portals.begin(view, moment, picture.width(), picture.height());
+        shared.frameUniforms().upload(view, exposure());
+        drawPasses(new FrameContext(view, moment, drawn, picture, visible, root, portals), surface, listener);
     }
 
     private void drawPasses(FrameContext frame, RenderTarget surface, StepListener listener) {
-        FrameContext resolved = frame.surface() == surface
-                ? frame
-                : new FrameContext(frame.view(), frame.moment(), surface, frame.picture(), visible);
+        FrameContext resolved = frame.surface() == surface ? frame : frame.withSurface(surface);
         for (int i = 0; i < passes.size(); i++) {
             passes.get(i).draw(i < surfacePasses ? frame : resolved);
             if (i + 1 == surfacePasses) {
@@ -159,14 +175,6 @@ public final class Renderer implements AutoCloseable {
             return PixelFormat.RGBA16F;
         }
         return picture.colour() == null ? PixelFormat.RGBA8 : picture.colour().format();
-    }
-
-    private void see(View view) {
-        if (settings.culling() == Culling.ON) {
-            visible.find(view);
-        } else {
-            visible.takeAll();
-        }
     }
 
     private RenderTarget linear(RenderTarget picture) {

@@ -28,13 +28,29 @@ public final class VisibleSet {
 
     /** Replaces the content by what {@code view} may see. */
     public void find(View view) {
-        find(Frustum.of(view.clipFromRelative(clipFromRelative), view.eye()));
+        find(frustum(view));
+    }
+
+    private Frustum frustum(View view) {
+        Frustum frustum = Frustum.of(view.clipFromRelative(clipFromRelative), view.eye());
+        return view.clip() == null ? frustum : frustum.inFrontOf(view.clip());
     }
 
     /** Replaces the content by what {@code frustum} may contain. */
     public void find(Frustum frustum) {
         clear();
         geometry.index().cull(frustum, add);
+    }
+
+    /** As {@link #find(View)} by a slower and looser test: one sphere after the other. */
+    public void findBySpheres(View view) {
+        findBySpheres(frustum(view));
+    }
+
+    /** As {@link #find(Frustum)} by a slower and looser test: one sphere after the other. */
+    public void findBySpheres(Frustum frustum) {
+        clear();
+        geometry.index().cullSpheres(frustum, add);
     }
 
     /** Everything: what culling must not differ from. */

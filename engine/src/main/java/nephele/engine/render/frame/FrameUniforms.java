@@ -11,7 +11,7 @@ public final class FrameUniforms implements AutoCloseable {
     /** Binding point of the block; passes use others. */
     public static final int BINDING = 0;
 
-    private static final int FLOATS = 16 + 4 * 4;
+    private static final int FLOATS = 16 + 5 * 4;
 
     private final UniformBuffer buffer;
     private final float[] values = new float[FLOATS];
@@ -28,8 +28,16 @@ public final class FrameUniforms implements AutoCloseable {
         put(20, view.up(), view.projection().tanHalfHeight());
         put(24, view.back(), -1);
         values[28] = (float) exposure;
+        putClip(view);
         buffer.upload(values);
         buffer.bind(BINDING);
+    }
+
+    private void putClip(View view) {
+        if (view.clip() != null) {
+            put(32, view.clip().normal(), 1);
+            values[35] = (float) view.clip().signedDistance(view.eye());
+        }
     }
 
     private void put(int at, Vec3 v, double factor) {

@@ -11,6 +11,11 @@ public interface Pass extends AutoCloseable {
 
     Set<Target> writes();
 
+    /** Whether it is drawn for every view through a portal too, or only once a frame. */
+    default boolean inEveryView() {
+        return writes().contains(Target.SURFACE);
+    }
+
     /** Called once, before the first draw. */
     void load(LoadContext context);
 

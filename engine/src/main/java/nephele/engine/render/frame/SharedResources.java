@@ -22,6 +22,7 @@ public final class SharedResources implements AutoCloseable {
     private PictureArrays colourPictures;
     private PictureArrays normalPictures;
     private SurfaceLight surfaceLight;
+    private OpeningMesh openings;
 
     public SharedResources(GlContext gl, Scene scene) {
         this.gl = gl;
@@ -34,6 +35,14 @@ public final class SharedResources implements AutoCloseable {
             frameUniforms = new FrameUniforms(gl);
         }
         return frameUniforms;
+    }
+
+    /** Where portals open in the views of this frame. */
+    public OpeningMesh openings() {
+        if (openings == null) {
+            openings = new OpeningMesh(gl);
+        }
+        return openings;
     }
 
     /** The static geometry on the GPU. */
@@ -116,6 +125,9 @@ public final class SharedResources implements AutoCloseable {
         }
         if (surfaceLight != null) {
             surfaceLight.close();
+        }
+        if (openings != null) {
+            openings.close();
         }
     }
 }

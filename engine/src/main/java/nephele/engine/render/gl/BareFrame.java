@@ -65,7 +65,7 @@ public final class BareFrame implements AutoCloseable {
             } else {
                 calls.add(() -> {
                     glClearColor(colour[0], colour[1], colour[2], colour[3]);
-                    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+                    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
                 });
             }
         }
@@ -101,6 +101,12 @@ public final class BareFrame implements AutoCloseable {
                 at += 4L * counts[i];
             }
             return total;
+        }
+
+        @Override
+        public void drawnUnindexed(int first, int count) {
+            bindAll();
+            calls.add(() -> glDrawArrays(GL_TRIANGLES, first, count));
         }
 
         @Override

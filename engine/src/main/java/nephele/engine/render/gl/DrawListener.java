@@ -8,6 +8,9 @@ interface DrawListener {
     /** Indexed triangles are about to be drawn with what is bound. */
     void drawn(int[] firsts, int[] counts);
 
+    /** Triangles without indices are about to be drawn with what is bound. */
+    void drawnUnindexed(int first, int count);
+
     /** The full-screen triangle is about to be drawn with what is bound. */
     void drawnFullScreen();
 

@@ -6,14 +6,57 @@ import java.util.Arrays;
 
 /** What is bound and switched on; calls OpenGL only for what differs. Also counts what a frame submits. */
 public final class DrawState {
-    /** Depth test and write. */
+    /** Depth test and write, and whether colour is written. */
     public enum Depth {
-        OFF,
-        LESS_AND_WRITE,
+        OFF(GL_LESS, false, true),
+        LESS_AND_WRITE(GL_LESS, true, true),
         /** Lays down depth for later passes and keeps the colour. */
-        LESS_AND_WRITE_ONLY_DEPTH,
-        /** Passes at equal depth, writes nothing: what lies at the far plane. */
-        LESS_OR_EQUAL
+        LESS_AND_WRITE_ONLY_DEPTH(GL_LESS, true, false),
+        /** Passes at equal depth, writes no depth: what lies at the far plane. */
+        LESS_OR_EQUAL(GL_LEQUAL, false, true),
+        /** Where this very surface is the nearest. */
+        EQUAL(GL_EQUAL, false, true),
+        /** As {@link #EQUAL}, keeping depth and colour: only the stencil hears of it. */
+        EQUAL_ONLY_STENCIL(GL_EQUAL, false, false),
+        ALWAYS_AND_WRITE(GL_ALWAYS, true, true),
+        ALWAYS_AND_WRITE_ONLY_DEPTH(GL_ALWAYS, true, false);
+
+        private final int function;
+        private final boolean depthWritten;
+        private final boolean colourWritten;
+
+        Depth(int function, boolean depthWritten, boolean colourWritten) {
+            this.function = function;
+            this.depthWritten = depthWritten;
+            this.colourWritten = colourWritten;
+        }
+    }
+
+    /** Which pixels are drawn to by the number in their stencil, and what becomes of it. */
+    public enum Stencil {
+        /** All, and it stays. */
+        OFF(GL_KEEP),
+        /** Those that hold the reference. */
+        EQUAL(GL_KEEP),
+        /** Those that hold the reference; one more where depth passes too. */
+        EQUAL_COUNT_UP(GL_INCR),
+        /** Those that hold the reference; one less where depth passes too. */
+        EQUAL_COUNT_DOWN(GL_DECR);
+
+        private final int whereDrawn;
+
+        Stencil(int whereDrawn) {
+            this.whereDrawn = whereDrawn;
+        }
+    }
+
+    /** How a polygon's depth comes about. */
+    public enum DepthOf {
+        SURFACE,
+        /** Of an opening in a wall: before the wall by the least that tells them apart, never cut by near and far. */
+        OPENING,
+        /** Farthest, wherever it lies. */
+        FARTHEST
     }
 
     /** How a fragment joins what is there. */
@@ -31,6 +74,9 @@ public final class DrawState {
 
     static final int TEXTURE_UNITS = 16;
 
+    /** The view's plane and a straddling thing's two. */
+    static final int MOST_CLIP_DISTANCES = 3;
+
     private final int[] textures = new int[TEXTURE_UNITS];
     private int activeUnit;
     private int program;
@@ -41,12 +87,25 @@ public final class DrawState {
     private Depth depth;
     private Blend blend;
     private Cull cull;
+    private int clipDistances;
+    private Stencil stencil = Stencil.OFF;
+    private int stencilReference;
+    private DepthOf depthOf = DepthOf.SURFACE;
+    /** Whether the scissor test is on; {@code null} when that is not known. */
+    private Boolean scissored = false;
+
+    private final int[] scissor = new int[4];
     private long draws;
     private long triangles;
     private DrawListener listener;
 
-    /** Sets the fixed-function switches. */
+    /** Sets the fixed-function switches, without clip distances. */
     public void set(Depth newDepth, Blend newBlend, Cull newCull) {
+        set(newDepth, newBlend, newCull, 0);
+    }
+
+    /** @param newClipDistances so many elements of {@code gl_ClipDistance}, from the first on, cut what is drawn */
+    public void set(Depth newDepth, Blend newBlend, Cull newCull, int newClipDistances) {
         if (depth != newDepth) {
             setDepth(newDepth);
         }
@@ -57,14 +116,79 @@ public final class DrawState {
             toggle(GL_CULL_FACE, newCull == Cull.BACK);
             cull = newCull;
         }
+        if (clipDistances != newClipDistances) {
+            setClipDistances(newClipDistances);
+        }
+    }
+
+    private void setClipDistances(int count) {
+        for (int i = 0; i < MOST_CLIP_DISTANCES; i++) {
+            if (clipDistances < 0 || i < count != i < clipDistances) {
+                toggle(GL_CLIP_DISTANCE0 + i, i < count);
+            }
+        }
+        clipDistances = count;
+    }
+
+    /** Stays until it is set again, whatever is drawn. */
+    public void stencil(Stencil newStencil, int reference) {
+        if (stencil == newStencil && (stencilReference == reference || newStencil == Stencil.OFF)) {
+            return;
+        }
+        if (stencil == null || (stencil == Stencil.OFF) != (newStencil == Stencil.OFF)) {
+            toggle(GL_STENCIL_TEST, newStencil != Stencil.OFF);
+        }
+        if (newStencil != Stencil.OFF) {
+            glStencilFunc(GL_EQUAL, reference, 0xff);
+            glStencilOp(GL_KEEP, GL_KEEP, newStencil.whereDrawn);
+        }
+        stencil = newStencil;
+        stencilReference = reference;
+    }
+
+    /** Stays until it is set again. */
+    public void depthOf(DepthOf newDepthOf) {
+        if (depthOf == newDepthOf) {
+            return;
+        }
+        toggle(GL_DEPTH_CLAMP, newDepthOf != DepthOf.SURFACE);
+        toggle(GL_POLYGON_OFFSET_FILL, newDepthOf == DepthOf.OPENING);
+        if (newDepthOf == DepthOf.OPENING) {
+            // One pixel's slope and four steps of the buffer: more than two rasterisations of one plane differ by.
+            glPolygonOffset(-1, -4);
+        }
+        glDepthRange(newDepthOf == DepthOf.FARTHEST ? 1 : 0, 1);
+        depthOf = newDepthOf;
+    }
+
+    /** Nothing outside of these pixels is drawn, cleared or copied to until {@link #noScissor}. */
+    public void scissor(int x, int y, int width, int height) {
+        if (scissored != Boolean.TRUE) {
+            glEnable(GL_SCISSOR_TEST);
+            scissored = true;
+        }
+        if (scissor[0] != x || scissor[1] != y || scissor[2] != width || scissor[3] != height) {
+            glScissor(x, y, width, height);
+            scissor[0] = x;
+            scissor[1] = y;
+            scissor[2] = width;
+            scissor[3] = height;
+        }
+    }
+
+    public void noScissor() {
+        if (scissored != Boolean.FALSE) {
+            glDisable(GL_SCISSOR_TEST);
+            scissored = false;
+        }
     }
 
     private void setDepth(Depth newDepth) {
         toggle(GL_DEPTH_TEST, newDepth != Depth.OFF);
-        boolean depthOnly = newDepth == Depth.LESS_AND_WRITE_ONLY_DEPTH;
-        glDepthMask(newDepth == Depth.LESS_AND_WRITE || depthOnly);
-        glColorMask(!depthOnly, !depthOnly, !depthOnly, !depthOnly);
-        glDepthFunc(newDepth == Depth.LESS_OR_EQUAL ? GL_LEQUAL : GL_LESS);
+        glDepthMask(newDepth.depthWritten);
+        boolean colour = newDepth.colourWritten;
+        glColorMask(colour, colour, colour, colour);
+        glDepthFunc(newDepth.function);
         depth = newDepth;
     }
 
@@ -155,6 +279,11 @@ public final class DrawState {
         depth = null;
         blend = null;
         cull = null;
+        clipDistances = -1;
+        stencil = null;
+        depthOf = null;
+        scissored = null;
+        scissor[2] = -1;
     }
 
     /** {@code null} to stop listening. */

@@ -12,6 +12,8 @@ public enum PixelFormat {
     RGBA16F(GL_RGBA16F, GL_RGBA, GL_FLOAT),
     RGBA32F(GL_RGBA32F, GL_RGBA, GL_FLOAT),
     DEPTH24(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT),
+    /** Depth, and eight bits that count how many openings a pixel is seen through. */
+    DEPTH24_STENCIL8(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8),
     DEPTH32F(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
 
     final int internal;

@@ -37,33 +37,33 @@ public final class RenderTarget implements AutoCloseable {
         this.height = height;
     }
 
-    /** Colour texture of the given format and a 24-bit depth buffer. */
+    /** Colour texture of the given format, 24 bits of depth and 8 of stencil. */
     public static RenderTarget picture(GlContext gl, String name, PixelFormat format, int width, int height) {
         Texture colour = new Texture(
                 gl, name, Texture.Shape.FLAT, format, Texture.Extent.flat(width, height), Sampling.NEAREST_CLAMP);
         GlHandle depth =
                 new GlHandle(gl, GlKind.RENDERBUFFER, name, glGenRenderbuffers(), id -> glDeleteRenderbuffers(id));
         glBindRenderbuffer(GL_RENDERBUFFER, depth.id());
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width, height);
         GlHandle framebuffer = newFramebuffer(gl, name);
         gl.state().framebuffer(framebuffer.id(), width, height);
         glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.id(), 0);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.id());
         return complete(name, new RenderTarget(gl, framebuffer, depth, colour, width, height));
     }
 
     /**
-     * Colour and 24-bit depth with several samples a pixel, to be drawn into and then {@link #copyTo copied}.
+     * Colour, depth and stencil with several samples a pixel, to be drawn into and then {@link #copyTo copied}.
      *
      * @return {@code null} where this OpenGL cannot draw into such a target
      */
     public static RenderTarget multisampled(GlContext gl, PixelFormat format, int width, int height, int samples) {
         GlHandle colour = newSamples(gl, format, width, height, samples);
-        GlHandle depth = newSamples(gl, PixelFormat.DEPTH24, width, height, samples);
+        GlHandle depth = newSamples(gl, PixelFormat.DEPTH24_STENCIL8, width, height, samples);
         GlHandle framebuffer = newFramebuffer(gl, "multisampled surface");
         gl.state().framebuffer(framebuffer.id(), width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.id());
         RenderTarget target = new RenderTarget(gl, framebuffer, depth, null, colour, width, height);
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
             target.close();
@@ -128,20 +128,22 @@ public final class RenderTarget implements AutoCloseable {
         gl.state().framebuffer(framebuffer == null ? 0 : framebuffer.id(), width, height);
     }
 
-    /** Binds, sets every colour to the given one and every depth to the farthest. */
+    /** Binds, sets every colour to the given one, every depth to the farthest and every stencil to 0. */
     public void clear(float red, float green, float blue) {
         bind();
+        gl.state().noScissor();
         gl.state().allowDepthClear();
         if (gl.state().listener() != null) {
             gl.state().listener().cleared(new float[] {red, green, blue, 1});
         }
         glClearColor(red, green, blue, 1);
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
 
     /** Binds and sets every depth to the farthest. */
     public void clearDepth() {
         bind();
+        gl.state().noScissor();
         gl.state().allowDepthClear();
         if (gl.state().listener() != null) {
             gl.state().listener().cleared(null);

@@ -6,4 +6,5 @@ layout(std140) uniform Frame {
     vec4 viewUp; // times the tangent of half the vertical field of view
     vec4 viewForward;
     vec4 development; // x: exposure factor
+    vec4 viewClip; // of a view through a portal: normal and distance of the eye from the plane it is cut by
 };

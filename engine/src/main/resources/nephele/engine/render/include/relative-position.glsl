@@ -1,5 +1,6 @@
 // Where a solid's vertex is seen. Invariant: the depth that is laid down first must be met to the last bit.
 #include "frame.glsl"
+#include "view-clip.glsl"
 
 layout(location = 0) in vec3 position; // in its cell
 
@@ -13,5 +14,6 @@ invariant gl_Position;
 vec3 placeVertex() {
     vec3 relative = (position - eyeHigh) - eyeLow;
     gl_Position = clipFromRelative * vec4(relative, 1.0);
+    clipToView(relative);
     return relative;
 }

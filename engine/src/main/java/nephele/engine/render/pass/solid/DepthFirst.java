@@ -2,8 +2,10 @@ package nephele.engine.render.pass.solid;
 
 import java.util.Map;
 import java.util.Optional;
+import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -20,12 +22,13 @@ final class DepthFirst implements AutoCloseable {
     private final GlProgram<SolidUniforms> program;
     private final float[] eye = new float[6];
 
-    DepthFirst(GlContext gl) {
-        this.gl = gl;
+    DepthFirst(LoadContext context) {
+        gl = context.gl();
+        Map<String, String> defines = Defines.of(context).values();
         program = new GlProgram<>(
                 gl,
-                ShaderSource.load(FOLDER + "depth.vert", Map.of()),
-                ShaderSource.load(FOLDER + "depth.frag", Map.of()),
+                ShaderSource.load(FOLDER + "depth.vert", defines),
+                ShaderSource.load(FOLDER + "depth.frag", defines),
                 uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
                     return new SolidUniforms(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"), Optional.empty());
@@ -33,7 +36,7 @@ final class DepthFirst implements AutoCloseable {
     }
 
     void draw(FrameContext frame, SolidMesh mesh) {
-        gl.state().set(Depth.LESS_AND_WRITE_ONLY_DEPTH, Blend.REPLACE, Cull.BACK);
+        gl.state().set(Depth.LESS_AND_WRITE_ONLY_DEPTH, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         program.use();
         for (int i = 0; i < mesh.batches().size(); i++) {
             SolidMesh.eyeInCell(frame.view().eye(), mesh.batches().get(i).cellOrigin(), eye);

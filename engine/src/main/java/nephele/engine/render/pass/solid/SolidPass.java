@@ -72,7 +72,7 @@ public final class SolidPass implements Pass {
         shared = context.shared();
         light = shared.surfaceLight(context);
         if (light.variesOverFaces()) {
-            depthFirst = new DepthFirst(gl);
+            depthFirst = new DepthFirst(context);
         }
         materials = new MaterialBlocks(gl, context.scene().materials());
         for (SolidBatch batch : mesh.batches()) {
@@ -86,10 +86,10 @@ public final class SolidPass implements Pass {
     public void draw(FrameContext frame) {
         frame.surface().bind();
         if (depthFirst == null) {
-            gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.BACK);
+            gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         } else {
             depthFirst.draw(frame, mesh);
-            gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.BACK);
+            gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         }
         light.bind(shared);
         for (int i = 0; i < programOfBatch.size(); i++) {

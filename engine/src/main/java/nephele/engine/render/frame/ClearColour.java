@@ -1,16 +1,14 @@
-package nephele.engine.render;
+package nephele.engine.render.frame;
 
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.Development;
-import nephele.engine.render.frame.Output;
 
 /** What lies behind everything, computed once on the CPU: a constant sky requires no pass. */
-record ClearColour(float red, float green, float blue) {
+public record ClearColour(float red, float green, float blue) {
     private static final double LARGEST_HALF = 65504;
 
-    static ClearColour of(Environment environment, Output output) {
+    public static ClearColour of(Environment environment, Output output) {
         Vec3 radiance = environment.sky() instanceof Sky.Constant constant ? constant.radiance() : Vec3.ZERO;
         return new ClearColour(
                 value(radiance.x(), environment, output),
@@ -27,7 +25,7 @@ record ClearColour(float red, float green, float blue) {
     }
 
     /** Factor on radiance. */
-    static double exposure(Environment environment) {
+    public static double exposure(Environment environment) {
         return Math.pow(2, environment.exposureStops());
     }
 }

@@ -1,0 +1,101 @@
+package nephele.engine.render.frame;
+
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PolygonStream;
+import nephele.engine.render.gl.VertexFormat;
+import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.scene.PicturePolygon;
+import nephele.engine.scene.Projection;
+import nephele.engine.scene.ViewNode;
+import nephele.engine.scene.ViewTree;
+
+/**
+ * The openings of all views of a frame on the GPU; shader locations 0 clip position, 1 where to look the opening's
+ * picture up, homogeneous. What is nearer than the near plane lies in it, as triangles of its own: interpolating depth
+ * from beyond the near plane to the far end of an opening would lose it to rounding.
+ */
+public final class OpeningMesh implements AutoCloseable {
+    private static final int FLOATS_PER_VERTEX = 7;
+
+    private final PolygonStream stream;
+    private final PicturePolygon part = new PicturePolygon();
+    private float[] values = new float[4096];
+    private int[] firsts = new int[64];
+    private int floats;
+
+    OpeningMesh(GlContext gl) {
+        stream = new PolygonStream(gl, "openings", VertexFormat.of(Attribute.FLOAT4, Attribute.FLOAT3));
+    }
+
+    /** Replaces what was there by the openings of {@code tree}. */
+    public void upload(ViewTree tree) {
+        floats = 0;
+        put(tree.views());
+        put(tree.terminals());
+        if (floats > 0) {
+            stream.upload(values, floats);
+        }
+    }
+
+    private void put(List<ViewNode> nodes) {
+        for (int i = 0; i < nodes.size(); i++) {
+            if (nodes.get(i).parent() != null) {
+                put(nodes.get(i));
+            }
+        }
+    }
+
+    private void put(ViewNode node) {
+        if (firsts.length < node.number() + 2) {
+            firsts = Arrays.copyOf(firsts, 2 * node.number() + 2);
+        }
+        firsts[node.number()] = floats / FLOATS_PER_VERTEX;
+        Projection projection = node.parent().view().projection();
+        part.copy(node.opening());
+        part.keepNearer(projection.nearMetres());
+        fan(projection);
+        part.copy(node.opening());
+        part.keepFarther(projection.nearMetres());
+        fan(projection);
+        firsts[node.number() + 1] = floats / FLOATS_PER_VERTEX;
+    }
+
+    private void fan(Projection projection) {
+        for (int i = 2; i < part.size(); i++) {
+            vertex(projection, 0);
+            vertex(projection, i - 1);
+            vertex(projection, i);
+        }
+    }
+
+    private void vertex(Projection projection, int corner) {
+        if (floats + FLOATS_PER_VERTEX > values.length) {
+            values = Arrays.copyOf(values, 2 * values.length);
+        }
+        double w = part.w(corner);
+        double z = w <= projection.nearMetres() ? -w : projection.depthOffset() - w * projection.depthScale();
+        values[floats++] = (float) part.x(corner);
+        values[floats++] = (float) part.y(corner);
+        values[floats++] = (float) z;
+        values[floats++] = (float) w;
+        values[floats++] = (float) part.x(corner);
+        values[floats++] = (float) part.y(corner);
+        values[floats++] = (float) w;
+    }
+
+    /** Draws one opening with the program that is set. */
+    public void draw(ViewNode node) {
+        int first = firsts[node.number()];
+        int count = firsts[node.number() + 1] - first;
+        if (count > 0) {
+            stream.draw(first, count);
+        }
+    }
+
+    @Override
+    public void close() {
+        stream.close();
+    }
+}

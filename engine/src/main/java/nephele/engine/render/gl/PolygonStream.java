@@ -1,0 +1,53 @@
+package nephele.engine.render.gl;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+import java.nio.FloatBuffer;
+import org.lwjgl.system.MemoryUtil;
+
+/** Triangles whose vertices change every frame: replaced as a whole, then drawn run by run. */
+public final class PolygonStream implements AutoCloseable {
+    private final GlContext gl;
+    private final GlHandle vertexArray;
+    private final GlHandle vertices;
+    private FloatBuffer copy = MemoryUtil.memAllocFloat(1024);
+
+    /** @param format of floats only */
+    public PolygonStream(GlContext gl, String name, VertexFormat format) {
+        this.gl = gl;
+        vertexArray = new GlHandle(gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
+        vertices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
+        gl.state().vertexArray(vertexArray.id());
+        glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
+        format.describe();
+    }
+
+    /** Replaces all vertices by the first {@code floats} numbers. */
+    public void upload(float[] values, int floats) {
+        if (copy.capacity() < floats) {
+            MemoryUtil.memFree(copy);
+            copy = MemoryUtil.memAllocFloat(2 * floats);
+        }
+        copy.clear().put(values, 0, floats).flip();
+        gl.state().vertexArray(vertexArray.id());
+        glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
+        glBufferData(GL_ARRAY_BUFFER, copy, GL_STREAM_DRAW);
+    }
+
+    /** Draws {@code count} vertices from the {@code first}, three a triangle. */
+    public void draw(int first, int count) {
+        gl.state().vertexArray(vertexArray.id());
+        if (gl.state().listener() != null) {
+            gl.state().listener().drawnUnindexed(first, count);
+        }
+        glDrawArrays(GL_TRIANGLES, first, count);
+        gl.state().drawn(1, count / 3);
+    }
+
+    @Override
+    public void close() {
+        vertexArray.close();
+        vertices.close();
+        MemoryUtil.memFree(copy);
+    }
+}

@@ -1,0 +1,67 @@
+package nephele.engine.render.pass.portal;
+
+import java.util.List;
+import java.util.Set;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.OpeningMesh;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.DrawState.DepthOf;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.scene.ViewNode;
+
+/** Lays down the depth of openings before anything else: the wall that they lie in is not drawn, nor what it hides. */
+public final class OpeningDepthPass implements Pass {
+    public static final RenderFeature FEATURE =
+            new RenderFeature("portal.depth", level -> PortalNeeds.of(level, OpeningDepthPass::new));
+
+    private final GlContext gl;
+    private GlProgram<Object> program;
+    private OpeningMesh openings;
+
+    private OpeningDepthPass(GlContext gl) {
+        this.gl = gl;
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.SURFACE);
+    }
+
+    @Override
+    public void load(LoadContext context) {
+        program = OpeningPrograms.nothing(context);
+        openings = context.shared().openings();
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        List<ViewNode> children = frame.node().children();
+        if (children.isEmpty()) {
+            return;
+        }
+        frame.surface().bind();
+        gl.state().set(Depth.LESS_AND_WRITE_ONLY_DEPTH, Blend.REPLACE, Cull.NONE);
+        gl.state().depthOf(DepthOf.OPENING);
+        program.use();
+        for (int i = 0; i < children.size(); i++) {
+            if (frame.nested().fills(children.get(i))) {
+                openings.draw(children.get(i));
+            }
+        }
+        gl.state().depthOf(DepthOf.SURFACE);
+    }
+
+    @Override
+    public void close() {
+        if (program != null) {
+            program.close();
+        }
+    }
+}

@@ -1,0 +1,35 @@
+package nephele.engine.render.pass.portal;
+
+import java.util.Map;
+import java.util.function.Function;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.Uniforms;
+
+/** Programs that place openings alike, to the last bit of their depth. */
+final class OpeningPrograms {
+    private static final String FOLDER = "/nephele/engine/render/pass/portal/";
+
+    private OpeningPrograms() {}
+
+    /** Depth and stencil only. */
+    static GlProgram<Object> nothing(LoadContext context) {
+        return program(context, "nothing.frag", uniforms -> uniforms);
+    }
+
+    /** One colour. */
+    static GlProgram<Uniforms.Vector4> colour(LoadContext context) {
+        return program(context, "colour.frag", uniforms -> uniforms.vector4("colour"));
+    }
+
+    private static <U> GlProgram<U> program(LoadContext context, String fragment, Function<Uniforms, U> uniforms) {
+        Map<String, String> defines = Defines.of(context).values();
+        return new GlProgram<>(
+                context.gl(),
+                ShaderSource.load(FOLDER + "opening.vert", defines),
+                ShaderSource.load(FOLDER + fragment, defines),
+                uniforms);
+    }
+}

@@ -1,0 +1,108 @@
+package nephele.engine.render.pass.portal;
+
+import java.util.List;
+import java.util.Set;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Sky;
+import nephele.engine.render.frame.ClearColour;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.OpeningMesh;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.DrawState;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.DrawState.DepthOf;
+import nephele.engine.render.gl.DrawState.Stencil;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.scene.ViewNode;
+
+/**
+ * Draws what is seen through each opening of a view, and through the openings in there. The stencil of a pixel holds how
+ * many openings it is seen through: an opening counts up where it is the nearest surface, what is behind it is drawn
+ * where the number is right, and it counts down again, leaving its own depth for what is drawn after it.
+ */
+public final class PortalPass implements Pass {
+    public static final RenderFeature FEATURE =
+            new RenderFeature("portal", level -> PortalNeeds.of(level, PortalPass::new));
+
+    private final GlContext gl;
+    private GlProgram<Object> nothing;
+    private GlProgram<Uniforms.Vector4> colour;
+    private OpeningMesh openings;
+    /** Whether something is drawn wherever nothing else is, so that the clear colour never shows. */
+    private boolean skyCovers;
+
+    private PortalPass(GlContext gl) {
+        this.gl = gl;
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.SURFACE);
+    }
+
+    @Override
+    public void load(LoadContext context) {
+        Environment environment = context.scene().level().environment();
+        nothing = OpeningPrograms.nothing(context);
+        colour = OpeningPrograms.colour(context);
+        openings = context.shared().openings();
+        skyCovers = environment.sky() != null && !(environment.sky() instanceof Sky.Constant);
+        ClearColour clear = ClearColour.of(environment, context.output());
+        colour.uniforms().set(clear.red(), clear.green(), clear.blue(), 1);
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        List<ViewNode> children = frame.node().children();
+        for (int i = 0; i < children.size(); i++) {
+            if (frame.nested().fills(children.get(i))) {
+                drawThrough(frame, children.get(i));
+            }
+        }
+    }
+
+    private void drawThrough(FrameContext frame, ViewNode child) {
+        DrawState state = gl.state();
+        int depth = frame.node().depth();
+        frame.surface().bind();
+        state.depthOf(DepthOf.OPENING);
+        state.stencil(Stencil.EQUAL_COUNT_UP, depth);
+        draw(child, nothing, Depth.EQUAL_ONLY_STENCIL);
+        state.depthOf(DepthOf.FARTHEST);
+        state.stencil(Stencil.EQUAL, depth + 1);
+        draw(
+                child,
+                skyCovers ? nothing : colour,
+                skyCovers ? Depth.ALWAYS_AND_WRITE_ONLY_DEPTH : Depth.ALWAYS_AND_WRITE);
+        state.depthOf(DepthOf.SURFACE);
+        frame.nested().draw(frame, child);
+        state.depthOf(DepthOf.OPENING);
+        state.stencil(Stencil.EQUAL_COUNT_DOWN, depth + 1);
+        draw(child, nothing, Depth.ALWAYS_AND_WRITE_ONLY_DEPTH);
+        state.depthOf(DepthOf.SURFACE);
+        state.stencil(depth == 0 ? Stencil.OFF : Stencil.EQUAL, depth);
+    }
+
+    private void draw(ViewNode child, GlProgram<?> program, Depth depth) {
+        gl.state().set(depth, Blend.REPLACE, Cull.NONE);
+        program.use();
+        openings.draw(child);
+    }
+
+    @Override
+    public void close() {
+        if (nothing != null) {
+            nothing.close();
+        }
+        if (colour != null) {
+            colour.close();
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** Fills the openings of portals with what is seen through them. */
+package nephele.engine.render.pass.portal;

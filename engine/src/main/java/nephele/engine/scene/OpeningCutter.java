@@ -1,0 +1,79 @@
+package nephele.engine.scene;
+
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Portal;
+
+/** Apertures as views see them. */
+final class OpeningCutter {
+    /** Times the picture: what is cut off must not show at its edges after rounding to float. */
+    private static final double BEYOND_PICTURE = 1.05;
+
+    private OpeningCutter() {}
+
+    /**
+     * Fills {@code opening} with what of the aperture lies before the view's plane and in its picture, empty when it is
+     * seen from behind or not at all.
+     */
+    static void cut(View view, Portal portal, double openness, PicturePolygon opening) {
+        opening.clear();
+        Vec3 eye = view.eye();
+        if (!(portal.inFront(eye.x(), eye.y(), eye.z()) > 0) || !(openness > 0)) {
+            return;
+        }
+        Aperture aperture = portal.aperture();
+        Projection projection = view.projection();
+        double tanAcross = projection.tanHalfWidth();
+        double tanUp = projection.tanHalfHeight();
+        for (int i = 0; i < aperture.corners(); i++) {
+            double across = openness * aperture.cornerX(i);
+            double upward = openness * aperture.cornerY(i);
+            double x = corner(
+                    portal.centre().x() - eye.x(),
+                    portal.frame().right().x(),
+                    portal.frame().up().x(),
+                    across,
+                    upward);
+            double y = corner(
+                    portal.centre().y() - eye.y(),
+                    portal.frame().right().y(),
+                    portal.frame().up().y(),
+                    across,
+                    upward);
+            double z = corner(
+                    portal.centre().z() - eye.z(),
+                    portal.frame().right().z(),
+                    portal.frame().up().z(),
+                    across,
+                    upward);
+            opening.add(
+                    dot(view.right(), x, y, z) / tanAcross,
+                    dot(view.up(), x, y, z) / tanUp,
+                    -dot(view.back(), x, y, z));
+        }
+        if (view.clip() != null) {
+            keepBefore(view, view.clip(), opening);
+        }
+        opening.keepInPicture(BEYOND_PICTURE);
+    }
+
+    private static double corner(double centre, double right, double up, double across, double upward) {
+        return centre + across * right + upward * up;
+    }
+
+    private static double dot(Vec3 axis, double x, double y, double z) {
+        return axis.x() * x + axis.y() * y + axis.z() * z;
+    }
+
+    /** The plane does not pass through the eye, so in the picture's coordinates it has a fourth term. */
+    private static void keepBefore(View view, Plane plane, PicturePolygon opening) {
+        Vec3 eye = view.eye();
+        Projection projection = view.projection();
+        opening.keep(
+                dot(view.right(), plane.nx(), plane.ny(), plane.nz()) * projection.tanHalfWidth(),
+                dot(view.up(), plane.nx(), plane.ny(), plane.nz()) * projection.tanHalfHeight(),
+                -dot(view.back(), plane.nx(), plane.ny(), plane.nz()),
+                plane.signedDistance(eye));
+    }
+}

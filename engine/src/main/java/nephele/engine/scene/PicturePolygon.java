@@ -1,0 +1,150 @@
+package nephele.engine.scene;
+
+/**
+ * A convex polygon before an eye, in the picture's homogeneous coordinates: x/w and y/w from −1 to 1 are in the picture,
+ * w is the distance along the view in metres. Nothing is divided by w before the picture's sides have cut the polygon,
+ * so that it may reach behind the eye and pass it as closely as doubles can tell. Corners go counter-clockwise.
+ */
+public final class PicturePolygon {
+    /** More corners than this no cut may leave: cuts beyond are left out, and the polygon stays too large. */
+    public static final int MOST_CORNERS = 64;
+
+    private double[] corners = new double[3 * (MOST_CORNERS + 1)];
+    private double[] cut = new double[3 * (MOST_CORNERS + 1)];
+    private int size;
+
+    void clear() {
+        size = 0;
+    }
+
+    void add(double x, double y, double w) {
+        int at = 3 * size++;
+        corners[at] = x;
+        corners[at + 1] = y;
+        corners[at + 2] = w;
+    }
+
+    /** Takes over another one's corners. */
+    public void copy(PicturePolygon other) {
+        System.arraycopy(other.corners, 0, corners, 0, 3 * other.size);
+        size = other.size;
+    }
+
+    public int size() {
+        return size;
+    }
+
+    public boolean isEmpty() {
+        return size < 3;
+    }
+
+    public double x(int corner) {
+        return corners[3 * corner];
+    }
+
+    public double y(int corner) {
+        return corners[3 * corner + 1];
+    }
+
+    public double w(int corner) {
+        return corners[3 * corner + 2];
+    }
+
+    /** Keeps what of the polygon has a·x + b·y + c·w not negative. */
+    void keep(double a, double b, double c) {
+        keep(a, b, c, 0);
+    }
+
+    /** Keeps what of the polygon has a·x + b·y + c·w + d not negative: a plane off the eye; Sutherland, Hodgman 1974. */
+    void keep(double a, double b, double c, double d) {
+        if (size >= MOST_CORNERS || isEmpty()) {
+            return;
+        }
+        int kept = 0;
+        int last = size - 1;
+        double before = a * x(last) + b * y(last) + c * w(last) + d;
+        for (int i = 0; i < size; i++) {
+            double here = a * x(i) + b * y(i) + c * w(i) + d;
+            if (before < 0 != here < 0) {
+                kept = cross(last, i, before / (before - here), kept);
+            }
+            if (here >= 0) {
+                System.arraycopy(corners, 3 * i, cut, 3 * kept++, 3);
+            }
+            before = here;
+            last = i;
+        }
+        double[] swap = corners;
+        corners = cut;
+        cut = swap;
+        size = kept;
+    }
+
+    private int cross(int from, int to, double share, int kept) {
+        for (int i = 0; i < 3; i++) {
+            double start = corners[3 * from + i];
+            cut[3 * kept + i] = start + share * (corners[3 * to + i] - start);
+        }
+        return kept + 1;
+    }
+
+    /** Keeps what is at most {@code metres} away along the view. */
+    public void keepNearer(double metres) {
+        keep(0, 0, -1, metres);
+    }
+
+    /** Keeps what is at least {@code metres} away along the view. */
+    public void keepFarther(double metres) {
+        keep(0, 0, 1, -metres);
+    }
+
+    /** Keeps what lies within {@code reach} times the picture. */
+    void keepInPicture(double reach) {
+        keep(1, 0, reach);
+        keep(-1, 0, reach);
+        keep(0, 1, reach);
+        keep(0, -1, reach);
+    }
+
+    /** Keeps what is seen through {@code other}, which lies in the picture. */
+    void keepWithin(PicturePolygon other) {
+        int from = other.size - 1;
+        for (int to = 0; to < other.size && !isEmpty(); to++) {
+            double x0 = other.x(from) / other.w(from);
+            double y0 = other.y(from) / other.w(from);
+            double x1 = other.x(to) / other.w(to);
+            double y1 = other.y(to) / other.w(to);
+            keep(y0 - y1, x1 - x0, x0 * y1 - x1 * y0);
+            from = to;
+        }
+    }
+
+    /** Share of the picture that is covered; the polygon lies in the picture. */
+    double share() {
+        double twice = 0;
+        int from = size - 1;
+        for (int to = 0; to < size; to++) {
+            twice += x(from) / w(from) * (y(to) / w(to)) - x(to) / w(to) * (y(from) / w(from));
+            from = to;
+        }
+        return twice / 8;
+    }
+
+    /** Least w. */
+    double nearest() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < size; i++) {
+            least = Math.min(least, w(i));
+        }
+        return least;
+    }
+
+    /** How far the polygon reaches along a direction of the picture. */
+    double support(double alongX, double alongY) {
+        double most = Double.NEGATIVE_INFINITY;
+        for (int i = 0; i < size; i++) {
+            most = Math.max(most, (alongX * x(i) + alongY * y(i)) / w(i));
+        }
+        return most;
+    }
+}

@@ -1,0 +1,180 @@
+package nephele.engine.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Frustum;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portal;
+
+/**
+ * One view of a frame's {@link ViewTree}: the picture itself, or what is seen through a portal in another view. Reused
+ * from frame to frame.
+ */
+public final class ViewNode {
+    /** Directions of the picture in which the frustum is as narrow as the opening; the other four are opposite. */
+    private static final double[][] EIGHT = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
+
+    /** Of the nearest depth in the opening: rasterised corners lie up to 1/256 pixel off. */
+    private static final double NEAR_SHARE = 0.98;
+
+    private final List<ViewNode> children = new ArrayList<>();
+    private final PicturePolygon opening = new PicturePolygon();
+    private final PicturePolygon region = new PicturePolygon();
+    private final PixelRectangle pixels = new PixelRectangle();
+    private final Frustum frustum = Frustum.reusable(EIGHT.length + 2);
+    private View view;
+    private ViewNode parent;
+    private int portal;
+    private int depth;
+    private double area;
+    private boolean terminal;
+    private int number;
+
+    /** What is seen here; {@code null} for a {@link #isTerminal terminal} node. */
+    public View view() {
+        return view;
+    }
+
+    /** In whose picture this one is seen; {@code null} for the picture itself. */
+    public ViewNode parent() {
+        return parent;
+    }
+
+    /** Counts the openings of a frame, terminal ones too; 0 for the picture itself. */
+    public int number() {
+        return number;
+    }
+
+    void number(int newNumber) {
+        number = newNumber;
+    }
+
+    /** Through which portal, −1 for the picture itself. */
+    public int portal() {
+        return portal;
+    }
+
+    /** Portals between the eye and this view. */
+    public int depth() {
+        return depth;
+    }
+
+    /** Portals that are seen in this view, the larger ones first. */
+    public List<ViewNode> children() {
+        return children;
+    }
+
+    /** Whether the frame's budget ends here: the opening is to be filled without drawing what is behind it. */
+    public boolean isTerminal() {
+        return terminal;
+    }
+
+    /** The portal's aperture as the parent's projection has it, cut by little more than the picture's sides. */
+    public PicturePolygon opening() {
+        return opening;
+    }
+
+    /** What of the picture shows this view at most, by the openings before it; in the picture's sides. */
+    public PicturePolygon region() {
+        return region;
+    }
+
+    /** Pixels around the {@link #region}. */
+    public PixelRectangle pixels() {
+        return pixels;
+    }
+
+    /** What may be seen through the openings; for the picture itself nothing is in here. */
+    public Frustum frustum() {
+        return frustum;
+    }
+
+    /** Pixels that the region covers. */
+    public double area() {
+        return area;
+    }
+
+    void root(View main, int width, int height) {
+        children.clear();
+        view = main;
+        parent = null;
+        portal = -1;
+        depth = 0;
+        terminal = false;
+        area = (double) width * height;
+        region.clear();
+        region.add(-1, -1, 1);
+        region.add(1, -1, 1);
+        region.add(1, 1, 1);
+        region.add(-1, 1, 1);
+        pixels.whole(width, height);
+    }
+
+    /** Makes this what {@code seenIn} shows of a portal, if it shows any of it. */
+    void candidate(ViewNode seenIn, int portalIndex, Portal shape, double openness, PixelRectangle picture) {
+        children.clear();
+        view = null;
+        parent = seenIn;
+        portal = portalIndex;
+        depth = seenIn.depth + 1;
+        terminal = true;
+        area = 0;
+        OpeningCutter.cut(seenIn.view, shape, openness, opening);
+        region.copy(opening);
+        region.keepWithin(seenIn.region);
+        if (!opening.isEmpty() && !region.isEmpty()) {
+            area = region.share() * picture.width() * picture.height();
+            pixels.around(region, picture.width(), picture.height(), seenIn.pixels);
+        }
+    }
+
+    /** Makes this a view of its own, from behind the portal where {@code passage} leads to. */
+    void open(int id, Passage passage, Portal exit, PixelRectangle picture) {
+        terminal = false;
+        View before = parent.view;
+        Projection projection = before.projection();
+        double near = Math.max(projection.nearMetres(), NEAR_SHARE * region.nearest());
+        Vec3 n = exit.normal();
+        Vec3 c = exit.centre();
+        view = new View(
+                id,
+                passage.point(before.eye()),
+                passage.direction(before.right()),
+                passage.direction(before.up()),
+                passage.direction(before.back()),
+                new Projection(projection.verticalFovRadians(), projection.aspect(), near, projection.farMetres()),
+                new Plane(n.x(), n.y(), n.z(), n.x() * c.x() + n.y() * c.y() + n.z() * c.z()));
+        narrow(picture);
+    }
+
+    private void narrow(PixelRectangle picture) {
+        frustum.restart(view.eye());
+        Projection projection = view.projection();
+        double acrossScale = 1 / projection.tanHalfWidth();
+        double upScale = 1 / projection.tanHalfHeight();
+        double pixel = 2.0 / Math.min(picture.width(), picture.height());
+        for (double[] d : EIGHT) {
+            double reach = region.support(d[0], d[1]) + 2 * pixel;
+            keepInView(-d[0] * acrossScale, -d[1] * upScale, -reach, 0);
+        }
+        Plane clip = view.clip();
+        frustum.keep(clip.nx(), clip.ny(), clip.nz(), clip.signedDistance(view.eye()));
+        if (projection.farMetres() < Double.POSITIVE_INFINITY) {
+            keepInView(0, 0, 1, projection.farMetres());
+        }
+    }
+
+    /** Keeps a·right + b·up + c·back + d not negative. */
+    private void keepInView(double a, double b, double c, double d) {
+        Vec3 r = view.right();
+        Vec3 u = view.up();
+        Vec3 k = view.back();
+        frustum.keep(
+                a * r.x() + b * u.x() + c * k.x(),
+                a * r.y() + b * u.y() + c * k.y(),
+                a * r.z() + b * u.z() + c * k.z(),
+                d);
+    }
+}

@@ -1,0 +1,114 @@
+package nephele.engine.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.portal.Portals;
+
+/**
+ * Which views make up one frame: the picture itself, what its portals show, what the portals in those show, and so on.
+ * Views are chosen by the pixels they cover, the largest first, until a budget is used up or none covers a pixel; the
+ * openings that are left are {@link ViewNode#isTerminal terminal}. A portal is seen from in front only, through openings
+ * that are open, and before the plane that cuts the view. One object serves frame after frame.
+ */
+public final class ViewTree {
+    /** A stencil counts to 255. */
+    private static final int DEEPEST = 254;
+
+    private static final double LEAST_PIXELS = 1;
+
+    private final List<ViewNode> pool = new ArrayList<>();
+    private final List<ViewNode> waiting = new ArrayList<>();
+    private final List<ViewNode> views = new ArrayList<>();
+    private final List<ViewNode> terminals = new ArrayList<>();
+    private final PixelRectangle picture = new PixelRectangle();
+    private int used;
+
+    /** Whether a level has portals, or lets the player open some. */
+    public static boolean mayGrow(Level level) {
+        return !level.portals().isEmpty() || level.portalGun() != null;
+    }
+
+    /** @param budget views beside the picture itself, at most */
+    public void grow(View main, Moment moment, int width, int height, int budget) {
+        used = 0;
+        waiting.clear();
+        views.clear();
+        terminals.clear();
+        picture.whole(width, height);
+        ViewNode root = next();
+        root.root(main, width, height);
+        views.add(root);
+        look(root, moment);
+        while (!waiting.isEmpty()) {
+            ViewNode largest = takeLargest();
+            largest.parent().children().add(largest);
+            largest.number(views.size() + terminals.size());
+            if (views.size() > budget || largest.depth() > DEEPEST) {
+                terminals.add(largest);
+            } else {
+                open(largest, moment.portals());
+                look(largest, moment);
+            }
+        }
+    }
+
+    private void open(ViewNode node, Portals portals) {
+        int entry = node.portal();
+        node.open(views.size(), portals.passage(entry), portals.portal(portals.partner(entry)), picture);
+        views.add(node);
+    }
+
+    private void look(ViewNode node, Moment moment) {
+        Portals portals = moment.portals();
+        for (int i = 0; i < portals.size(); i++) {
+            if (portals.isOpen(i)) {
+                ViewNode seen = next();
+                seen.candidate(node, i, portals.portal(i), moment.openness(i), picture);
+                if (seen.area() >= LEAST_PIXELS
+                        && seen.pixels().width() > 0
+                        && seen.pixels().height() > 0) {
+                    waiting.add(seen);
+                } else {
+                    used--;
+                }
+            }
+        }
+    }
+
+    /** The first among equally large ones, so that a frame does not depend on rounding of the order. */
+    private ViewNode takeLargest() {
+        int best = 0;
+        for (int i = 1; i < waiting.size(); i++) {
+            best = waiting.get(i).area() > waiting.get(best).area() ? i : best;
+        }
+        ViewNode largest = waiting.get(best);
+        ViewNode last = waiting.remove(waiting.size() - 1);
+        if (last != largest) {
+            waiting.set(best, last);
+        }
+        return largest;
+    }
+
+    private ViewNode next() {
+        if (used == pool.size()) {
+            pool.add(new ViewNode());
+        }
+        return pool.get(used++);
+    }
+
+    /** The picture itself. */
+    public ViewNode root() {
+        return views.get(0);
+    }
+
+    /** All that are to be drawn, the picture itself first, every one after the one it is seen in. */
+    public List<ViewNode> views() {
+        return views;
+    }
+
+    /** Openings that the budget does not reach. */
+    public List<ViewNode> terminals() {
+        return terminals;
+    }
+}
