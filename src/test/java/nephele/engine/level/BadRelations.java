@@ -93,14 +93,8 @@ final class BadRelations {
                     "has to come out",
                     "\"portals\": [" + portal("a", "b", 1).replace("}", ", \"shape\": \"ellipse\"}") + ","
                             + portal("b", "a", 1) + "]"),
-            level(
-                    "portals",
-                    "a level may have 62",
-                    "\"portals\": ["
-                            + IntStream.range(0, 64)
-                                    .mapToObj(i -> portal("p" + i, "p" + (i ^ 1), 1))
-                                    .collect(Collectors.joining(","))
-                            + "]"),
+            level("portals", "a level may have 64", "\"portals\": [" + portals(66) + "]"),
+            level("portals", "62 and a gun's two", "\"portalGun\": {}, \"portals\": [" + portals(64) + "]"),
             level(
                     "portals[0].up",
                     "along the normal",
@@ -196,6 +190,12 @@ final class BadRelations {
                 words,
                 "\"cameras\": [{\"id\": \"c\", \"position\": [0, 0, 0], " + target + "\"" + key + "\": " + value
                         + "}]");
+    }
+
+    private static String portals(int count) {
+        return IntStream.range(0, count)
+                .mapToObj(i -> portal("p" + i, "p" + (i ^ 1), 1))
+                .collect(Collectors.joining(","));
     }
 
     private static String portal(String id, String linkedTo, int width) {

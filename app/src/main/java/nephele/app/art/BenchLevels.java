@@ -16,7 +16,7 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
-/** The benchmark scenes A (clear), B (skybox), C (boxes) and H (bodies) of {@code bench/README.md} as levels. */
+/** The benchmark scenes A (clear), B (skybox), C (boxes), G (portals) and H (bodies) of {@code bench/README.md} as levels. */
 final class BenchLevels {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -34,6 +34,8 @@ final class BenchLevels {
         levels.put("boxes-10000.json", boxes(10000));
         levels.put("boxes-500-stack.json", BenchBodies.stack(sunlit()));
         levels.put("bodies-200.json", BenchBodies.shaft(sunlit()));
+        levels.put("boxes-1000-portals.json", BenchPortals.facing(boxes(1000)));
+        levels.put("portals-64.json", BenchPortals.hall(sunlit()));
         return levels;
     }
 

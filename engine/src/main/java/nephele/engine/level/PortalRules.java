@@ -17,15 +17,18 @@ final class PortalRules {
         }
     };
 
-    /** With the two of a gun as many as a mask of the simulation has bits. */
-    private static final int MOST_PORTALS = 62;
+    /** As many as a mask of the simulation has bits, a gun's two among them. */
+    private static final int MOST_PORTALS = 64;
+
+    private static final int PORTALS_OF_A_GUN = 2;
 
     static final LevelRule COUNT = (level, assets, report) -> {
-        if (level.portals().size() > MOST_PORTALS) {
+        int most = level.portalGun() == null ? MOST_PORTALS : MOST_PORTALS - PORTALS_OF_A_GUN;
+        if (level.portals().size() > most) {
             report.accept(Problem.error(
                     "portals",
-                    "has " + level.portals().size() + " portals: a level may have " + MOST_PORTALS
-                            + " and a gun's two"));
+                    "has " + level.portals().size() + " portals: a level may have " + MOST_PORTALS + ", or "
+                            + (MOST_PORTALS - PORTALS_OF_A_GUN) + " and a gun's two"));
         }
     };
 
