@@ -62,13 +62,26 @@ final class Boom {
     /** The camera at a share of the tick between two states. */
     PlayerPose camera(SimState earlier, SimState later, double share) {
         PlayerPose pose = PlayerPose.between(earlier, later, share);
+        stretch(pose, earlier, later, share);
+        PathTrace trace = reach.trace(portals(later));
+        trace.walk(pose.eye().toVector(), way);
+        return new PlayerPose(Vec3.of(trace.place()), carried(pose.view(), trace), pose.body(), pose.later());
+    }
+
+    /** From eye to camera at a share of the tick, as the eye sees it: to its right, up and back. */
+    Vec3 arm(SimState earlier, SimState later, double share) {
+        PlayerPose pose = PlayerPose.between(earlier, later, share);
+        stretch(pose, earlier, later, share);
+        return new Vec3(
+                way.dot(pose.view().right().toVector()),
+                way.dot(pose.view().up().toVector()),
+                way.dot(pose.view().back().toVector()));
+    }
+
+    private void stretch(PlayerPose pose, SimState earlier, SimState later, double share) {
         BoomState there = entering(earlier, later).after(share * secondsPerTick, wanted ? 1 : 0);
         way(pose, there);
-        double extent =
-                Math.min(there.extent(), reach.free(portals(later), pose.eye().toVector(), way));
-        PathTrace trace = reach.trace(portals(later));
-        trace.walk(pose.eye().toVector(), way.mul(extent));
-        return new PlayerPose(Vec3.of(trace.place()), carried(pose.view(), trace), pose.body(), pose.later());
+        way.mul(Math.min(there.extent(), reach.free(portals(later), pose.eye().toVector(), way)));
     }
 
     private static Basis carried(Basis view, PathTrace trace) {
