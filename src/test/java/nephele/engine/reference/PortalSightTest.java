@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
@@ -115,7 +116,8 @@ class PortalSightTest {
         float[] wall = facing.towards(middle, new Vec3(0, 1e-3, -1), 1);
         assertEquals(0.9, wall[0], 1e-6);
         EyePath path = new EyePath(
-                new SolidRays(facing.level().solids().stream().map(Brush::of).toList()), Portals.of(facing.level()));
+                new SurfaceRays(facing.level().solids().stream().map(Brush::of).toList(), List.of()),
+                Portals.of(facing.level()));
         assertTrue(path.walk(middle.toVector(), new Vec3(0, 1e-3, -1).toVector(), 0.05, 1e9));
         assertEquals(1, path.ray().originY(), 3.1e-3, "in the last space, under the upper edge");
         float[] along = facing.towards(middle, new Vec3(0, 0, -1), 1);

@@ -12,10 +12,12 @@ public final class SpatialIndex {
 
     private final SpatialTree tree;
     private final Culling culling;
+    private final RayWalk rays;
 
     private SpatialIndex(SpatialTree tree) {
         this.tree = tree;
         this.culling = new Culling(tree);
+        this.rays = new RayWalk(tree);
     }
 
     public static SpatialIndex of(List<Aabb> boxes) {
@@ -166,75 +168,12 @@ public final class SpatialIndex {
      * @return whether there is one; then {@code hit} holds it
      */
     public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
-        hit.reset(limit);
-        nearest(ray, 0, tree.unbounded(), test, hit);
-        if (tree.nodes() > 0 && ray.boxEntry(tree.nodeBounds(), 0, limit) <= limit) {
-            nearest(ray, 0, test, hit);
-        }
-        return hit.item() >= 0;
-    }
-
-    private void nearest(Ray ray, int node, ItemRayTest test, RayHit hit) {
-        int right = tree.right()[node];
-        if (right < 0) {
-            nearest(ray, tree.first()[node], tree.end()[node], test, hit);
-            return;
-        }
-        double leftEntry = ray.boxEntry(tree.nodeBounds(), 6 * (node + 1), hit.distance());
-        double rightEntry = ray.boxEntry(tree.nodeBounds(), 6 * right, hit.distance());
-        boolean rightFirst = rightEntry < leftEntry;
-        double nearEntry = rightFirst ? rightEntry : leftEntry;
-        double farEntry = rightFirst ? leftEntry : rightEntry;
-        if (isFiniteAndWithin(nearEntry, hit)) {
-            nearest(ray, rightFirst ? right : node + 1, test, hit);
-        }
-        if (isFiniteAndWithin(farEntry, hit)) {
-            nearest(ray, rightFirst ? node + 1 : right, test, hit);
-        }
-    }
-
-    private static boolean isFiniteAndWithin(double entry, RayHit hit) {
-        return entry < Double.POSITIVE_INFINITY && entry <= hit.distance();
-    }
-
-    private void nearest(Ray ray, int firstSlot, int endSlot, ItemRayTest test, RayHit hit) {
-        for (int slot = firstSlot; slot < endSlot; slot++) {
-            if (isFiniteAndWithin(ray.boxEntry(tree.slotBounds(), 6 * slot, hit.distance()), hit)) {
-                int item = tree.itemAtSlot()[slot];
-                double distance = test.hit(ray, item, hit.distance());
-                if (distance < Double.POSITIVE_INFINITY) {
-                    hit.offer(item, distance);
-                }
-            }
-        }
+        return rays.nearest(ray, limit, test, hit);
     }
 
     /** Whether the caller's test hits anything up to {@code limit}. */
     public boolean anyHit(Ray ray, double limit, ItemRayTest test) {
-        return anyHit(ray, 0, tree.unbounded(), limit, test) || tree.nodes() > 0 && anyHit(ray, 0, limit, test);
-    }
-
-    private boolean anyHit(Ray ray, int node, double limit, ItemRayTest test) {
-        if (ray.boxEntry(tree.nodeBounds(), 6 * node, limit) == Double.POSITIVE_INFINITY) {
-            return false;
-        }
-        int right = tree.right()[node];
-        if (right < 0) {
-            return anyHit(ray, tree.first()[node], tree.end()[node], limit, test);
-        }
-        return anyHit(ray, node + 1, limit, test) || anyHit(ray, right, limit, test);
-    }
-
-    private boolean anyHit(Ray ray, int firstSlot, int endSlot, double limit, ItemRayTest test) {
-        for (int slot = firstSlot; slot < endSlot; slot++) {
-            if (ray.boxEntry(tree.slotBounds(), 6 * slot, limit) < Double.POSITIVE_INFINITY) {
-                double distance = test.hit(ray, tree.itemAtSlot()[slot], limit);
-                if (distance <= limit && distance < Double.POSITIVE_INFINITY) {
-                    return true;
-                }
-            }
-        }
-        return false;
+        return rays.anyHit(ray, limit, test);
     }
 
     /** Every item whose box {@code box} may touch on its way along {@code motion}, in the order of the tree. */

@@ -24,22 +24,23 @@ final class EyePath {
 
     private static final Vector3dc STRAIGHT = new Vector3d();
 
-    private final SolidRays solids;
+    private final SurfaceRays surfaces;
     private final Portals portals;
     private final Crossing crossing = new Crossing();
     private final RayHit hit = new RayHit();
     private final Vector3d origin = new Vector3d();
     private final Vector3d direction = new Vector3d();
     private Ray ray;
-    private int solid;
+    private int item;
+    private double metres;
 
-    EyePath(SolidRays solids, Portals portals) {
-        this.solids = solids;
+    EyePath(SurfaceRays surfaces, Portals portals) {
+        this.surfaces = surfaces;
         this.portals = portals;
     }
 
     /**
-     * Walks on until a solid is entered.
+     * Walks on until a solid or a body is entered.
      *
      * @param along depth 1: parameters are depths
      * @return whether there is one between {@code near} and {@code far}
@@ -49,14 +50,18 @@ final class EyePath {
         direction.set(along);
         double length = along.length();
         double walked = 0;
-        solid = -1;
+        item = -1;
+        metres = Double.POSITIVE_INFINITY;
         for (int crossings = 0; crossings < MOST_CROSSINGS; crossings++) {
-            ray = SolidRays.ray(origin, direction);
+            ray = SurfaceRays.ray(origin, direction);
             double left = far - walked;
-            boolean isMet = solids.nearest(ray, Math.max(near - walked, 0), left, hit);
+            boolean isMet = surfaces.nearest(ray, Math.max(near - walked, 0), left, hit);
             double free = (isMet ? hit.distance() : left) + FLUSH_METRES / length;
             if (!crossing.find(portals, origin, direction, STRAIGHT, free)) {
-                solid = isMet ? hit.item() : -1;
+                if (isMet) {
+                    item = hit.item();
+                    metres = (walked + hit.distance()) * length;
+                }
                 return isMet;
             }
             walked += crossing.seconds();
@@ -78,8 +83,13 @@ final class EyePath {
     }
 
     /** What it ends on. */
-    int solid() {
-        return solid;
+    int item() {
+        return item;
+    }
+
+    /** How long the way is, portals included; infinite where it ends on nothing. */
+    double metres() {
+        return metres;
     }
 
     /** Parameter of the last piece at its end. */

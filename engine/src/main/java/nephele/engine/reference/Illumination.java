@@ -2,7 +2,6 @@ package nephele.engine.reference;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntFunction;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
@@ -10,6 +9,7 @@ import nephele.engine.level.appearance.Lamp;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
+import nephele.engine.reference.SampleSequence.PixelSample;
 import nephele.engine.reference.SampleSequence.Point;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -22,19 +22,21 @@ final class Illumination {
     /** Rays a sample that look for the sky: in a room with a small window few of them find it. */
     static final int SKY_RAYS = 4;
 
+    private static final int SUN = 0;
+    private static final int SKY = 1;
+    private static final int FIRST_LAMP = 2;
+
     /** Rays leave this far above their face: over rounding, under anything that is seen. */
     private static final double LIFT_METRES = 1e-7;
 
-    private final SolidRays solids;
     private final Sun sun;
     private final Vector3dc towardsSun;
     private final List<Lamp> lamps;
     private final Vec3 ambient;
     private final Optional<SkyLight> skyLight;
 
-    Illumination(Level level, SolidRays solids, Optional<SkyRadiance> sky) {
+    Illumination(Level level, Optional<SkyRadiance> sky) {
         Environment environment = level.environment();
-        this.solids = solids;
         sun = environment.sun();
         towardsSun = sun == null ? new Vector3d() : unit(sun.directionTowardsSun());
         lamps = level.lights().stream()
@@ -44,6 +46,11 @@ final class Illumination {
         skyLight = ambient == null ? sky.map(SkyLight::new) : Optional.empty();
     }
 
+    /** Lights are numbered below this. */
+    int lights() {
+        return FIRST_LAMP + lamps.size();
+    }
+
     private static Vector3dc unit(Vec3 v) {
         return Directions.unit(v.x(), v.y(), v.z()).toVector();
     }
@@ -51,22 +58,22 @@ final class Illumination {
     /**
      * Radiance towards the eye.
      *
-     * @param skyPoints of the unit square, by number below {@link #SKY_RAYS}: which rays look for the sky
+     * @param sample chooses which rays look for the sky
      */
-    Vector3d radiance(SurfacePoint surface, IntFunction<Point> skyPoints) {
+    Vector3d radiance(SurfacePoint surface, ShadowRays shadows, PixelSample sample) {
         Vector3d sum = new Vector3d();
         Vector3d origin = lifted(surface);
         if (sun != null) {
-            addSun(surface, origin, sum);
+            addSun(surface, origin, shadows, sum);
         }
-        for (Lamp lamp : lamps) {
-            addLamp(lamp, surface, origin, sum);
+        for (int lamp = 0; lamp < lamps.size(); lamp++) {
+            addLamp(lamp, surface, origin, shadows, sum);
         }
         if (ambient != null) {
             Vector3d all = ambient.toVector();
             sum.add(surface.reflected(all, all));
         } else if (skyLight.isPresent()) {
-            addSky(surface, origin, skyPoints, sum);
+            addSky(surface, origin, shadows, sample, sum);
         }
         Vec3 own = surface.emission();
         return sum.min(new Vector3d(MAX_RADIANCE)).add(own.x(), own.y(), own.z());
@@ -79,16 +86,16 @@ final class Illumination {
         return p.fma(Math.max(LIFT_METRES, 8 * Math.ulp(largest)), surface.faceNormal());
     }
 
-    private void addSun(SurfacePoint surface, Vector3d origin, Vector3d sum) {
+    private void addSun(SurfacePoint surface, Vector3d origin, ShadowRays shadows, Vector3d sum) {
         if (surface.faceNormal().dot(towardsSun) > 0
                 && !(sun.castsShadow()
-                        && solids.isBlocked(
-                                SolidRays.ray(origin, towardsSun), Double.POSITIVE_INFINITY, surface.solid()))) {
+                        && shadows.isBlocked(SUN, origin, towardsSun, Double.POSITIVE_INFINITY, surface.item()))) {
             sum.add(surface.reflected(towardsSun).mul(sun.irradiance().toVector()));
         }
     }
 
-    private void addLamp(Lamp lamp, SurfacePoint surface, Vector3d origin, Vector3d sum) {
+    private void addLamp(int index, SurfacePoint surface, Vector3d origin, ShadowRays shadows, Vector3d sum) {
+        Lamp lamp = lamps.get(index);
         Vector3d way = lamp.position().toVector().sub(origin);
         double distance = way.length();
         if (distance >= lamp.rangeMetres() || surface.faceNormal().dot(way) <= 0) {
@@ -97,20 +104,19 @@ final class Illumination {
         Vector3d irradiance = lamp.irradianceAt(surface.place());
         boolean isDark = irradiance.x + irradiance.y + irradiance.z == 0;
         boolean casts = lamp.source().castsShadow();
-        if (!isDark && !(casts && solids.isBlocked(SolidRays.ray(origin, way), 1, surface.solid()))) {
+        if (!isDark && !(casts && shadows.isBlocked(FIRST_LAMP + index, origin, way, 1, surface.item()))) {
             sum.add(surface.reflected(way.div(distance)).mul(irradiance));
         }
     }
 
-    private void addSky(SurfacePoint surface, Vector3d origin, IntFunction<Point> points, Vector3d sum) {
+    private void addSky(SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
         Vector3d across =
                 Directions.perpendicular(Vec3.of(surface.faceNormal())).toVector();
         Vector3d up = new Vector3d(surface.faceNormal()).cross(across);
         int free = 0;
         for (int i = 0; i < SKY_RAYS; i++) {
-            Vector3d direction = onHemisphere(points.apply(i), across, up, surface.faceNormal());
-            boolean isBlocked =
-                    solids.isBlocked(SolidRays.ray(origin, direction), Double.POSITIVE_INFINITY, surface.solid());
+            Vector3d direction = onHemisphere(sample.sky(i), across, up, surface.faceNormal());
+            boolean isBlocked = shadows.isBlocked(SKY, origin, direction, Double.POSITIVE_INFINITY, surface.item());
             free += isBlocked ? 0 : 1;
         }
         if (free > 0) {

@@ -9,8 +9,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
+import nephele.engine.reference.SampleSequence.PixelSample;
 import nephele.engine.reference.SampleSequence.Point;
-import nephele.engine.reference.SampleSequence.Use;
 import org.joml.Vector3d;
 
 /** Traces a picture, row by row on several threads; what it shows does not depend on their number. */
@@ -67,10 +67,10 @@ public final class ReferencePicture {
     }
 
     private Void work() {
-        EyePath path = level.path();
+        Tracer tracer = level.tracer(eye);
         for (int row = nextRow.getAndIncrement(); row < settings.height(); row = nextRow.getAndIncrement()) {
             for (int column = 0; column < settings.width(); column++) {
-                pixel(path, column, row);
+                pixel(tracer, column, row);
             }
             progress.accept((double) rowsDone.incrementAndGet() / settings.height());
         }
@@ -78,18 +78,14 @@ public final class ReferencePicture {
     }
 
     /** The mean over the square of the pixel. */
-    private void pixel(EyePath path, int column, int row) {
+    private void pixel(Tracer tracer, int column, int row) {
         Vector3d sum = new Vector3d();
         for (int i = 0; i < settings.samples(); i++) {
-            int sample = i;
-            Point in = settings.samples() == 1 ? MIDDLE : sequence.point(Use.PIXEL, column, row, i);
+            PixelSample sample = sequence.sample(column, row, i);
+            Point in = settings.samples() == 1 ? MIDDLE : sample.inPixel();
             Vector3d direction =
                     eye.direction((column + in.x()) / settings.width(), (row + in.y()) / settings.height());
-            sum.add(level.radiance(
-                    path,
-                    eye,
-                    direction,
-                    ray -> sequence.point(Use.SKY, column, row, sample * Illumination.SKY_RAYS + ray)));
+            sum.add(tracer.radiance(direction, sample));
         }
         int at = 3 * (row * settings.width() + column);
         rgb[at] = (float) (sum.x / settings.samples());

@@ -21,10 +21,37 @@ final class SampleSequence {
     /** @param x in [0, 1), as is {@code y} */
     record Point(double x, double y) {}
 
+    /** One of the samples of a pixel. */
+    final class PixelSample {
+        private final int column;
+        private final int row;
+        private final int index;
+
+        private PixelSample(int column, int row, int index) {
+            this.column = column;
+            this.row = row;
+            this.index = index;
+        }
+
+        /** Where in its pixel it lies. */
+        Point inPixel() {
+            return point(Use.PIXEL, column, row, index);
+        }
+
+        /** @param ray less than {@link Illumination#SKY_RAYS} */
+        Point sky(int ray) {
+            return point(Use.SKY, column, row, index * Illumination.SKY_RAYS + ray);
+        }
+    }
+
     private final SeededNoise noise;
 
     SampleSequence(long seed) {
         noise = new SeededNoise((int) BitHash.join(0, seed));
+    }
+
+    PixelSample sample(int column, int row, int index) {
+        return new PixelSample(column, row, index);
     }
 
     Point point(Use use, int column, int row, int index) {

@@ -8,7 +8,7 @@ import org.joml.Vector3dc;
 /**
  * Where a ray of the eye ends, and what is there.
  *
- * @param solid index in the level
+ * @param item as {@link SurfaceRays} numbers it
  * @param normal unit, bent by a normal map
  * @param faceNormal unit, of the geometry
  * @param albedo what a Lambert surface reflects; unused with {@code gloss}
@@ -17,7 +17,7 @@ import org.joml.Vector3dc;
  * @param emission radiance of its own
  */
 record SurfacePoint(
-        int solid,
+        int item,
         Vec3 place,
         Vector3dc normal,
         Vector3dc faceNormal,

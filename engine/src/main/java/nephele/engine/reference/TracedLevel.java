@@ -2,33 +2,38 @@ package nephele.engine.reference;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.IntFunction;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
-import nephele.engine.reference.SampleSequence.Point;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
-/** A level made ready for rays; immutable, shared by all threads. */
+/** A level made ready for rays, its bodies as they begin; immutable, shared by all threads. */
 public final class TracedLevel {
-    private final SolidRays solids;
+    private final SurfaceRays rays;
     private final Surfaces surfaces;
+    private final BodySurfaces bodies;
     private final Illumination light;
     private final Optional<SkyRadiance> sky;
+    private final Optional<FogVeil> fog;
     private final Portals portals;
 
     private TracedLevel(Level level, AssetSource assets, Portals portals, Decoding decoding) {
         List<Brush> brushes = level.solids().stream().map(Brush::of).toList();
         this.portals = portals;
-        solids = new SolidRays(brushes);
-        surfaces = new Surfaces(brushes, level.materials(), assets, decoding);
+        rays = new SurfaceRays(brushes, BodyPieces.of(level, portals));
+        Skins skins = new Skins(level.materials(), assets, decoding);
+        surfaces = new Surfaces(brushes, skins);
+        bodies = new BodySurfaces(level.bodies(), skins);
         sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
-        light = new Illumination(level, solids, sky);
+        fog = FogVeil.of(level.environment());
+        light = new Illumination(level, sky);
     }
 
     /**
@@ -41,24 +46,27 @@ public final class TracedLevel {
         return new TracedLevel(level, assets, Portals.of(level), decoding);
     }
 
-    EyePath path() {
-        return new EyePath(solids, portals);
+    Tracer tracer(Pinhole eye) {
+        return new Tracer(this, eye, new EyePath(rays, portals), new ShadowRays(rays, light.lights()));
     }
 
-    /**
-     * Radiance that reaches the eye along a ray, which {@code path} walks.
-     *
-     * @param skyPoints see {@link Illumination#radiance}
-     */
-    Vector3d radiance(EyePath path, Pinhole eye, Vector3d direction, IntFunction<Point> skyPoints) {
-        if (path.walk(eye.eye().toVector(), direction, eye.nearMetres(), eye.farMetres())) {
-            int face = solids.face(path.ray(), path.solid());
-            Vec3 place = path.ray().at(path.end());
-            Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
-            SurfacePoint surface = surfaces.at(path.solid(), face, place, toEye);
-            return light.radiance(surface, skyPoints);
-        }
-        Vector3d away = new Vector3d(path.direction()).normalize();
-        return sky.map(all -> all.from(away.x, away.y, away.z)).orElseGet(Vector3d::new);
+    Illumination light() {
+        return light;
+    }
+
+    /** What a path has ended on. */
+    SurfacePoint surface(EyePath path, Vec3 place, Vector3dc toEye) {
+        BodyPiece piece = rays.piece(path.item());
+        return piece == null
+                ? surfaces.at(path.item(), rays.face(path.ray(), path.item()), place, toEye)
+                : bodies.at(path.item(), piece, place, toEye);
+    }
+
+    Vector3d sky(Vector3dc away) {
+        return sky.map(all -> all.from(away.x(), away.y(), away.z())).orElseGet(Vector3d::new);
+    }
+
+    Vector3d throughFog(Vector3d radiance, double metres) {
+        return fog.isPresent() ? fog.get().over(radiance, metres) : radiance;
     }
 }

@@ -57,8 +57,9 @@ public record Brdf(
         double nDotH = clamp(normal.dot(half), 0, 1);
         double vDotH = clamp(toEye.dot(half), 0, 1);
         double lobe = distribution(nDotH) * visibility(nDotL);
-        Vector3d fresnel =
-                new Vector3d(1).sub(f0).mul(StrictMath.pow(1 - vDotH, 5)).add(f0);
+        double away = 1 - vDotH;
+        double square = away * away;
+        Vector3d fresnel = new Vector3d(1).sub(f0).mul(square * square * away).add(f0);
         return fresnel.mul(specularGain)
                 .mul(lobe)
                 .add(new Vector3d(diffuse).mul(1 / Math.PI))

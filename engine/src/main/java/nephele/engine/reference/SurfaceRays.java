@@ -1,35 +1,58 @@
 package nephele.engine.reference;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Brush;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
 import nephele.engine.math.SpatialIndex;
 import org.joml.Vector3dc;
 
 /**
- * What rays meet of convex solids, each taken as what lies behind all its planes: exact at edges, so that touching solids
- * leave no gap. Only outsides are seen: a ray that begins inside a solid does not see it. Safe to share between threads.
+ * What rays meet of convex solids and bodies. Each solid is taken as what lies behind all its planes: exact at edges, so
+ * that touching solids leave no gap. Only outsides are seen: a ray that begins inside a thing does not see it. Items are
+ * numbered solids first, then the pieces of bodies. Safe to share between threads.
  */
-final class SolidRays {
+final class SurfaceRays {
     /** Two faces that a ray meets within this share of its way are met on their edge. */
     private static final double EDGE = 1e-12;
 
     private final double[][] planes;
+    private final BodyPiece[] pieces;
     private final SpatialIndex index;
 
-    SolidRays(List<Brush> brushes) {
+    SurfaceRays(List<Brush> brushes, List<BodyPiece> pieces) {
         planes = brushes.stream().map(brush -> brush.shape().flatPlanes()).toArray(double[][]::new);
-        index = SpatialIndex.of(brushes.stream().map(b -> b.shape().bounds()).toList());
+        this.pieces = pieces.toArray(BodyPiece[]::new);
+        List<Aabb> bounds = new ArrayList<>();
+        brushes.forEach(brush -> bounds.add(brush.shape().bounds()));
+        pieces.forEach(piece -> bounds.add(piece.bounds()));
+        index = SpatialIndex.of(bounds);
     }
 
     static Ray ray(Vector3dc origin, Vector3dc direction) {
         return new Ray(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
     }
 
-    /** The first solid that the ray enters at a parameter from {@code least} to {@code most}. */
+    /** {@code null} for a solid. */
+    BodyPiece piece(int item) {
+        return item < planes.length ? null : pieces[item - planes.length];
+    }
+
+    int items() {
+        return planes.length + pieces.length;
+    }
+
+    /** The first item that the ray enters at a parameter from {@code least} to {@code most}. */
     boolean nearest(Ray ray, double least, double most, RayHit hit) {
-        return index.nearest(ray, most, (r, item, limit) -> entry(r, planes[item], least), hit);
+        return index.nearest(
+                ray,
+                most,
+                (r, item, limit) -> item < planes.length
+                        ? entry(r, planes[item], least)
+                        : piece(item).entry(r, least),
+                hit);
     }
 
     /** Which of its faces the ray enters a solid by; on an edge, the one that it meets more squarely. */
@@ -50,12 +73,36 @@ final class SolidRays {
         return entered;
     }
 
-    /** Whether any solid but {@code except} lies on the ray up to the parameter {@code limit}. */
-    boolean isBlocked(Ray ray, double limit, int except) {
-        return index.anyHit(
-                ray,
-                limit,
-                (r, item, most) -> item != except && meets(r, planes[item], most) ? 0 : Double.POSITIVE_INFINITY);
+    /** Whether the ray meets any item but {@code except} up to the parameter {@code limit}: one that it does, or −1. */
+    int blocker(Ray ray, double limit, int except) {
+        Blocker found = new Blocker(except);
+        index.anyHit(ray, limit, found);
+        return found.item;
+    }
+
+    /** Whether the ray meets one item up to the parameter {@code limit}. */
+    boolean isBlockedBy(int item, Ray ray, double limit) {
+        return item < planes.length
+                ? meets(ray, planes[item], limit)
+                : piece(item).meets(ray, limit);
+    }
+
+    private final class Blocker implements nephele.engine.math.ItemRayTest {
+        private final int except;
+        private int item = -1;
+
+        Blocker(int except) {
+            this.except = except;
+        }
+
+        @Override
+        public double hit(Ray ray, int candidate, double limit) {
+            if (candidate == except || !isBlockedBy(candidate, ray, limit)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            item = candidate;
+            return 0;
+        }
     }
 
     /** The parameter at which the ray comes in; infinity where it does so before {@code least}, or never. */

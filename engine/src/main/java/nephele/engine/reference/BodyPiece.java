@@ -1,0 +1,71 @@
+package nephele.engine.reference;
+
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+import nephele.engine.reference.BodyForm.Span;
+import org.joml.Matrix3d;
+import org.joml.Vector3d;
+
+/**
+ * A body where it stands, or its image behind a portal that it reaches through.
+ *
+ * @param body index in the level
+ * @param cuts only what lies before all of them is there
+ */
+record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, List<Plane> cuts) {
+    /** The parameter at which the ray comes in; infinity where it does so before {@code least}, in a cut, or never. */
+    double entry(Ray ray, double least) {
+        Span inside = span(ray);
+        if (!(inside.enter() < inside.leave() && inside.enter() >= least)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        Vec3 place = ray.at(inside.enter());
+        return cuts.stream().allMatch(cut -> cut.signedDistance(place) >= 0)
+                ? inside.enter()
+                : Double.POSITIVE_INFINITY;
+    }
+
+    /** Whether the ray has any point of what is there up to the parameter {@code limit}. */
+    boolean meets(Ray ray, double limit) {
+        Span inside = span(ray);
+        double enter = Math.max(inside.enter(), 0);
+        double leave = Math.min(inside.leave(), limit);
+        for (Plane cut : cuts) {
+            double front = cut.signedDistance(ray.originX(), ray.originY(), ray.originZ());
+            double rate = cut.nx() * ray.directionX() + cut.ny() * ray.directionY() + cut.nz() * ray.directionZ();
+            if (rate > 0) {
+                enter = Math.max(enter, -front / rate);
+            } else if (rate < 0) {
+                leave = Math.min(leave, -front / rate);
+            } else if (front < 0) {
+                return false;
+            }
+        }
+        return enter <= leave;
+    }
+
+    private Span span(Ray ray) {
+        Vector3d origin = local(new Vec3(ray.originX(), ray.originY(), ray.originZ()));
+        Vector3d direction =
+                worldFromBody.transformTranspose(new Vector3d(ray.directionX(), ray.directionY(), ray.directionZ()));
+        return form.span(origin, direction);
+    }
+
+    /** A place of the world in the body's own frame. */
+    Vector3d local(Vec3 world) {
+        Vector3d p = world.toVector().sub(centre.x(), centre.y(), centre.z());
+        return worldFromBody.transformTranspose(p);
+    }
+
+    /** How far it reaches from its centre along a unit direction of the world; cuts do not count. */
+    double reach(double x, double y, double z) {
+        return form.reach(worldFromBody.transformTranspose(new Vector3d(x, y, z)));
+    }
+
+    Aabb bounds() {
+        return Aabb.around(centre, new Vec3(2 * reach(1, 0, 0), 2 * reach(0, 1, 0), 2 * reach(0, 0, 1)));
+    }
+}

@@ -1,0 +1,78 @@
+package nephele.engine.reference;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Body;
+import nephele.engine.level.Level;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import org.joml.Matrix3d;
+import org.joml.Vector3d;
+
+/**
+ * The bodies of a level as they begin. One that reaches through portals is there several times: itself, cut by the
+ * planes of all of these, and behind each its image, cut by the plane of the exit.
+ */
+final class BodyPieces {
+    private BodyPieces() {}
+
+    static List<BodyPiece> of(Level level, Portals portals) {
+        List<BodyPiece> pieces = new ArrayList<>();
+        for (int i = 0; i < level.bodies().size(); i++) {
+            Body body = level.bodies().get(i);
+            add(new BodyPiece(i, BodyForm.of(body), body.centre(), new Matrix3d(), List.of()), portals, pieces);
+        }
+        return pieces;
+    }
+
+    private static void add(BodyPiece whole, Portals portals, List<BodyPiece> pieces) {
+        List<Plane> cuts = new ArrayList<>();
+        for (int i = 0; i < portals.size(); i++) {
+            if (portals.isOpen(i) && reachesThrough(whole, portals.portal(i))) {
+                cuts.add(front(portals.portal(i)));
+                pieces.add(image(whole, portals.passage(i), portals.portal(portals.partner(i))));
+            }
+        }
+        pieces.add(new BodyPiece(whole.body(), whole.form(), whole.centre(), whole.worldFromBody(), cuts));
+    }
+
+    private static Plane front(Portal portal) {
+        return Plane.of(portal.normal(), Directions.dot(portal.normal(), portal.centre()));
+    }
+
+    private static BodyPiece image(BodyPiece whole, Passage passage, Portal exit) {
+        Matrix3d worldFromBody = new Matrix3d(passage.rotation()).mul(whole.worldFromBody());
+        return new BodyPiece(
+                whole.body(), whole.form(), passage.point(whole.centre()), worldFromBody, List.of(front(exit)));
+    }
+
+    /** With its centre before the portal, a part behind, and no edge of the aperture between them. */
+    private static boolean reachesThrough(BodyPiece body, Portal portal) {
+        Vec3 c = body.centre();
+        Vec3 n = portal.normal();
+        double height = portal.inFront(c.x(), c.y(), c.z());
+        if (height < 0 || body.reach(n.x(), n.y(), n.z()) <= height) {
+            return false;
+        }
+        Aperture aperture = portal.aperture();
+        double x = portal.across(c.x(), c.y(), c.z());
+        double y = portal.upward(c.x(), c.y(), c.z());
+        for (int i = 0; i < aperture.corners(); i++) {
+            Vector3d out = portal.frame()
+                    .right()
+                    .toVector()
+                    .mul(aperture.edgeNormalX(i))
+                    .fma(aperture.edgeNormalY(i), portal.frame().up().toVector());
+            double outside = aperture.edgeNormalX(i) * x + aperture.edgeNormalY(i) * y - aperture.edgeDistance(i);
+            if (outside >= body.reach(out.x, out.y, out.z)) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

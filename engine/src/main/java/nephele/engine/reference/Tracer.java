@@ -1,0 +1,35 @@
+package nephele.engine.reference;
+
+import nephele.engine.math.Vec3;
+import nephele.engine.reference.SampleSequence.PixelSample;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** What one thread traces a level with. */
+final class Tracer {
+    private final TracedLevel level;
+    private final Pinhole eye;
+    private final Vector3dc from;
+    private final EyePath path;
+    private final ShadowRays shadows;
+
+    Tracer(TracedLevel level, Pinhole eye, EyePath path, ShadowRays shadows) {
+        this.level = level;
+        this.eye = eye;
+        this.path = path;
+        this.shadows = shadows;
+        from = eye.eye().toVector();
+    }
+
+    /** Radiance that reaches the eye along a ray, see {@link Pinhole#direction}. */
+    Vector3d radiance(Vector3d direction, PixelSample sample) {
+        if (path.walk(from, direction, eye.nearMetres(), eye.farMetres())) {
+            Vec3 place = path.ray().at(path.end());
+            Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
+            SurfacePoint surface = level.surface(path, place, toEye);
+            return level.throughFog(level.light().radiance(surface, shadows, sample), path.metres());
+        }
+        Vector3d away = new Vector3d(path.direction()).normalize();
+        return level.throughFog(level.sky(away), Double.POSITIVE_INFINITY);
+    }
+}
