@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Fog;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -37,10 +39,12 @@ final class Stage {
     private Sun sun;
     private Sky sky;
     private Vec3 ambient;
+    private Fog fog;
     private final List<Material> materials = new ArrayList<>();
     private final List<Solid> solids = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
     private final List<PortalSpec> portals = new ArrayList<>();
+    private final List<Body> bodies = new ArrayList<>();
 
     static Vec3 grey(double value) {
         return new Vec3(value, value, value);
@@ -58,6 +62,16 @@ final class Stage {
 
     Stage ambient(double radiance) {
         ambient = grey(radiance);
+        return this;
+    }
+
+    Stage fog(double extinctionPerMetre, Vec3 radiance) {
+        fog = new Fog(extinctionPerMetre, radiance);
+        return this;
+    }
+
+    Stage body(Body body) {
+        bodies.add(body);
         return this;
     }
 
@@ -90,20 +104,9 @@ final class Stage {
     }
 
     Level level() {
-        var environment = new Environment(sun, sky, ambient, 0, ToneCurve.CLIP, null, List.of());
+        var environment = new Environment(sun, sky, ambient, 0, ToneCurve.CLIP, fog, List.of());
         return new Level(
-                "stage",
-                "",
-                environment,
-                null,
-                List.of(),
-                materials,
-                solids,
-                lights,
-                portals,
-                List.of(),
-                List.of(),
-                null);
+                "stage", "", environment, null, List.of(), materials, solids, lights, portals, List.of(), bodies, null);
     }
 
     float[] picture(Pinhole eye, TraceSettings settings) {

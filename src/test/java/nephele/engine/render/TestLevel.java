@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Environment;
+import nephele.engine.level.Fog;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -22,6 +23,7 @@ final class TestLevel {
     private Vec3 ambient = Vec3.ZERO;
     private ToneCurve toneCurve = ToneCurve.CLIP;
     private double exposureStops;
+    private Fog fog;
     private final List<Material> materials = new ArrayList<>();
     private final List<Solid> solids = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
@@ -64,6 +66,11 @@ final class TestLevel {
         return this;
     }
 
+    TestLevel fog(double extinctionPerMetre, Vec3 radiance) {
+        fog = new Fog(extinctionPerMetre, radiance);
+        return this;
+    }
+
     TestLevel material(String id, Vec3 baseColour) {
         return material(new Material(id, baseColour, null, null, null, null, Vec3.ZERO, 1));
     }
@@ -99,7 +106,7 @@ final class TestLevel {
     }
 
     Level level() {
-        Environment environment = new Environment(sun, sky, ambient, exposureStops, toneCurve, null, List.of());
+        Environment environment = new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, List.of());
         return new Level(
                 "test",
                 "",

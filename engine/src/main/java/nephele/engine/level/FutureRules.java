@@ -10,7 +10,6 @@ final class FutureRules {
     static final LevelRule NOT_YET = (level, assets, report) -> {
         Environment environment = level.environment();
         tell(!environment.clouds().isEmpty(), "environment.clouds", NOT_DRAWN, report);
-        tell(environment.fog() != null, "environment.fog", NOT_DRAWN, report);
         tell(environment.sky() instanceof Sky.Atmosphere, "environment.sky", NOT_DRAWN, report);
         tell(!level.portals().isEmpty(), "portals", SIMULATED, report);
         tell(level.portalGun() != null, "portalGun", SIMULATED, report);

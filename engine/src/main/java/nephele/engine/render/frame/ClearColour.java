@@ -2,14 +2,16 @@ package nephele.engine.render.frame;
 
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.math.Vec3;
 
-/** What lies behind everything, computed once on the CPU: a constant sky requires no pass. */
+/** What lies behind everything, computed once on the CPU: a constant sky and endless fog require no pass. */
 public record ClearColour(float red, float green, float blue) {
     private static final double LARGEST_HALF = 65504;
 
     public static ClearColour of(Environment environment, Output output) {
-        Vec3 radiance = environment.sky() instanceof Sky.Constant constant ? constant.radiance() : Vec3.ZERO;
+        Vec3 sky = environment.sky() instanceof Sky.Constant constant ? constant.radiance() : Vec3.ZERO;
+        Vec3 radiance = FogVeil.of(environment).map(FogVeil::radiance).orElse(sky);
         return new ClearColour(
                 value(radiance.x(), environment, output),
                 value(radiance.y(), environment, output),

@@ -2,17 +2,21 @@ package nephele.engine.render.frame;
 
 import java.util.HashMap;
 import java.util.Map;
+import nephele.engine.level.Environment;
+import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.scene.ViewTree;
 
 /** The preprocessor names that a pass compiles its shaders with. */
 public final class Defines {
     private final Map<String, String> values = new HashMap<>();
 
-    /** Output and tone curve of {@code context}, which {@code output.glsl} needs, and whether there may be portals. */
+    /** Output, tone curve and fog of {@code context}, which {@code output.glsl} needs, and whether there may be portals. */
     public static Defines of(LoadContext context) {
+        Environment environment = context.scene().level().environment();
         return new Defines()
                 .with(context.output().define())
-                .with(Development.define(context.scene().level().environment().toneCurve()))
+                .with(Development.define(environment.toneCurve()))
+                .withIf(FogVeil.of(environment).isPresent(), "FOG")
                 .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS");
     }
 

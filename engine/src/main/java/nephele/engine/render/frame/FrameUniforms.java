@@ -1,5 +1,7 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.level.Environment;
+import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.UniformBuffer;
@@ -11,14 +13,19 @@ public final class FrameUniforms implements AutoCloseable {
     /** Binding point of the block; passes use others. */
     public static final int BINDING = 0;
 
-    private static final int FLOATS = 16 + 5 * 4;
+    private static final int FLOATS = 16 + 6 * 4;
 
     private final UniformBuffer buffer;
     private final float[] values = new float[FLOATS];
     private final Matrix4d matrix = new Matrix4d();
 
-    FrameUniforms(GlContext gl) {
+    /** @param environment does not change from frame to frame */
+    FrameUniforms(GlContext gl, Environment environment) {
         buffer = new UniformBuffer(gl, "frame uniforms", FLOATS);
+        FogVeil.of(environment).ifPresent(fog -> {
+            put(36, fog.radiance(), 1);
+            values[39] = (float) fog.extinctionPerMetre();
+        });
     }
 
     /** @param exposure factor on radiance before the tone curve */

@@ -32,7 +32,7 @@ public final class SharedResources implements AutoCloseable {
     /** The block of {@code frame.glsl}, bound at {@link FrameUniforms#BINDING}. */
     public FrameUniforms frameUniforms() {
         if (frameUniforms == null) {
-            frameUniforms = new FrameUniforms(gl);
+            frameUniforms = new FrameUniforms(gl, scene.level().environment());
         }
         return frameUniforms;
     }

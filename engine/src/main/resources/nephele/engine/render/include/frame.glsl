@@ -7,4 +7,5 @@ layout(std140) uniform Frame {
     vec4 viewForward;
     vec4 development; // x: exposure factor
     vec4 viewClip; // of a view through a portal: normal and distance of the eye from the plane it is cut by
+    vec4 fog; // rgb: radiance, a: extinction per metre
 };

@@ -1,4 +1,8 @@
 // How a surface shader leaves its radiance: render.frame.Output decides.
+#include "frame.glsl"
+#ifdef FOG
+#include "fog.glsl"
+#endif
 #ifdef OUTPUT_DIRECT
 #include "develop.glsl"
 #endif
@@ -14,3 +18,11 @@ void writeRadiance(vec3 radiance) {
     pixel = vec4(develop(radiance), 1.0);
 #endif
 }
+
+#ifdef FOG
+// Radiance of a surface, with what lies between it and the eye. Behind a portal the eye is a virtual one, as far from the
+// surface as the whole way is long.
+void writeRadiance(vec3 radiance, vec3 relativePosition) {
+    writeRadiance(behindFog(radiance, fog, length(relativePosition)));
+}
+#endif

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FullScreenDrawing;
@@ -16,7 +17,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.Uniforms;
 
-/** Zenith, horizon and ground blended by altitude, where no solid has been drawn. */
+/** Zenith, horizon and ground blended by altitude, where no solid has been drawn. Nothing is seen of it through fog. */
 public final class GradientSkyPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("sky.gradient", GradientSkyPass::requiredBy);
 
@@ -32,7 +33,9 @@ public final class GradientSkyPass implements Pass {
 
     private static List<Required> requiredBy(Level level) {
         Sky sky = level.environment().sky();
-        if (sky instanceof Sky.Gradient gradient) {
+        if (FogVeil.of(level.environment()).isPresent()) {
+            return List.of();
+        } else if (sky instanceof Sky.Gradient gradient) {
             return List.of(new Required("environment.sky: a gradient", gl -> new GradientSkyPass(gl, gradient)));
         } else if (sky instanceof Sky.Atmosphere) {
             return List.of(new Required(

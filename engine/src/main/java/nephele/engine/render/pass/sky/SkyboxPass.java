@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameUniforms;
@@ -27,7 +28,7 @@ import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import org.joml.Vector3d;
 
-/** Six pictures around the eye, where no solid has been drawn. */
+/** Six pictures around the eye, where no solid has been drawn. Nothing is seen of them through fog. */
 public final class SkyboxPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("sky.skybox", SkyboxPass::requiredBy);
 
@@ -48,7 +49,8 @@ public final class SkyboxPass implements Pass {
     }
 
     private static List<Required> requiredBy(Level level) {
-        return level.environment().sky() instanceof Sky.Skybox skybox
+        boolean isSeen = FogVeil.of(level.environment()).isEmpty();
+        return isSeen && level.environment().sky() instanceof Sky.Skybox skybox
                 ? List.of(new Required("environment.sky: a skybox", gl -> new SkyboxPass(gl, skybox)))
                 : List.of();
     }

@@ -21,7 +21,7 @@ flat in vec3 reflectedPerAlbedo;
 flat in vec3 faceNormal;
 flat in float materialIndex;
 #endif
-#ifdef METALLIC_ROUGHNESS
+#if defined(METALLIC_ROUGHNESS) || defined(FOG)
 in vec3 relativePosition;
 #endif
 #ifdef ANCHOR_POSITION
@@ -83,5 +83,9 @@ void main() {
 #ifdef EMISSION
     radiance += emission;
 #endif
+#ifdef FOG
+    writeRadiance(radiance, relativePosition);
+#else
     writeRadiance(radiance);
+#endif
 }

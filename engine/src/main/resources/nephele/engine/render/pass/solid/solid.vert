@@ -24,7 +24,7 @@ flat out vec3 reflectedPerAlbedo;
 flat out vec3 faceNormal;
 flat out float materialIndex;
 #endif
-#ifdef METALLIC_ROUGHNESS
+#if defined(METALLIC_ROUGHNESS) || defined(FOG)
 out vec3 relativePosition;
 #endif
 #ifdef ANCHOR_POSITION
@@ -56,7 +56,7 @@ void main() {
     faceNormal = normal;
     materialIndex = normalAndMaterial.w;
 #endif
-#ifdef METALLIC_ROUGHNESS
+#if defined(METALLIC_ROUGHNESS) || defined(FOG)
     relativePosition = relative;
 #endif
 #ifdef ANCHOR_POSITION

@@ -1,0 +1,57 @@
+package nephele.engine.reference;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import nephele.engine.level.Sky;
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+
+/** The oracle's fog is mix(fog, c, exp(−k d)), along the whole way that the eye's ray goes. */
+class FogTest {
+    private static final Vec3 EYE = new Vec3(0, 0, 2);
+    private static final double WHITE = 0.8;
+    private static final Vec3 FOG = new Vec3(0.1, 0.5, 3);
+
+    private static Stage stage(double extinctionPerMetre) {
+        return new Stage()
+                .fog(extinctionPerMetre, FOG)
+                .sky(new Sky.Constant(Stage.grey(7)))
+                .ambient(1)
+                .lambert("white", Stage.grey(WHITE));
+    }
+
+    private static void assertFog(double thickness, float[] seen) {
+        double left = Math.exp(-thickness);
+        assertEquals(FOG.x() + (WHITE - FOG.x()) * left, seen[0], 1e-6);
+        assertEquals(FOG.y() + (WHITE - FOG.y()) * left, seen[1], 1e-6);
+        assertEquals(FOG.z() + (WHITE - FOG.z()) * left, seen[2], 1e-6);
+    }
+
+    @Test
+    void aWallFadesByItsDistance() {
+        for (double thickness : new double[] {0, 1, 100}) {
+            Stage wall = stage(thickness / 5).box("white", new Vec3(0, 0, -4), new Vec3(9, 9, 2));
+            assertFog(thickness, wall.towards(EYE, new Vec3(0, 0, -3), 1));
+            double slanted = Math.sqrt(5 * 5 + 1);
+            assertFog(thickness / 5 * slanted, wall.towards(EYE, new Vec3(1, 0, -3), 1));
+        }
+    }
+
+    /** 2 m to the portal, 3 m behind it. */
+    @Test
+    void theDistanceCountsThroughPortals() {
+        Stage pair = stage(0.3)
+                .box("white", new Vec3(0, 0, -5), new Vec3(13, 6, 10))
+                .box("white", new Vec3(100, 0, -4), new Vec3(9, 9, 2))
+                .portal("a", "b", Vec3.ZERO, new Vec3(0, 0, 1))
+                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(0, 0, -1));
+        assertFog(0.3 * 5, pair.towards(EYE, Vec3.ZERO, 1));
+        assertFog(0.3 * 2, pair.towards(new Vec3(2, 0, 2), new Vec3(2, 0, 0), 1));
+    }
+
+    @Test
+    void throughFogTheSkyIsNotSeen() {
+        assertEquals(FOG.y(), stage(1e-9).towards(EYE, Vec3.ZERO, 1)[1], 1e-6);
+        assertEquals(7, stage(0).towards(EYE, Vec3.ZERO, 1)[1], 1e-6);
+    }
+}
