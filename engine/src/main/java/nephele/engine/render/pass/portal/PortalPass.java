@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
+import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
@@ -53,7 +54,9 @@ public final class PortalPass implements Pass {
         nothing = OpeningPrograms.nothing(context);
         colour = OpeningPrograms.colour(context);
         openings = context.shared().openings();
-        skyCovers = environment.sky() != null && !(environment.sky() instanceof Sky.Constant);
+        skyCovers = environment.sky() != null
+                && !(environment.sky() instanceof Sky.Constant)
+                && FogVeil.of(environment).isEmpty();
         ClearColour clear = ClearColour.of(environment, context.output());
         colour.uniforms().set(clear.red(), clear.green(), clear.blue(), 1);
     }
