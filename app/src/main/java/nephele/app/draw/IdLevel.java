@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -11,7 +12,7 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
-/** `--set debug=ids`: the same level with every solid in a flat colour of its own, for output plain. */
+/** `--set debug=ids`: the same level with every solid, then every body in a flat colour of its own, for output plain. */
 public final class IdLevel {
     /** Odd, so that no two of 2²⁴ numbers get the same colour; large, so that neighbours differ. */
     private static final int SPREAD = 0x9e3779;
@@ -28,6 +29,12 @@ public final class IdLevel {
             materials.add(material);
             solids.add(painted(solid, material.id()));
         }
+        var bodies = new ArrayList<Body>();
+        for (var body : level.bodies()) {
+            var material = flat("id-" + materials.size(), colour(materials.size()));
+            materials.add(material);
+            bodies.add(painted(body, material.id()));
+        }
         var flatLight = new Environment(null, null, ONE, 0, ToneCurve.CLIP, null, List.of());
         return new Level(
                 level.name(),
@@ -40,11 +47,11 @@ public final class IdLevel {
                 List.of(),
                 level.portals(),
                 level.models(),
-                level.bodies(),
+                bodies,
                 level.portalGun());
     }
 
-    /** The 8-bit colour of the solid with this index, 0xRRGGBB; black is nothing. */
+    /** The 8-bit colour of the solid with this index, or of the body with this index less the number of solids, 0xRRGGBB; black is nothing. */
     static int colour(int index) {
         return (index + 1) * SPREAD & 0xffffff;
     }
@@ -52,6 +59,29 @@ public final class IdLevel {
     private static Material flat(String id, int rgb) {
         var colour = new Vec3((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
         return new Material(id, colour, null, null, null, null, Vec3.ZERO, 1);
+    }
+
+    private static Body painted(Body body, String material) {
+        double mass = body.massKilograms();
+        double friction = body.friction();
+        double bounce = body.restitution();
+        if (body instanceof Body.Box box) {
+            return new Body.Box(box.id(), box.centre(), box.size(), mass, material, friction, bounce);
+        }
+        if (body instanceof Body.Sphere sphere) {
+            return new Body.Sphere(
+                    sphere.id(), sphere.centre(), sphere.radiusMetres(), mass, material, friction, bounce);
+        }
+        var capsule = (Body.Capsule) body;
+        return new Body.Capsule(
+                capsule.id(),
+                capsule.centre(),
+                capsule.radiusMetres(),
+                capsule.heightMetres(),
+                mass,
+                material,
+                friction,
+                bounce);
     }
 
     private static Solid painted(Solid solid, String material) {

@@ -14,7 +14,6 @@ final class FutureRules {
         tell(!level.portals().isEmpty(), "portals", SIMULATED, report);
         tell(level.portalGun() != null, "portalGun", SIMULATED, report);
         tell(!level.models().isEmpty(), "models", NOT_DRAWN, report);
-        tell(!level.bodies().isEmpty(), "bodies", SIMULATED, report);
     };
 
     private FutureRules() {}

@@ -120,13 +120,20 @@ public final class Frustum {
 
     /** False only when no part of the sphere around a box can be visible. */
     boolean maySeeSphere(double[] bounds, int at) {
-        double x = (bounds[at] + bounds[at + 3]) / 2 - eyeX;
-        double y = (bounds[at + 1] + bounds[at + 4]) / 2 - eyeY;
-        double z = (bounds[at + 2] + bounds[at + 5]) / 2 - eyeZ;
+        double x = (bounds[at] + bounds[at + 3]) / 2;
+        double y = (bounds[at + 1] + bounds[at + 4]) / 2;
+        double z = (bounds[at + 2] + bounds[at + 5]) / 2;
         double halfX = bounds[at + 3] - bounds[at];
         double halfY = bounds[at + 4] - bounds[at + 1];
         double halfZ = bounds[at + 5] - bounds[at + 2];
-        double radius = Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ) / 2;
+        return maySee(x, y, z, Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ) / 2);
+    }
+
+    /** False only when no part of the ball can be visible; allocates nothing. */
+    public boolean maySee(double centreX, double centreY, double centreZ, double radius) {
+        double x = centreX - eyeX;
+        double y = centreY - eyeY;
+        double z = centreZ - eyeZ;
         for (int p = 0; p < count * STRIDE; p += STRIDE) {
             double a = planes[p];
             double b = planes[p + 1];

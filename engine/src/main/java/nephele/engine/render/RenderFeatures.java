@@ -10,6 +10,7 @@ import nephele.engine.render.pass.shadow.SunShadowPass;
 import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
+import nephele.engine.render.pass.thing.ThingPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 
 /** Everything that can be drawn, in frame order. */
@@ -20,6 +21,7 @@ public final class RenderFeatures {
             SkyVisibilityPass.FEATURE,
             OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,
+            ThingPass.FEATURE,
             GradientSkyPass.FEATURE,
             SkyboxPass.FEATURE,
             PortalPass.FEATURE,

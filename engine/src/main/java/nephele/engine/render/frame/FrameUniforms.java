@@ -41,10 +41,9 @@ public final class FrameUniforms implements AutoCloseable {
     }
 
     private void putClip(View view) {
-        if (view.clip() != null) {
-            put(32, view.clip().normal(), 1);
-            values[35] = (float) view.clip().signedDistance(view.eye());
-        }
+        // Without a plane everything lies in front of it, whoever asks.
+        put(32, view.clip() == null ? Vec3.ZERO : view.clip().normal(), 1);
+        values[35] = view.clip() == null ? 1 : (float) view.clip().signedDistance(view.eye());
     }
 
     private void put(int at, Vec3 v, double factor) {

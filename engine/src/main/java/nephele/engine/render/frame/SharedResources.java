@@ -10,6 +10,8 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.thing.Things;
 
 /** What several passes of one level use; made when the first of them asks, closed with the level. */
 public final class SharedResources implements AutoCloseable {
@@ -23,6 +25,7 @@ public final class SharedResources implements AutoCloseable {
     private PictureArrays normalPictures;
     private SurfaceLight surfaceLight;
     private OpeningMesh openings;
+    private ThingMeshes things;
 
     public SharedResources(GlContext gl, Scene scene) {
         this.gl = gl;
@@ -70,6 +73,15 @@ public final class SharedResources implements AutoCloseable {
             normalPictures = new PictureArrays(gl, scene.materials().normalArrays(), PixelFormat.RGBA8, anisotropy);
         }
         return normalPictures;
+    }
+
+    /** What moves, on the GPU. */
+    public ThingMeshes things(LoadContext context) {
+        if (things == null) {
+            Things all = Things.of(scene.level(), scene.materials(), FigurePresence.NEVER);
+            things = new ThingMeshes(gl, all, surfaceLight(context).anchor());
+        }
+        return things;
     }
 
     /** Defines, uniforms and textures of {@code surface-light.glsl}. */
@@ -128,6 +140,9 @@ public final class SharedResources implements AutoCloseable {
         }
         if (openings != null) {
             openings.close();
+        }
+        if (things != null) {
+            things.close();
         }
     }
 }

@@ -126,11 +126,39 @@ public final class SurfaceLight implements AutoCloseable {
                 .withIf(lampShadow, "LAMP_SHADOW")
                 .withIf(needsPositions(), "ANCHOR_POSITION")
                 .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT")
+                .withIf(scene.skyVisibility() != null, "SKY_AMBIENT")
                 .withIf(scene.skyVisibility() != null, "SKY_VISIBILITY");
     }
 
-    /** Sets what a program compiled with these defines needs, once and for all. */
+    /** The same for what moves: it has no place in the light map, so its share of the sky comes otherwise. */
+    public Defines addForThings(Defines defines) {
+        return defines.withIf(LightNeeds.sun(level), "SUN")
+                .withIf(sunShadow, "SUN_SHADOW")
+                .withIf(lamps != null, "LAMPS")
+                .withIf(lampShadow, "LAMP_SHADOW")
+                .with("ANCHOR_POSITION")
+                .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT")
+                .withIf(LightNeeds.skyShines(level), "SKY_AMBIENT");
+    }
+
+    /** Sets what a program compiled with {@link #addForThings} needs, once and for all. */
+    public void setForThings(Uniforms uniforms) {
+        setLights(uniforms);
+        if (LightNeeds.skyShines(level)) {
+            setSkyCoefficients(uniforms);
+        }
+    }
+
+    /** Sets what a program compiled with {@link #addTo} needs, once and for all. */
     public void set(Uniforms uniforms) {
+        setLights(uniforms);
+        if (scene.skyVisibility() != null) {
+            uniforms.sampler("skyVisibilityMap", SKY_VISIBILITY_UNIT);
+            setSkyCoefficients(uniforms);
+        }
+    }
+
+    private void setLights(Uniforms uniforms) {
         Environment environment = level.environment();
         if (LightNeeds.sun(level)) {
             setSun(uniforms, environment.sun());
@@ -146,9 +174,6 @@ public final class SurfaceLight implements AutoCloseable {
         }
         if (lampShadow) {
             uniforms.sampler("lampShadowMaps", LAMP_SHADOW_UNIT);
-        }
-        if (scene.skyVisibility() != null) {
-            setSky(uniforms);
         }
     }
 
@@ -184,8 +209,7 @@ public final class SurfaceLight implements AutoCloseable {
         set(uniforms.vector3("lampGridSize"), new Vec3(grid.columns(), grid.floors(), grid.rows()));
     }
 
-    private void setSky(Uniforms uniforms) {
-        uniforms.sampler("skyVisibilityMap", SKY_VISIBILITY_UNIT);
+    private void setSkyCoefficients(Uniforms uniforms) {
         double[] c = skyIrradiance().coefficients();
         for (int i = 0; i < SkyIrradiance.TERMS; i++) {
             set(uniforms.vector3("skyCoefficients[" + i + "]"), new Vec3(c[3 * i], c[3 * i + 1], c[3 * i + 2]));
@@ -216,6 +240,21 @@ public final class SurfaceLight implements AutoCloseable {
         if (scene.skyVisibility() != null) {
             shared.texture(Target.SKY_VISIBILITY).bind(SKY_VISIBILITY_UNIT);
         }
+        bindLamps();
+    }
+
+    /** As {@link #bind}, for programs made with {@link #addForThings}. */
+    public void bindForThings(SharedResources shared) {
+        if (sunShadow) {
+            shared.texture(Target.SUN_SHADOW).bind(SUN_SHADOW_UNIT);
+        }
+        if (lampShadow) {
+            shared.texture(Target.LAMP_SHADOW).bind(LAMP_SHADOW_UNIT);
+        }
+        bindLamps();
+    }
+
+    private void bindLamps() {
         if (lamps != null) {
             lampTexels.bind(LAMP_TEXELS_UNIT);
             lampGrid.bind(LAMP_GRID_UNIT);

@@ -86,6 +86,12 @@ public final class BareFrame implements AutoCloseable {
             });
         }
 
+        @Override
+        public void drawnInstanced(int first, int count, int instances) {
+            bindAll();
+            calls.add(() -> glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, 4L * first, instances));
+        }
+
         /** Copies the ranges one after the other into the twin's own buffer. */
         private static int gather(int from, int to, int[] firsts, int[] counts) {
             int total = 0;

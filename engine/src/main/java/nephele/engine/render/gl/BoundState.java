@@ -147,6 +147,11 @@ record BoundState(List<Step> steps) {
                 Runnable set = () -> glProgramUniform3f(program, location, v[0], v[1], v[2]);
                 add(steps, "uniform " + program + " " + location, set, v[0], v[1], v[2]);
             }
+            if (location >= 0 && type.get(0) == GL_INT && size.get(0) == 1) {
+                int value = glGetUniformi(program, location);
+                Runnable set = () -> glProgramUniform1i(program, location, value);
+                add(steps, "uniform " + program + " " + location, set, value);
+            }
         }
     }
 }

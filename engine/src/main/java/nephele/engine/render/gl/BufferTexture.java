@@ -2,6 +2,8 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
+import java.nio.FloatBuffer;
+
 /** A list that shaders read by index: texels of four floats ({@code samplerBuffer}) or integers ({@code usamplerBuffer}). */
 public final class BufferTexture implements AutoCloseable {
     private final GlContext gl;
@@ -29,6 +31,20 @@ public final class BufferTexture implements AutoCloseable {
         glBufferData(GL_TEXTURE_BUFFER, values, GL_STATIC_DRAW);
         created.attach(GL_R32UI);
         return created;
+    }
+
+    /** Floats to be replaced again and again, four to a texel. */
+    public static BufferTexture changing(GlContext gl, String name) {
+        BufferTexture created = new BufferTexture(gl, name);
+        glBufferData(GL_TEXTURE_BUFFER, 16, GL_STREAM_DRAW);
+        created.attach(GL_RGBA32F);
+        return created;
+    }
+
+    /** Replaces everything: the old storage stays with the draws that still read it. */
+    public void upload(FloatBuffer values) {
+        glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
+        glBufferData(GL_TEXTURE_BUFFER, values, GL_STREAM_DRAW);
     }
 
     private void attach(int format) {

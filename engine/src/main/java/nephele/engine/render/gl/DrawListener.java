@@ -11,6 +11,9 @@ interface DrawListener {
     /** Triangles without indices are about to be drawn with what is bound. */
     void drawnUnindexed(int first, int count);
 
+    /** Indexed triangles are about to be drawn several times over with what is bound. */
+    void drawnInstanced(int first, int count, int instances);
+
     /** The full-screen triangle is about to be drawn with what is bound. */
     void drawnFullScreen();
 

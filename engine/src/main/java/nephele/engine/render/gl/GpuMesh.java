@@ -39,6 +39,16 @@ public final class GpuMesh implements AutoCloseable {
         gl.state().drawn(1, count / 3);
     }
 
+    /** Draws {@code instances} times {@code count} indices from the {@code first}. */
+    public void drawInstanced(int first, int count, int instances) {
+        gl.state().vertexArray(vertexArray.id());
+        if (gl.state().listener() != null) {
+            gl.state().listener().drawnInstanced(first, count, instances);
+        }
+        glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, 4L * first, instances);
+        gl.state().drawn(1, (long) instances * count / 3);
+    }
+
     /** Draws every range with one call. */
     public void draw(IndexRanges ranges) {
         if (ranges.size() > 0) {

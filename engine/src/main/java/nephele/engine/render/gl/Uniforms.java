@@ -19,6 +19,13 @@ public final class Uniforms {
         }
     }
 
+    /** An {@code int} of one program. */
+    public record Whole(int program, int location) {
+        public void set(int x) {
+            glProgramUniform1i(program, location, x);
+        }
+    }
+
     /** A {@code vec3} of one program. */
     public record Vector3(int program, int location) {
         public void set(float x, float y, float z) {
@@ -42,6 +49,10 @@ public final class Uniforms {
 
     public Scalar scalar(String name) {
         return new Scalar(program, location(name));
+    }
+
+    public Whole whole(String name) {
+        return new Whole(program, location(name));
     }
 
     public Vector3 vector3(String name) {

@@ -2,7 +2,6 @@ package nephele.engine.scene.light;
 
 import java.util.List;
 import nephele.engine.level.Brush;
-import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
@@ -52,8 +51,13 @@ public final class LightNeeds {
 
     /** A sky that shines, solids for it to fall on, and no constant in its place. */
     public static boolean skyVisibility(Level level) {
-        Environment environment = level.environment();
-        return !level.solids().isEmpty() && environment.ambient() == null && shines(environment.sky());
+        return !level.solids().isEmpty() && skyShines(level);
+    }
+
+    /** A sky that shines, and no constant in its place. */
+    public static boolean skyShines(Level level) {
+        return level.environment().ambient() == null
+                && shines(level.environment().sky());
     }
 
     private static boolean shines(Sky sky) {

@@ -1,5 +1,5 @@
 // Radiance that a surface sends to the eye; uniforms and textures come from render.frame.SurfaceLight. What is compiled is what the level asks for:
-//   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, LAMPS, LAMP_SHADOW, AMBIENT_CONSTANT, SKY_VISIBILITY.
+//   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, LAMPS, LAMP_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static faces.
 // ANCHOR_POSITION goes with each of SUN_SHADOW and LAMPS.
 
 struct Surface {
@@ -14,7 +14,7 @@ struct Surface {
 #ifdef ANCHOR_POSITION
     vec3 anchorPosition;  // metres from the anchor of the level's light
 #endif
-#ifdef SKY_VISIBILITY
+#ifdef SKY_AMBIENT
     float skyVisibility;  // 0 to 1
 #endif
 };
@@ -45,8 +45,10 @@ uniform vec3 sunIrradiance;  // on a perpendicular plane
 #ifdef AMBIENT_CONSTANT
 uniform vec3 ambientRadiance;
 #endif
-#ifdef SKY_VISIBILITY
+#ifdef SKY_AMBIENT
 #include "sky-ambient.glsl"
+#endif
+#ifdef SKY_VISIBILITY
 #include "sky-visibility.glsl"
 #endif
 
@@ -109,7 +111,7 @@ vec3 allLamps(REFLECTANCE r, Surface s) {
 
 // Light from all around. A rough stand-in mirrors the sky: its irradiance in the mirrored direction, which is right for
 // matt metal and too blurred for polished metal.
-#if defined(AMBIENT_CONSTANT) || defined(SKY_VISIBILITY)
+#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
 vec3 ambientLight(REFLECTANCE r, Surface s) {
 #ifdef AMBIENT_CONSTANT
     vec3 diffuse = ambientRadiance;
@@ -137,7 +139,7 @@ vec3 surfaceRadiance(Surface s) {
 #ifdef LAMPS
     sum += allLamps(r, s);
 #endif
-#if defined(AMBIENT_CONSTANT) || defined(SKY_VISIBILITY)
+#if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
     sum += ambientLight(r, s);
 #endif
     return min(sum, vec3(MAX_RADIANCE));

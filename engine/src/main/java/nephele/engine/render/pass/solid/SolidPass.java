@@ -9,6 +9,7 @@ import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MaterialBlocks;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PictureArrays;
 import nephele.engine.render.frame.RenderFeature;
@@ -74,7 +75,7 @@ public final class SolidPass implements Pass {
         if (light.variesOverFaces()) {
             depthFirst = new DepthFirst(context);
         }
-        materials = new MaterialBlocks(gl, context.scene().materials());
+        materials = new MaterialBlocks(gl, context.scene().materials().surfaces());
         for (SolidBatch batch : mesh.batches()) {
             SolidVariant variant = SolidVariant.of(batch.kind(), context.scene().level());
             programOfBatch.add(programs.computeIfAbsent(

@@ -1,4 +1,4 @@
-package nephele.engine.render.pass.solid;
+package nephele.engine.render.frame;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,21 +6,19 @@ import nephele.engine.level.Material;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.UniformBuffer;
-import nephele.engine.scene.SceneMaterials;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.SolidGeometry;
 
 /** The numbers of the materials in uniform blocks, as {@code materials.glsl} reads them. */
-final class MaterialBlocks implements AutoCloseable {
-    static final int BINDING = 1;
+public final class MaterialBlocks implements AutoCloseable {
+    public static final int BINDING = 1;
 
     private static final int FLOATS_PER_MATERIAL = 16;
 
     private final List<UniformBuffer> blocks = new ArrayList<>();
     private final int materialsPerBlock;
 
-    MaterialBlocks(GlContext gl, SceneMaterials materials) {
-        List<Surface> surfaces = materials.surfaces();
+    public MaterialBlocks(GlContext gl, List<Surface> surfaces) {
         materialsPerBlock = Math.min(surfaces.size(), SolidGeometry.MATERIALS_PER_BLOCK);
         for (int first = 0; first < surfaces.size(); first += materialsPerBlock) {
             float[] values = new float[FLOATS_PER_MATERIAL * materialsPerBlock];
@@ -39,6 +37,7 @@ final class MaterialBlocks implements AutoCloseable {
         put(values, at + 4, m.emission(), m.metallic() == null ? 0 : m.metallic());
         values[at + 8] = surface.colour().layer();
         values[at + 9] = surface.normal().layer();
+        values[at + 10] = (float) m.textureMetres();
     }
 
     private static void put(float[] values, int at, Vec3 rgb, double fourth) {
@@ -48,11 +47,11 @@ final class MaterialBlocks implements AutoCloseable {
         values[at + 3] = (float) fourth;
     }
 
-    int materialsPerBlock() {
+    public int materialsPerBlock() {
         return materialsPerBlock;
     }
 
-    void bind(int block) {
+    public void bind(int block) {
         blocks.get(block).bind(BINDING);
     }
 

@@ -1,0 +1,59 @@
+package nephele.engine.render.pass.thing;
+
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameUniforms;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MaterialBlocks;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.frame.ThingMeshes.RunUniforms;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.scene.SolidBatch;
+
+/**
+ * Which code a group's shader holds; equal variants share a program. What has no texture is given details – except in
+ * output PLAIN, which shows values as stored.
+ */
+record ThingVariant(boolean lambert, boolean textured, boolean normalMapped, boolean detailed) {
+    static final int COLOUR_UNIT = 0;
+    static final int NORMAL_UNIT = 1;
+
+    private static final String FOLDER = "/nephele/engine/render/pass/thing/";
+
+    static ThingVariant of(SolidBatch.Kind kind, Output output) {
+        boolean bare = !kind.isTextured() && !kind.isNormalMapped();
+        return new ThingVariant(
+                kind.lambert(), kind.isTextured(), kind.isNormalMapped(), bare && output != Output.PLAIN);
+    }
+
+    GlProgram<ThingUniforms> program(LoadContext context, int materialsPerBlock) {
+        SurfaceLight light = context.shared().surfaceLight(context);
+        var defines = light.addForThings(Defines.of(context))
+                .with("MATERIAL_COUNT", materialsPerBlock)
+                .with(lambert ? "LAMBERT" : "METALLIC_ROUGHNESS")
+                .withIf(textured, "TEXTURED")
+                .withIf(normalMapped, "NORMAL_MAP")
+                .withIf(detailed, "DETAIL")
+                .values();
+        return new GlProgram<>(
+                context.gl(),
+                ShaderSource.load(FOLDER + "thing.vert", defines),
+                ShaderSource.load(FOLDER + "thing.frag", defines),
+                uniforms -> uniforms(uniforms, light));
+    }
+
+    private ThingUniforms uniforms(Uniforms uniforms, SurfaceLight light) {
+        uniforms.block("Frame", FrameUniforms.BINDING);
+        uniforms.block("Materials", MaterialBlocks.BINDING);
+        if (textured) {
+            uniforms.sampler("colours", COLOUR_UNIT);
+        }
+        if (normalMapped) {
+            uniforms.sampler("normals", NORMAL_UNIT);
+        }
+        light.setForThings(uniforms);
+        return new ThingUniforms(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"), RunUniforms.of(uniforms));
+    }
+}

@@ -1,0 +1,164 @@
+package nephele.engine.scene.thing;
+
+import java.util.Arrays;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
+import nephele.engine.scene.Moment;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/**
+ * All copies of all things at one instant, packed for shaders. An instance is one part of one copy; those of a group
+ * follow each other. One object serves frame after frame and only works when something has moved.
+ *
+ * <p>An instance takes {@link #FLOATS}: orientation x y z w; centre relative to the anchor, rounded, and its material;
+ * what rounding left of the centre, and the shape's kind; half sides and half axis; two planes that cut it – unit normal
+ * and the centre's distance before it.
+ */
+public final class ThingCopies {
+    public static final int FLOATS = 24;
+
+    private static final int BALL = 4;
+    /** A plane that cuts nothing. */
+    private static final float FAR_METRES = 1e9f;
+
+    private final Things things;
+    private final Vec3 anchor;
+    private final ThingPlaces places = new ThingPlaces();
+    private final int[] groupStart;
+    private final double[] lastPoses;
+    private final ThingShape[] oneShape = new ThingShape[1];
+    private final Vector3d centre = new Vector3d();
+    private final Quaterniond turn = new Quaterniond();
+    private float[] packed = new float[64 * FLOATS];
+    private double[] balls = new double[64 * BALL];
+    private int instances;
+    private Portals lastPortals;
+    private long version;
+
+    /** @param anchor world position that packed centres are relative to */
+    public ThingCopies(Things things, Vec3 anchor) {
+        this.things = things;
+        this.anchor = anchor;
+        groupStart = new int[things.groups().size() + 1];
+        lastPoses = new double[7 * things.shapes().size()];
+    }
+
+    /**
+     * Brings the copies to {@code moment}.
+     *
+     * @return a number that changes with every change
+     */
+    public long update(Moment moment) {
+        if (hasChanged(moment)) {
+            instances = 0;
+            for (int group = 0; group < things.groups().size(); group++) {
+                groupStart[group] = instances;
+                for (int member : things.members().get(group)) {
+                    add(moment, member);
+                }
+            }
+            groupStart[groupStart.length - 1] = instances;
+            version++;
+        }
+        return version;
+    }
+
+    private boolean hasChanged(Moment moment) {
+        boolean changed = version == 0 || moment.portals() != lastPortals;
+        lastPortals = moment.portals();
+        for (int body = 0; body < things.shapes().size(); body++) {
+            moment.centre(body, centre);
+            moment.orientation(body, turn);
+            changed |= differs(7 * body, centre.x, centre.y, centre.z);
+            changed |= differs(7 * body + 3, turn.x, turn.y, turn.z);
+            changed |= differs(7 * body + 4, turn.y, turn.z, turn.w);
+        }
+        return changed;
+    }
+
+    /** Remembers three values and tells whether they are new. */
+    private boolean differs(int at, double x, double y, double z) {
+        boolean is = lastPoses[at] != x || lastPoses[at + 1] != y || lastPoses[at + 2] != z;
+        lastPoses[at] = x;
+        lastPoses[at + 1] = y;
+        lastPoses[at + 2] = z;
+        return is;
+    }
+
+    private void add(Moment moment, int body) {
+        moment.centre(body, centre);
+        moment.orientation(body, turn);
+        places.begin(1);
+        places.place(0, centre, turn, centre);
+        oneShape[0] = things.shapes().get(body);
+        places.spread(moment.portals(), oneShape);
+        for (int copy = 0; copy < places.copies(); copy++) {
+            pack(ThingPlaces.slot(copy, 0), oneShape[0], things.materialOf()[body]);
+        }
+    }
+
+    private void pack(int slot, ThingShape shape, int material) {
+        if ((instances + 1) * FLOATS > packed.length) {
+            packed = Arrays.copyOf(packed, 2 * packed.length);
+            balls = Arrays.copyOf(balls, 2 * balls.length);
+        }
+        places.centre(slot, centre);
+        places.orientation(slot, turn);
+        int ball = BALL * instances;
+        balls[ball] = centre.x;
+        balls[ball + 1] = centre.y;
+        balls[ball + 2] = centre.z;
+        balls[ball + 3] = shape.reachMetres();
+        int at = FLOATS * instances++;
+        put(at, (float) turn.x, (float) turn.y, (float) turn.z, (float) turn.w);
+        double x = centre.x - anchor.x();
+        double y = centre.y - anchor.y();
+        double z = centre.z - anchor.z();
+        put(at + 4, (float) x, (float) y, (float) z, material);
+        put(at + 8, (float) (x - (float) x), (float) (y - (float) y), (float) (z - (float) z), shape.kind());
+        Vec3 half = places.isShown(slot) ? shape.half() : Vec3.ZERO;
+        put(at + 12, (float) half.x(), (float) half.y(), (float) half.z(), (float) shape.halfAxisMetres());
+        putPlane(at + 16, slot, 0);
+        putPlane(at + 20, slot, 1);
+    }
+
+    private void putPlane(int at, int slot, int plane) {
+        if (plane < places.planes(slot)) {
+            put(
+                    at,
+                    (float) places.plane(slot, plane, 0),
+                    (float) places.plane(slot, plane, 1),
+                    (float) places.plane(slot, plane, 2),
+                    (float) places.plane(slot, plane, 3));
+        } else {
+            put(at, 0, 0, 0, FAR_METRES);
+        }
+    }
+
+    private void put(int at, float x, float y, float z, float w) {
+        packed[at] = x;
+        packed[at + 1] = y;
+        packed[at + 2] = z;
+        packed[at + 3] = w;
+    }
+
+    /** Valid up to {@link #instances}. */
+    public float[] packed() {
+        return packed;
+    }
+
+    public int instances() {
+        return instances;
+    }
+
+    /** The first instance of a group; that of the group after the last is the number of instances. */
+    public int start(int group) {
+        return groupStart[group];
+    }
+
+    /** Component 0–2 of the centre of the ball around an instance, or 3: its radius; world metres. */
+    double ball(int instance, int component) {
+        return balls[BALL * instance + component];
+    }
+}

@@ -1,0 +1,189 @@
+package nephele.engine.scene.thing;
+
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/**
+ * Where one thing is: its parts, and a copy of them for every portal that a part reaches through. The part before a
+ * portal is cut by the portal's plane, its image by the exit's; together they are the whole part once. One object serves
+ * thing after thing without growing.
+ *
+ * <p>A part reaches through where the straight line from its anchor – on this side of the portal – to its deepest point
+ * passes the aperture: that point of the plane lies within the part, which is convex.
+ */
+final class ThingPlaces {
+    /** A thing between facing portals would go on for ever; the farther copies are small parts of it. */
+    static final int MOST_COPIES = 8;
+
+    static final int MOST_PARTS = 24;
+
+    /** Own planes of one part: as many clip distances as the shader has for them. */
+    static final int MOST_PLANES = 2;
+
+    /** Touching is not reaching through. */
+    private static final double SLACK_METRES = 1e-6;
+
+    /** Orientation x y z w, centre, anchor, and for each own plane its normal and the centre's distance before it. */
+    private static final int CENTRE = 4;
+
+    private static final int ANCHOR = 7;
+    private static final int PLANES = 10;
+    private static final int STRIDE = PLANES + 4 * MOST_PLANES;
+
+    private final double[] at = new double[MOST_COPIES * MOST_PARTS * STRIDE];
+    private final int[] planes = new int[MOST_COPIES * MOST_PARTS];
+    private final boolean[] shown = new boolean[MOST_COPIES * MOST_PARTS];
+    private final int[] cameThrough = new int[MOST_COPIES];
+    private final Vector3d centre = new Vector3d();
+    private final Vector3d anchor = new Vector3d();
+    private final Vector3d deepest = new Vector3d();
+    private final Quaterniond turn = new Quaterniond();
+    private int copies;
+    private int parts;
+
+    /** Begins a thing: {@link #place} its parts, then {@link #spread}. */
+    void begin(int partCount) {
+        parts = partCount;
+        copies = 1;
+        cameThrough[0] = Portals.CLOSED;
+    }
+
+    /** @param thingAnchor a point of the thing that decides which side of portals it is on */
+    void place(int part, Vector3d partCentre, Quaterniond worldFromPart, Vector3d thingAnchor) {
+        write(part, partCentre, worldFromPart, thingAnchor);
+        planes[part] = 0;
+        shown[part] = true;
+    }
+
+    private void write(int slot, Vector3d partCentre, Quaterniond worldFromPart, Vector3d partAnchor) {
+        int i = slot * STRIDE;
+        at[i] = worldFromPart.x;
+        at[i + 1] = worldFromPart.y;
+        at[i + 2] = worldFromPart.z;
+        at[i + 3] = worldFromPart.w;
+        at[i + CENTRE] = partCentre.x;
+        at[i + CENTRE + 1] = partCentre.y;
+        at[i + CENTRE + 2] = partCentre.z;
+        at[i + ANCHOR] = partAnchor.x;
+        at[i + ANCHOR + 1] = partAnchor.y;
+        at[i + ANCHOR + 2] = partAnchor.z;
+    }
+
+    /** Makes the copies. */
+    void spread(Portals portals, ThingShape[] shapes) {
+        for (int copy = 0; copy < copies; copy++) {
+            for (int portal = 0; portal < portals.size(); portal++) {
+                if (portals.isOpen(portal) && portal != cameThrough[copy]) {
+                    reach(copy, portal, portals, shapes);
+                }
+            }
+        }
+    }
+
+    private void reach(int copy, int portal, Portals portals, ThingShape[] shapes) {
+        Portal entry = portals.portal(portal);
+        int image = -1;
+        for (int part = 0; part < parts; part++) {
+            int slot = copy * MOST_PARTS + part;
+            if (!shown[slot] || !reaches(slot, entry, shapes[part])) {
+                continue;
+            }
+            if (image < 0) {
+                image = copies == MOST_COPIES ? -1 : image(portals.partner(portal));
+                if (image < 0) {
+                    return;
+                }
+            }
+            cut(slot, entry);
+            pass(image * MOST_PARTS + part, portals.passage(portal), portals.portal(portals.partner(portal)));
+        }
+    }
+
+    private int image(int exit) {
+        for (int part = 0; part < parts; part++) {
+            shown[copies * MOST_PARTS + part] = false;
+        }
+        cameThrough[copies] = exit;
+        return copies++;
+    }
+
+    /** Leaves the part's pose in {@link #centre} and {@link #turn}, and where it passes the plane in {@link #anchor}. */
+    private boolean reaches(int slot, Portal portal, ThingShape shape) {
+        centre(slot, centre);
+        double before = portal.inFront(centre.x, centre.y, centre.z);
+        if (Math.abs(before) > 2 * shape.reachMetres() + 3 || before > shape.reachMetres()) {
+            return false;
+        }
+        int i = slot * STRIDE + ANCHOR;
+        anchor.set(at[i], at[i + 1], at[i + 2]);
+        double anchored = portal.inFront(anchor.x, anchor.y, anchor.z);
+        if (anchored < 0) {
+            return false;
+        }
+        orientation(slot, turn);
+        shape.farthest(portal.frame().back(), turn, deepest);
+        deepest.negate().add(centre);
+        double depth = portal.inFront(deepest.x, deepest.y, deepest.z);
+        if (depth > -SLACK_METRES) {
+            return false;
+        }
+        anchor.lerp(deepest, anchored / (anchored - depth));
+        return portal.aperture()
+                .contains(portal.across(anchor.x, anchor.y, anchor.z), portal.upward(anchor.x, anchor.y, anchor.z));
+    }
+
+    private void cut(int slot, Portal portal) {
+        if (planes[slot] < MOST_PLANES) {
+            int i = slot * STRIDE + PLANES + 4 * planes[slot]++;
+            at[i] = portal.normal().x();
+            at[i + 1] = portal.normal().y();
+            at[i + 2] = portal.normal().z();
+            at[i + 3] = portal.inFront(centre.x, centre.y, centre.z);
+        }
+    }
+
+    private void pass(int slot, Passage passage, Portal exit) {
+        passage.point(centre);
+        passage.point(anchor);
+        passage.orientation(turn);
+        write(slot, centre, turn, anchor);
+        planes[slot] = 0;
+        shown[slot] = true;
+        cut(slot, exit);
+    }
+
+    int copies() {
+        return copies;
+    }
+
+    static int slot(int copy, int part) {
+        return copy * MOST_PARTS + part;
+    }
+
+    /** Whether anything of the part may be seen there. */
+    boolean isShown(int slot) {
+        return shown[slot];
+    }
+
+    Vector3d centre(int slot, Vector3d out) {
+        int i = slot * STRIDE + CENTRE;
+        return out.set(at[i], at[i + 1], at[i + 2]);
+    }
+
+    Quaterniond orientation(int slot, Quaterniond out) {
+        int i = slot * STRIDE;
+        return out.set(at[i], at[i + 1], at[i + 2], at[i + 3]);
+    }
+
+    int planes(int slot) {
+        return planes[slot];
+    }
+
+    /** Component 0–2 of a plane's normal, or 3: how far the part's centre lies before it, metres. */
+    double plane(int slot, int plane, int component) {
+        return at[slot * STRIDE + PLANES + 4 * plane + component];
+    }
+}

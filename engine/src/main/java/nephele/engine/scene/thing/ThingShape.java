@@ -1,0 +1,66 @@
+package nephele.engine.scene.thing;
+
+import nephele.engine.level.Body;
+import nephele.engine.math.Vec3;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+
+/**
+ * The exact shape of one rigid part: half sides of a box about the part's origin, the radius of a sphere, or radius and
+ * half the axis of a capsule along y.
+ *
+ * @param kind as shaders read it
+ * @param half what the unit mesh is scaled by
+ * @param halfAxisMetres half the distance between a capsule's round ends, else 0
+ */
+public record ThingShape(int kind, Vec3 half, double halfAxisMetres) {
+    public static final int BOX = 0;
+    public static final int SPHERE = 1;
+    public static final int CAPSULE = 2;
+    /** A mesh with details of its own, not scaled; {@code half} bounds it. */
+    public static final int PART = 3;
+
+    static ThingShape of(Body body) {
+        if (body instanceof Body.Box box) {
+            Vec3 size = box.size();
+            return new ThingShape(BOX, new Vec3(size.x() / 2, size.y() / 2, size.z() / 2), 0);
+        }
+        if (body instanceof Body.Sphere sphere) {
+            return new ThingShape(SPHERE, equal(sphere.radiusMetres()), 0);
+        }
+        Body.Capsule capsule = (Body.Capsule) body;
+        double axis = Math.max(0, capsule.heightMetres() / 2 - capsule.radiusMetres());
+        return new ThingShape(axis > 0 ? CAPSULE : SPHERE, equal(capsule.radiusMetres()), axis);
+    }
+
+    private static Vec3 equal(double x) {
+        return new Vec3(x, x, x);
+    }
+
+    /** Of the ball about the part's origin that holds it. */
+    double reachMetres() {
+        return kind == SPHERE || kind == CAPSULE
+                ? half.x() + halfAxisMetres
+                : Math.sqrt(half.x() * half.x() + half.y() * half.y() + half.z() * half.z());
+    }
+
+    /**
+     * The point of the part that lies farthest along a world direction, relative to its origin; the middle of all such
+     * points where an edge or a face does.
+     */
+    Vector3d farthest(Vec3 direction, Quaterniondc worldFromPart, Vector3d out) {
+        worldFromPart.transformInverse(direction.x(), direction.y(), direction.z(), out);
+        if (kind == SPHERE || kind == CAPSULE) {
+            double length = Math.max(out.length(), 1e-300);
+            out.mul(half.x() / length);
+            out.y += halfAxisMetres * sign(out.y);
+        } else {
+            out.set(half.x() * sign(out.x), half.y() * sign(out.y), half.z() * sign(out.z));
+        }
+        return worldFromPart.transform(out);
+    }
+
+    private static double sign(double x) {
+        return Math.abs(x) < 1e-9 ? 0 : Math.signum(x);
+    }
+}

@@ -1,0 +1,109 @@
+package nephele.engine.scene.thing;
+
+import java.util.Arrays;
+import nephele.engine.math.Frustum;
+import nephele.engine.math.Vec3;
+import nephele.engine.scene.View;
+import nephele.engine.scene.thing.ThingMesh.Range;
+
+/**
+ * Which instances a view may see and with which mesh: runs of instances that one call draws. Conservative: what is left
+ * out covers no pixel. One object serves view after view.
+ */
+public final class VisibleThings {
+    /** A coarser mesh is taken as long as nobody can see the difference. */
+    private static final double FLATNESS_PIXELS = 0.3;
+
+    private final Things things;
+    private final ThingCopies copies;
+    private int[] groups = new int[64];
+    private int[] firsts = new int[64];
+    private int[] counts = new int[64];
+    private Range[] meshes = new Range[64];
+    private int runs;
+
+    public VisibleThings(Things things, ThingCopies copies) {
+        this.things = things;
+        this.copies = copies;
+    }
+
+    /** @param pictureHeight pixels */
+    public void find(View view, Frustum frustum, int pictureHeight) {
+        runs = 0;
+        double pixelsPerTangent = pictureHeight / (2 * view.projection().tanHalfHeight());
+        for (int group = 0; group < things.groups().size(); group++) {
+            for (int i = copies.start(group); i < copies.start(group + 1); i++) {
+                double radius = copies.ball(i, 3);
+                if (frustum.maySee(copies.ball(i, 0), copies.ball(i, 1), copies.ball(i, 2), radius)) {
+                    double pixels = radius * pixelsPerTangent / distance(view.eye(), i);
+                    add(group, i, mesh(things.groups().get(group).steps(), pixels));
+                }
+            }
+        }
+    }
+
+    /** Every instance with its finest mesh. */
+    public void takeAll() {
+        runs = 0;
+        for (int group = 0; group < things.groups().size(); group++) {
+            for (int i = copies.start(group); i < copies.start(group + 1); i++) {
+                add(group, i, things.groups().get(group).steps()[0]);
+            }
+        }
+    }
+
+    private double distance(Vec3 eye, int instance) {
+        double x = copies.ball(instance, 0) - eye.x();
+        double y = copies.ball(instance, 1) - eye.y();
+        double z = copies.ball(instance, 2) - eye.z();
+        double nearest = Math.sqrt(x * x + y * y + z * z) - copies.ball(instance, 3);
+        return Math.max(nearest, 1e-3);
+    }
+
+    private static Range mesh(Range[] steps, double radiusPixels) {
+        int step = steps.length - 1;
+        while (step > 0 && BodyMeshes.flatness(step) * radiusPixels > FLATNESS_PIXELS) {
+            step--;
+        }
+        return steps[step];
+    }
+
+    private void add(int group, int instance, Range mesh) {
+        int last = runs - 1;
+        if (last >= 0 && groups[last] == group && meshes[last] == mesh && firsts[last] + counts[last] == instance) {
+            counts[last]++;
+            return;
+        }
+        if (runs == groups.length) {
+            groups = Arrays.copyOf(groups, 2 * runs);
+            firsts = Arrays.copyOf(firsts, 2 * runs);
+            counts = Arrays.copyOf(counts, 2 * runs);
+            meshes = Arrays.copyOf(meshes, 2 * runs);
+        }
+        groups[runs] = group;
+        firsts[runs] = instance;
+        counts[runs] = 1;
+        meshes[runs++] = mesh;
+    }
+
+    public int runs() {
+        return runs;
+    }
+
+    public int group(int run) {
+        return groups[run];
+    }
+
+    /** The first instance of a run. */
+    public int first(int run) {
+        return firsts[run];
+    }
+
+    public int count(int run) {
+        return counts[run];
+    }
+
+    public Range mesh(int run) {
+        return meshes[run];
+    }
+}

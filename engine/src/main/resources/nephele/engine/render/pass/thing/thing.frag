@@ -1,0 +1,85 @@
+#include "output.glsl"
+#include "materials.glsl"
+#include "surface-light.glsl"
+#include "thing-instance.glsl"
+#ifdef NORMAL_MAP
+#include "normal-map.glsl"
+uniform sampler2DArray normals;
+#endif
+#ifdef TEXTURED
+uniform sampler2DArray colours;
+#endif
+#ifdef DETAIL
+#include "thing-detail.glsl"
+#endif
+
+flat in int instance;
+flat in float materialIndex;
+in vec3 inPart;
+in vec3 normalInPart;
+in vec3 relativePosition;
+in vec3 anchorPosition;
+#if defined(TEXTURED) || defined(NORMAL_MAP)
+in vec2 onSurface;
+#endif
+
+#if defined(TEXTURED) || defined(NORMAL_MAP)
+const float TURN = 6.28318531;
+
+// The directions of the texture on a face, as level.appearance.FaceTexture defines them for solids.
+vec3 textureAcross(vec3 n) {
+    return normalize(abs(n.y) > 0.999 ? vec3(1.0, 0.0, 0.0) - n * n.x : cross(vec3(0.0, 1.0, 0.0), n));
+}
+
+// A box has the texture's middle in the middle of each face; a round shape a whole number of repeats around it.
+vec2 textureAt(int kind, vec3 n, vec4 size, float textureMetres) {
+    if (kind == 0) {
+        vec3 across = textureAcross(n);
+        return vec2(dot(inPart, across), dot(inPart, cross(n, across))) / textureMetres + 0.5;
+    }
+    float around = max(1.0, floor(TURN * size.x / textureMetres + 0.5));
+    float up = (onSurface.y - 0.5) * TURN * size.x + sign(onSurface.y - 0.5) * size.w;
+    return vec2(onSurface.x * around, up / textureMetres + 0.5);
+}
+#endif
+
+void main() {
+    Material material = materialAt(materialIndex);
+    vec4 turn = instanceTexel(instance, 0);
+    vec4 size = instanceTexel(instance, 3);
+    vec3 n = normalize(normalInPart);
+    Surface s;
+    s.baseColour = material.baseColourRoughness.rgb;
+    float roughness = material.baseColourRoughness.a;
+    s.faceNormal = turned(turn, n);
+    s.normal = s.faceNormal;
+#if defined(TEXTURED) || defined(NORMAL_MAP)
+    vec2 st = textureAt(int(instanceTexel(instance, 2).w), n, size, material.layers.z);
+#endif
+#ifdef TEXTURED
+    s.baseColour *= texture(colours, vec3(st, material.layers.x)).rgb;
+#endif
+#ifdef NORMAL_MAP
+    vec4 bumps = texture(normals, vec3(st, material.layers.y));
+    vec3 across = textureAcross(n);
+    s.normal = turned(turn, mappedNormal(bumps.rgb, n, across, cross(n, across)));
+    roughness *= bumps.a;
+#endif
+#ifdef DETAIL
+    vec4 detailed = detail(int(instanceTexel(instance, 2).w), inPart, n, size);
+    s.normal = turned(turn, detailed.xyz);
+    s.baseColour *= detailed.w;
+#endif
+#ifdef METALLIC_ROUGHNESS
+    s.roughness = roughness;
+    s.metallic = material.emissionMetallic.a;
+    s.toEye = -normalize(relativePosition);
+#endif
+#ifdef ANCHOR_POSITION
+    s.anchorPosition = anchorPosition;
+#endif
+#ifdef SKY_AMBIENT
+    s.skyVisibility = 1.0;
+#endif
+    writeRadiance(surfaceRadiance(s) + material.emissionMetallic.rgb);
+}

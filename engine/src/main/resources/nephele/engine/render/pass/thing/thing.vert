@@ -1,0 +1,32 @@
+#include "frame.glsl"
+#include "view-clip.glsl"
+#include "thing-position.glsl"
+
+// The eye from the anchor as two floats a component.
+uniform vec3 eyeHigh;
+uniform vec3 eyeLow;
+
+flat out int instance;
+flat out float materialIndex;
+out vec3 inPart;
+out vec3 normalInPart;
+out vec3 relativePosition;
+out vec3 anchorPosition;
+#if defined(TEXTURED) || defined(NORMAL_MAP)
+out vec2 onSurface;
+#endif
+
+void main() {
+    ThingVertex v = thingVertex();
+    relativePosition = (v.centreHigh - eyeHigh) + (v.centreLow - eyeLow) + v.fromCentre;
+    gl_Position = clipFromRelative * vec4(relativePosition, 1.0);
+    clipToView(relativePosition);
+    anchorPosition = v.centreHigh + v.fromCentre;
+    instance = v.instance;
+    inPart = v.inPart;
+    normalInPart = normalize(normalAndPart.xyz);
+    materialIndex = instanceTexel(v.instance, 1).w + mod(normalAndPart.w, PARTS_STRIDE);
+#if defined(TEXTURED) || defined(NORMAL_MAP)
+    onSurface = textureCoordinates;
+#endif
+}
