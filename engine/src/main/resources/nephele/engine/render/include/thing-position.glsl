@@ -27,11 +27,15 @@ ThingVertex thingVertex() {
     v.fromCentre = turned(instanceTexel(v.instance, 0), v.inPart);
     v.centreHigh = instanceTexel(v.instance, 1).xyz;
     v.centreLow = instanceTexel(v.instance, 2).xyz;
-#ifdef PORTALS
-    vec4 entry = instanceTexel(v.instance, 4);
-    vec4 second = instanceTexel(v.instance, 5);
-    gl_ClipDistance[1] = dot(entry.xyz, v.fromCentre) + entry.w;
-    gl_ClipDistance[2] = dot(second.xyz, v.fromCentre) + second.w;
-#endif
     return v;
+}
+
+// Leaves what lies before the planes that cut a part, and up to `margin` behind them.
+void clipToOwnPlanes(ThingVertex v, float margin) {
+#ifdef PORTALS
+    vec4 first = instanceTexel(v.instance, 4);
+    vec4 second = instanceTexel(v.instance, 5);
+    gl_ClipDistance[1] = dot(first.xyz, v.fromCentre) + first.w + margin;
+    gl_ClipDistance[2] = dot(second.xyz, v.fromCentre) + second.w + margin;
+#endif
 }

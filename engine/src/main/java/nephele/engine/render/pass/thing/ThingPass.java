@@ -36,6 +36,9 @@ public final class ThingPass implements Pass {
     /** The view's plane and two of a thing's own. */
     private static final int CLIP_DISTANCES = 3;
 
+    /** Openings are drawn a pixel's slope nearer than they are. */
+    private static final double SEAM_PIXELS = 1.5;
+
     private final GlContext gl;
     private final Set<Target> reads;
     private final Map<ThingVariant, GlProgram<ThingUniforms>> programs = new HashMap<>();
@@ -50,6 +53,7 @@ public final class ThingPass implements Pass {
     private SharedResources shared;
     private SurfaceLight light;
     private boolean cuts;
+    private float seamPerMetre;
 
     private ThingPass(GlContext gl, Set<Target> reads) {
         this.gl = gl;
@@ -104,6 +108,9 @@ public final class ThingPass implements Pass {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.BACK, cuts ? CLIP_DISTANCES : 0);
         light.bindForThings(shared);
         meshes.bind();
+        double pixel =
+                2 * frame.view().projection().tanHalfHeight() / frame.surface().height();
+        seamPerMetre = (float) (SEAM_PIXELS * pixel);
         SolidMesh.eyeInCell(frame.view().eye(), light.anchor(), eye);
         for (int run = 0; run < visible.runs(); run++) {
             drawRun(run);
@@ -114,7 +121,9 @@ public final class ThingPass implements Pass {
         boolean throughPortal = frame.node() != null && frame.node().parent() != null;
         return throughPortal
                 ? frame.node().frustum()
-                : Frustum.of(frame.view().clipFromRelative(clipFromRelative), frame.view().eye());
+                : Frustum.of(
+                        frame.view().clipFromRelative(clipFromRelative),
+                        frame.view().eye());
     }
 
     private void drawRun(int run) {
@@ -122,7 +131,7 @@ public final class ThingPass implements Pass {
         SolidBatch.Kind kind = meshes.things().groups().get(group).kind();
         GlProgram<ThingUniforms> program = programOfGroup.get(group);
         program.use();
-        program.uniforms().eye(eye);
+        program.uniforms().view(eye, seamPerMetre);
         materials.bind(kind.materialBlock());
         if (kind.isTextured()) {
             colours.get(kind.colourArray()).bind(ThingVariant.COLOUR_UNIT);

@@ -1,12 +1,21 @@
 package nephele.engine.render.pass.thing;
 
+import java.util.Optional;
 import nephele.engine.render.frame.ThingMeshes.RunUniforms;
+import nephele.engine.render.gl.Uniforms.Scalar;
 import nephele.engine.render.gl.Uniforms.Vector3;
 
-/** What changes from view to view and from run to run. */
-record ThingUniforms(Vector3 eyeHigh, Vector3 eyeLow, RunUniforms run) {
-    void eye(float[] highAndLow) {
+/**
+ * What changes from view to view and from run to run.
+ *
+ * @param seamPerMetre only where the level may have portals
+ */
+record ThingUniforms(Vector3 eyeHigh, Vector3 eyeLow, Optional<Scalar> seamPerMetre, RunUniforms run) {
+    void view(float[] highAndLow, float seam) {
         eyeHigh.set(highAndLow[0], highAndLow[1], highAndLow[2]);
         eyeLow.set(highAndLow[3], highAndLow[4], highAndLow[5]);
+        if (seamPerMetre.isPresent()) {
+            seamPerMetre.get().set(seam);
+        }
     }
 }

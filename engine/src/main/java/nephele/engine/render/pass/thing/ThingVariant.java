@@ -1,5 +1,6 @@
 package nephele.engine.render.pass.thing;
 
+import java.util.Optional;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
@@ -11,6 +12,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.SolidBatch;
+import nephele.engine.scene.ViewTree;
 
 /**
  * Which code a group's shader holds; equal variants share a program. What has no texture is given details – except in
@@ -41,10 +43,11 @@ record ThingVariant(boolean lambert, boolean textured, boolean normalMapped, boo
                 context.gl(),
                 ShaderSource.load(FOLDER + "thing.vert", defines),
                 ShaderSource.load(FOLDER + "thing.frag", defines),
-                uniforms -> uniforms(uniforms, light));
+                uniforms -> uniforms(
+                        uniforms, light, ViewTree.mayGrow(context.scene().level())));
     }
 
-    private ThingUniforms uniforms(Uniforms uniforms, SurfaceLight light) {
+    private ThingUniforms uniforms(Uniforms uniforms, SurfaceLight light, boolean cut) {
         uniforms.block("Frame", FrameUniforms.BINDING);
         uniforms.block("Materials", MaterialBlocks.BINDING);
         if (textured) {
@@ -54,6 +57,10 @@ record ThingVariant(boolean lambert, boolean textured, boolean normalMapped, boo
             uniforms.sampler("normals", NORMAL_UNIT);
         }
         light.setForThings(uniforms);
-        return new ThingUniforms(uniforms.vector3("eyeHigh"), uniforms.vector3("eyeLow"), RunUniforms.of(uniforms));
+        return new ThingUniforms(
+                uniforms.vector3("eyeHigh"),
+                uniforms.vector3("eyeLow"),
+                cut ? Optional.of(uniforms.scalar("seamPerMetre")) : Optional.empty(),
+                RunUniforms.of(uniforms));
     }
 }

@@ -5,6 +5,9 @@
 // The eye from the anchor as two floats a component.
 uniform vec3 eyeHigh;
 uniform vec3 eyeLow;
+#ifdef PORTALS
+uniform float seamPerMetre; // a pixel and a half, at distance 1
+#endif
 
 flat out int instance;
 flat out float materialIndex;
@@ -20,7 +23,13 @@ void main() {
     ThingVertex v = thingVertex();
     relativePosition = (v.centreHigh - eyeHigh) + (v.centreLow - eyeLow) + v.fromCentre;
     gl_Position = clipFromRelative * vec4(relativePosition, 1.0);
+#ifdef PORTALS
+    // An opening wins over what lies up to a pixel before it, so there the half beyond has to go on.
+    float margin = seamPerMetre * gl_Position.w;
     clipToView(relativePosition);
+    gl_ClipDistance[0] += margin;
+    clipToOwnPlanes(v, margin);
+#endif
     anchorPosition = v.centreHigh + v.fromCentre;
     instance = v.instance;
     inPart = v.inPart;
