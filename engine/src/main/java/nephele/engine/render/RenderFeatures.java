@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
+import nephele.engine.render.pass.rim.RimPass;
 import nephele.engine.render.pass.shadow.LampShadowPass;
 import nephele.engine.render.pass.shadow.SkyVisibilityPass;
 import nephele.engine.render.pass.shadow.SunShadowPass;
@@ -24,6 +25,7 @@ public final class RenderFeatures {
             ThingPass.FEATURE,
             GradientSkyPass.FEATURE,
             SkyboxPass.FEATURE,
+            RimPass.FEATURE,
             PortalPass.FEATURE,
             ToneMapPass.FEATURE);
 

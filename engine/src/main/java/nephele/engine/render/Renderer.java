@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
+import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
@@ -79,9 +80,11 @@ public final class Renderer implements AutoCloseable {
                 FramePlan.forLevel(scene.level(), settings.output()).steps()) {
             for (Required required : step.required()) {
                 Pass pass = required.build().apply(gl);
-                passes.add(pass);
-                stepNames.add(step.feature().name());
-                pass.load(context);
+                if (settings.decoration() == Decoration.ON || !pass.isDecoration()) {
+                    passes.add(pass);
+                    stepNames.add(step.feature().name());
+                    pass.load(context);
+                }
             }
         }
         if (ViewTree.mayGrow(scene.level())) {

@@ -16,6 +16,11 @@ public interface Pass extends AutoCloseable {
         return writes().contains(Target.SURFACE);
     }
 
+    /** Whether it only guides the player: it can be left out of a picture that is compared with something. */
+    default boolean isDecoration() {
+        return false;
+    }
+
     /** Called once, before the first draw. */
     void load(LoadContext context);
 

@@ -1,0 +1,43 @@
+package nephele.engine.render.pass.rim;
+
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
+import nephele.engine.scene.Moment;
+
+/**
+ * The colours of portals, linear RGB as displayed. The two shots differ to every eye: blue and orange, and their
+ * patterns differ too. Pairs of the level take hues that lie far apart however many there are.
+ */
+public final class RimColours {
+    private static final Vec3 FIRST = new Vec3(0.05, 0.42, 1);
+    private static final Vec3 SECOND = new Vec3(1, 0.36, 0.03);
+    private static final double GOLDEN_SHARE = 0.6180339887498949;
+    private static final double FIRST_HUE = 0.36;
+
+    private RimColours() {}
+
+    /** @param shot 0 or 1 */
+    public static Vec3 ofShot(int shot) {
+        return shot == 0 ? FIRST : SECOND;
+    }
+
+    static Vec3 of(Moment moment, int portal) {
+        int colour = moment.colour(portal);
+        if (colour < 2) {
+            return ofShot(colour);
+        }
+        int partner = moment.portals().partner(portal);
+        int pair = partner == Portals.CLOSED ? portal : Math.min(portal, partner);
+        return hue(FIRST_HUE + GOLDEN_SHARE * pair);
+    }
+
+    /** A clear, not quite saturated colour. */
+    private static Vec3 hue(double turns) {
+        return new Vec3(channel(turns), channel(turns + 2 / 3.0), channel(turns + 1 / 3.0));
+    }
+
+    private static double channel(double turns) {
+        double wave = 0.5 + 0.5 * Math.cos(2 * Math.PI * turns);
+        return 0.06 + 0.84 * wave * wave;
+    }
+}

@@ -1,0 +1,88 @@
+package nephele.engine.render.pass.rim;
+
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import nephele.engine.scene.Ghost;
+import nephele.engine.scene.Moment;
+import nephele.engine.scene.View;
+
+/** One rim as a view sees it; one object, filled again for each. */
+final class RimLook {
+    /** What moves by time repeats after this, so that floats stay exact enough for as long as anybody plays. */
+    private static final double REPEAT_SECONDS = 3600;
+
+    /** The third pattern is for portals that nobody shot. */
+    private static final int OF_LEVEL = 2;
+
+    private static final double GHOST_OPACITY = 0.55;
+
+    Vec3 eye;
+    Portal portal;
+    Vec3 tint;
+    double openness;
+    /** Below 1 for what is not there yet. */
+    double opacity;
+
+    double seconds;
+    /** 0 and 1 for the shots, 2 for those of the level. */
+    int kind;
+
+    int cells;
+    boolean isOpen;
+
+    void of(Moment moment, int index, View view) {
+        eye = view.eye();
+        portal = moment.portals().portal(index);
+        tint = RimColours.of(moment, index);
+        openness = moment.openness(index);
+        opacity = 1;
+        seconds = moment.seconds() % REPEAT_SECONDS;
+        kind = Math.min(moment.colour(index), OF_LEVEL);
+        isOpen = moment.portals().partner(index) != Portals.CLOSED;
+    }
+
+    void of(Ghost ghost, Moment moment, View view) {
+        eye = view.eye();
+        portal = ghost.portal();
+        tint = RimColours.ofShot(ghost.colour());
+        openness = 1;
+        opacity = GHOST_OPACITY;
+        seconds = moment.seconds() % REPEAT_SECONDS;
+        kind = ghost.colour();
+        isOpen = true;
+    }
+
+    /** Whether the view may see any of it: from in front, before its own plane, in the picture and larger than a pixel. */
+    boolean isIn(View view, int pictureHeight) {
+        double reach = Math.hypot(
+                        portal.aperture().widthMetres() / 2, portal.aperture().heightMetres() / 2)
+                + 2 * RimShape.REACH_METRES;
+        Vec3 centre = portal.centre();
+        double x = centre.x() - eye.x();
+        double y = centre.y() - eye.y();
+        double z = centre.z() - eye.z();
+        double before = -along(portal.normal(), x, y, z);
+        double depth = -along(view.back(), x, y, z);
+        if (before < -RimShape.REACH_METRES || depth < -reach) {
+            return false;
+        }
+        if (view.clip() != null && view.clip().signedDistance(centre) < -reach) {
+            return false;
+        }
+        double halfWidth = view.projection().tanHalfWidth();
+        double halfHeight = view.projection().tanHalfHeight();
+        boolean large = reach * pictureHeight > 2 * Math.max(depth, reach) * halfHeight;
+        return large
+                && isWithin(Math.abs(along(view.right(), x, y, z)), depth, halfWidth, reach)
+                && isWithin(Math.abs(along(view.up(), x, y, z)), depth, halfHeight, reach);
+    }
+
+    private static boolean isWithin(double aside, double depth, double tangent, double reach) {
+        return aside - depth * tangent <= reach * Math.sqrt(1 + tangent * tangent);
+    }
+
+    private static double along(Vec3 axis, double x, double y, double z) {
+        return axis.x() * x + axis.y() * y + axis.z() * z;
+    }
+}

@@ -1,0 +1,140 @@
+package nephele.engine.render.pass.rim;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import nephele.engine.level.Level;
+import nephele.engine.portal.Aperture;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.DrawState.DepthOf;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.scene.Moment;
+import nephele.engine.scene.ViewNode;
+
+/**
+ * Rims around portals, in every view and before the openings are filled: what of a rim lies before an opening stays. A
+ * portal that leads nowhere, and one beyond the frame's views that nothing fills, gets a membrane over its wall.
+ */
+public final class RimPass implements Pass {
+    public static final RenderFeature FEATURE = new RenderFeature("portal.rim", RimPass::requiredBy);
+
+    private final GlContext gl;
+    private final List<RimShape> shapes = new ArrayList<>();
+    private final RimLook look = new RimLook();
+    private RimPrograms programs;
+
+    private RimPass(GlContext gl) {
+        this.gl = gl;
+    }
+
+    private static List<Required> requiredBy(Level level) {
+        if (!level.portals().isEmpty()) {
+            return List.of(new Required("portals: their rims", RimPass::new));
+        }
+        return level.portalGun() == null
+                ? List.of()
+                : List.of(new Required("portalGun: rims of what it opens", RimPass::new));
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.SURFACE);
+    }
+
+    @Override
+    public boolean isDecoration() {
+        return true;
+    }
+
+    @Override
+    public void load(LoadContext context) {
+        programs = new RimPrograms(context);
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        Moment moment = frame.moment();
+        frame.surface().bind();
+        gl.state().depthOf(DepthOf.OPENING);
+        for (int i = 0; i < moment.portals().size(); i++) {
+            look.of(moment, i, frame.view());
+            if (look.isIn(frame.view(), frame.surface().height())) {
+                drawRim(frame, !look.isOpen || isLeftUnfilled(frame, i));
+            }
+        }
+        for (int i = 0; i < moment.ghosts().size(); i++) {
+            look.of(moment.ghosts().get(i), moment, frame.view());
+            if (look.isIn(frame.view(), frame.surface().height())) {
+                drawGhost(frame);
+            }
+        }
+        gl.state().depthOf(DepthOf.SURFACE);
+    }
+
+    private static boolean isLeftUnfilled(FrameContext frame, int portal) {
+        List<ViewNode> children = frame.node().children();
+        for (int i = 0; i < children.size(); i++) {
+            if (children.get(i).portal() == portal && !frame.nested().fills(children.get(i))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void drawRim(FrameContext frame, boolean isClosed) {
+        RimShape shape = shape(look.portal.aperture());
+        look.cells = shape.cells();
+        gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, frame.clipDistances());
+        use(programs.ring());
+        shape.drawRing();
+        gl.state().set(Depth.LESS_OR_EQUAL, Blend.OVER, Cull.NONE, frame.clipDistances());
+        use(programs.glow());
+        shape.drawGlow();
+        if (isClosed) {
+            use(programs.membrane());
+            shape.drawArea();
+        }
+    }
+
+    private void drawGhost(FrameContext frame) {
+        RimShape shape = shape(look.portal.aperture());
+        look.cells = shape.cells();
+        gl.state().set(Depth.LESS_OR_EQUAL, Blend.OVER, Cull.NONE, frame.clipDistances());
+        use(programs.ring());
+        shape.drawRing();
+    }
+
+    private void use(GlProgram<RimPrograms.Placing> program) {
+        program.use();
+        program.uniforms().set(look);
+    }
+
+    /** Made when the first portal of its shape is drawn. */
+    private RimShape shape(Aperture aperture) {
+        for (int i = 0; i < shapes.size(); i++) {
+            if (shapes.get(i).isOf(aperture)) {
+                return shapes.get(i);
+            }
+        }
+        RimShape made = new RimShape(gl, aperture);
+        shapes.add(made);
+        return made;
+    }
+
+    @Override
+    public void close() {
+        if (programs != null) {
+            programs.close();
+        }
+        shapes.forEach(RimShape::close);
+    }
+}

@@ -1,0 +1,90 @@
+package nephele.engine.render.pass.rim;
+
+import java.util.Map;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.Uniforms;
+
+/** The programs of a rim's parts; all take the same uniforms. */
+final class RimPrograms implements AutoCloseable {
+    private static final String FOLDER = "/nephele/engine/render/pass/rim/";
+
+    private final GlProgram<Placing> ring;
+    private final GlProgram<Placing> glow;
+    private final GlProgram<Placing> membrane;
+
+    RimPrograms(LoadContext context) {
+        ring = program(context, "ring.frag");
+        glow = program(context, "glow.frag");
+        membrane = program(context, "membrane.frag");
+    }
+
+    private static GlProgram<Placing> program(LoadContext context, String fragment) {
+        Map<String, String> defines = Defines.of(context).values();
+        return new GlProgram<>(
+                context.gl(),
+                ShaderSource.load(FOLDER + "rim.vert", defines),
+                ShaderSource.load(FOLDER + fragment, defines),
+                Placing::new);
+    }
+
+    GlProgram<Placing> ring() {
+        return ring;
+    }
+
+    GlProgram<Placing> glow() {
+        return glow;
+    }
+
+    GlProgram<Placing> membrane() {
+        return membrane;
+    }
+
+    @Override
+    public void close() {
+        ring.close();
+        glow.close();
+        membrane.close();
+    }
+
+    /** Where one portal is and how it looks. */
+    static final class Placing {
+        private final Uniforms.Vector4 centre;
+        private final Uniforms.Vector3 right;
+        private final Uniforms.Vector3 up;
+        private final Uniforms.Vector3 back;
+        private final Uniforms.Vector4 tint;
+        private final Uniforms.Vector4 pattern;
+
+        private Placing(Uniforms uniforms) {
+            centre = uniforms.vector4("centreAndOpenness");
+            right = uniforms.vector3("portalRight");
+            up = uniforms.vector3("portalUp");
+            back = uniforms.vector3("portalBack");
+            tint = uniforms.vector4("tintAndOpacity");
+            pattern = uniforms.vector4("pattern");
+        }
+
+        void set(RimLook look) {
+            centre.set(
+                    (float) (look.portal.centre().x() - look.eye.x()),
+                    (float) (look.portal.centre().y() - look.eye.y()),
+                    (float) (look.portal.centre().z() - look.eye.z()),
+                    (float) look.openness);
+            set(right, look.portal.frame().right());
+            set(up, look.portal.frame().up());
+            set(back, look.portal.frame().back());
+            tint.set((float) look.tint.x(), (float) look.tint.y(), (float) look.tint.z(), (float) look.opacity);
+            double half = Math.max(
+                    look.portal.aperture().widthMetres(), look.portal.aperture().heightMetres());
+            pattern.set(look.kind, look.cells, (float) look.seconds, (float) half / 2);
+        }
+
+        private static void set(Uniforms.Vector3 uniform, Vec3 v) {
+            uniform.set((float) v.x(), (float) v.y(), (float) v.z());
+        }
+    }
+}

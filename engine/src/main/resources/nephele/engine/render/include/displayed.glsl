@@ -1,0 +1,10 @@
+// For what glows the same in every light: radiance that is developed to about these linear display values.
+#include "frame.glsl"
+
+vec3 radianceOf(vec3 displayed) {
+#ifdef OUTPUT_PLAIN
+    return displayed;
+#else
+    return displayed / max(development.x, 1e-6);
+#endif
+}

@@ -1,0 +1,16 @@
+// Over the wall within the rim of a portal that leads nowhere yet.
+#include "output.glsl"
+#include "displayed.glsl"
+#include "closed-look.glsl"
+
+in vec3 rimPlace;
+in vec2 areaPlace;
+in vec3 relativePosition;
+
+uniform vec4 tintAndOpacity;
+uniform vec4 pattern;
+
+void main() {
+    writeRadiance(radianceOf(closedLook(areaPlace, pattern.w, tintAndOpacity.rgb, pattern.z)));
+    pixel.a = 0.93;
+}
