@@ -2,72 +2,116 @@ package nephele.engine.render;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.render.RenderSettings.Deepest;
 import nephele.engine.render.RenderSettings.Narrowing;
+import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.SharedResources;
-import nephele.engine.render.gl.DrawState;
+import nephele.engine.render.gl.DrawState.DepthOf;
+import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.Moment;
 import nephele.engine.scene.PixelRectangle;
-import nephele.engine.scene.SolidGeometry;
+import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.VisibleSet;
 
 /** The views through portals of a level that may have some. */
-final class PortalViews implements NestedViews {
+final class PortalViews implements NestedViews, AutoCloseable {
     private final GlContext gl;
     private final RenderSettings settings;
     private final SharedResources shared;
-    private final SolidGeometry solids;
+    private final Scene scene;
     private final List<Pass> passes;
+    private final ClearColour clearColour;
     private final double exposure;
-    private final ViewTree tree = new ViewTree();
+    private final PortalPictures pictures;
+    private final PreviousPicture previous;
     /** By depth: a view is drawn to its end after those that are seen in it. */
     private final List<VisibleSet> visible = new ArrayList<>();
 
+    private ViewTree tree;
+
     /** @param passes of every view, in frame order */
-    PortalViews(
-            GlContext gl,
-            RenderSettings settings,
-            SharedResources shared,
-            SolidGeometry solids,
-            List<Pass> passes,
-            double exposure) {
+    PortalViews(GlContext gl, RenderSettings settings, SharedResources shared, Scene scene, List<Pass> passes) {
         this.gl = gl;
         this.settings = settings;
         this.shared = shared;
-        this.solids = solids;
+        this.scene = scene;
         this.passes = passes;
-        this.exposure = exposure;
+        clearColour = ClearColour.of(scene.level().environment(), settings.output());
+        exposure = ClearColour.exposure(scene.level().environment());
+        pictures = new PortalPictures(gl, settings.quality().portalResolution());
+        previous = new PreviousPicture(gl);
     }
 
-    /** Chooses the views of a frame. */
-    ViewNode begin(View main, Moment moment, int width, int height) {
-        tree.grow(main, moment, width, height, settings.quality().viewBudget());
-        shared.openings().upload(tree);
-        gl.state().stencil(DrawState.Stencil.OFF, 0);
-        gl.state().depthOf(DrawState.DepthOf.SURFACE);
+    /** Chooses the views of a frame, and draws what has pictures of its own. */
+    ViewNode begin(View main, Moment moment, RenderTarget picture, PixelFormat format) {
+        gl.state().stencil(Stencil.OFF, 0);
+        gl.state().depthOf(DepthOf.SURFACE);
+        tree = previous.nextTree();
+        tree.grow(
+                main,
+                moment,
+                picture.width(),
+                picture.height(),
+                settings.quality().viewBudget());
+        previous.match(tree, moment, picture.width(), picture.height());
+        shared.openings().upload(tree, previous.history());
+        if (isTexture()) {
+            pictures.begin(format, picture.width(), picture.height());
+            drawPictures(tree.root(), moment, picture);
+        }
         return tree.root();
     }
 
+    private boolean isTexture() {
+        return settings.quality().portalTechnique() == PortalTechnique.TEXTURE;
+    }
+
+    /** Tells what the frame looks like before anything is drawn over it. */
+    void end(Moment moment, RenderTarget surface, PixelFormat format) {
+        boolean mayEndSoon = 2 * tree.views().size() > settings.quality().viewBudget();
+        if (settings.deepest() == Deepest.HISTORY
+                && (mayEndSoon || !tree.terminals().isEmpty())) {
+            previous.remember(tree, moment, surface, format);
+        } else {
+            previous.forget();
+        }
+    }
+
+    void forget() {
+        previous.forget();
+    }
+
     @Override
-    public boolean fills(ViewNode child) {
-        return !child.isTerminal();
+    public Filling filling(ViewNode child) {
+        if (!child.isTerminal()) {
+            return isTexture() ? Filling.PICTURE : Filling.VIEW;
+        }
+        if (settings.deepest() == Deepest.MARK) {
+            return Filling.MARK;
+        }
+        return previous.history().of(child) == null ? Filling.NOTHING : Filling.PICTURE;
+    }
+
+    @Override
+    public Texture picture(ViewNode child) {
+        return child.isTerminal() ? previous.picture() : pictures.of(child).colour();
     }
 
     @Override
     public void draw(FrameContext frame, ViewNode child) {
-        VisibleSet seen = solids.isEmpty() ? null : see(child);
         enter(child);
-        FrameContext context =
-                new FrameContext(child.view(), frame.moment(), frame.surface(), frame.picture(), seen, child, this);
-        for (int i = 0; i < passes.size(); i++) {
-            passes.get(i).draw(context);
-        }
+        drawPasses(child, frame.moment(), frame.surface(), frame.picture());
         enter(frame.node());
     }
 
@@ -81,9 +125,59 @@ final class PortalViews implements NestedViews {
         }
     }
 
+    /** Deepest first: what a view shows through its portals has been drawn before it. */
+    private void drawPictures(ViewNode node, Moment moment, RenderTarget picture) {
+        for (int i = 0; i < node.children().size(); i++) {
+            ViewNode child = node.children().get(i);
+            if (!child.isTerminal()) {
+                drawPictures(child, moment, picture);
+                drawPicture(child, moment, picture);
+            }
+        }
+    }
+
+    private void drawPicture(ViewNode node, Moment moment, RenderTarget picture) {
+        RenderTarget target = pictures.take(node);
+        shared.frameUniforms().upload(node.view(), exposure);
+        if (settings.narrowing() == Narrowing.OFF) {
+            gl.state().noScissor();
+        } else {
+            scissor(
+                    node.pixels(),
+                    target.width() / (double) picture.width(),
+                    target.height() / (double) picture.height());
+        }
+        target.clearWithinScissor(clearColour.red(), clearColour.green(), clearColour.blue());
+        drawPasses(node, moment, target, picture);
+        gl.state().noScissor();
+        for (int i = 0; i < node.children().size(); i++) {
+            if (!node.children().get(i).isTerminal()) {
+                pictures.release(node.children().get(i));
+            }
+        }
+    }
+
+    /** The pixels of a target of another size, and one more on each side where it is smaller. */
+    private void scissor(PixelRectangle pixels, double acrossScale, double upScale) {
+        int margin = acrossScale < 1 ? 1 : 0;
+        int x = (int) Math.floor(pixels.x() * acrossScale) - margin;
+        int y = (int) Math.floor(pixels.y() * upScale) - margin;
+        int right = (int) Math.ceil((pixels.x() + pixels.width()) * acrossScale) + margin;
+        int top = (int) Math.ceil((pixels.y() + pixels.height()) * upScale) + margin;
+        gl.state().scissor(Math.max(x, 0), Math.max(y, 0), right - Math.max(x, 0), top - Math.max(y, 0));
+    }
+
+    private void drawPasses(ViewNode node, Moment moment, RenderTarget surface, RenderTarget picture) {
+        VisibleSet seen = scene.solids().isEmpty() ? null : see(node);
+        FrameContext context = new FrameContext(node.view(), moment, surface, picture, seen, node, this);
+        for (int i = 0; i < passes.size(); i++) {
+            passes.get(i).draw(context);
+        }
+    }
+
     private VisibleSet see(ViewNode node) {
         while (visible.size() <= node.depth()) {
-            visible.add(new VisibleSet(solids));
+            visible.add(new VisibleSet(scene.solids()));
         }
         VisibleSet set = visible.get(node.depth());
         if (settings.narrowing() == Narrowing.ON) {
@@ -92,5 +186,11 @@ final class PortalViews implements NestedViews {
             settings.culling().find(set, node.view());
         }
         return set;
+    }
+
+    @Override
+    public void close() {
+        pictures.close();
+        previous.close();
     }
 }

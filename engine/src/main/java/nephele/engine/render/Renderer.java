@@ -98,7 +98,7 @@ public final class Renderer implements AutoCloseable {
 
     private PortalViews portalViews() {
         List<Pass> inEveryView = passes.stream().filter(Pass::inEveryView).toList();
-        return new PortalViews(gl, settings, shared, scene.solids(), inEveryView, exposure());
+        return new PortalViews(gl, settings, shared, scene, inEveryView);
     }
 
     private double exposure() {
@@ -146,6 +146,8 @@ public final class Renderer implements AutoCloseable {
         }
         RenderTarget surface = settings.output() == Output.HDR ? linear(picture) : picture;
         RenderTarget drawn = multisampling.inPlaceOf(surface, surfaceFormat(picture));
+        // Pictures of their own come first: drawing on in a target after another one is costly.
+        ViewNode root = portals == null ? null : portals.begin(view, moment, picture, surfaceFormat(picture));
         drawn.clear(clearColour.red(), clearColour.green(), clearColour.blue());
         if (surfacePasses == 0) {
             multisampling.resolve(surface);
@@ -157,7 +159,6 @@ public final class Renderer implements AutoCloseable {
         if (visible != null) {
             settings.culling().find(visible, view);
         }
-        ViewNode root = portals == null ? null : portals.begin(view, moment, picture.width(), picture.height());
         shared.frameUniforms().upload(view, exposure());
         drawPasses(new FrameContext(view, moment, drawn, picture, visible, root, portals), surface, listener);
     }
@@ -168,8 +169,22 @@ public final class Renderer implements AutoCloseable {
             passes.get(i).draw(i < surfacePasses ? frame : resolved);
             if (i + 1 == surfacePasses) {
                 multisampling.resolve(surface);
+                remember(frame, surface);
             }
             listener.submitted(i + 1);
+        }
+    }
+
+    private void remember(FrameContext frame, RenderTarget surface) {
+        if (portals != null) {
+            portals.end(frame.moment(), surface, surfaceFormat(frame.picture()));
+        }
+    }
+
+    /** The next picture has nothing to do with the last one: the deepest openings take nothing from it. */
+    public void forget() {
+        if (portals != null) {
+            portals.forget();
         }
     }
 
@@ -219,5 +234,8 @@ public final class Renderer implements AutoCloseable {
         shared.close();
         multisampling.close();
         closeLinear();
+        if (portals != null) {
+            portals.close();
+        }
     }
 }

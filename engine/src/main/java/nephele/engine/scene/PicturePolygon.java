@@ -119,6 +119,23 @@ public final class PicturePolygon {
         }
     }
 
+    /** How far beyond its nearest edge's line a point of the picture lies; not positive within the polygon. */
+    double outside(double atX, double atY) {
+        double most = Double.NEGATIVE_INFINITY;
+        int from = size - 1;
+        for (int to = 0; to < size; to++) {
+            double dx = x(to) / w(to) - x(from) / w(from);
+            double dy = y(to) / w(to) - y(from) / w(from);
+            double length = Math.sqrt(dx * dx + dy * dy);
+            if (length > 1e-12) {
+                double left = dx * (atY - y(from) / w(from)) - dy * (atX - x(from) / w(from));
+                most = Math.max(most, -left / length);
+            }
+            from = to;
+        }
+        return most;
+    }
+
     /** Share of the picture that is covered; the polygon lies in the picture. */
     double share() {
         double twice = 0;

@@ -31,6 +31,7 @@ public final class ViewNode {
     private double area;
     private boolean terminal;
     private int number;
+    private int terminalIndex;
 
     /** What is seen here; {@code null} for a {@link #isTerminal terminal} node. */
     public View view() {
@@ -49,6 +50,15 @@ public final class ViewNode {
 
     void number(int newNumber) {
         number = newNumber;
+    }
+
+    /** Which of the frame's terminal openings this is. */
+    int terminal() {
+        return terminalIndex;
+    }
+
+    void terminal(int index) {
+        terminalIndex = index;
     }
 
     /** Through which portal, −1 for the picture itself. */

@@ -45,6 +45,7 @@ public final class ViewTree {
             largest.parent().children().add(largest);
             largest.number(views.size() + terminals.size());
             if (views.size() > budget || largest.depth() > DEEPEST) {
+                largest.terminal(terminals.size());
                 terminals.add(largest);
             } else {
                 open(largest, moment.portals());

@@ -18,6 +18,11 @@ public record ClearColour(float red, float green, float blue) {
                 value(radiance.z(), environment, output));
     }
 
+    /** @param rgb 0xRRGGBB, as stored */
+    public static ClearColour of(int rgb) {
+        return new ClearColour((rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f);
+    }
+
     private static float value(double radiance, Environment environment, Output output) {
         return switch (output) {
             case PLAIN -> (float) radiance;

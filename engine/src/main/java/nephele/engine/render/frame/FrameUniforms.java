@@ -41,7 +41,7 @@ public final class FrameUniforms implements AutoCloseable {
     }
 
     private void putClip(View view) {
-        // Without a plane everything lies in front of it, whoever asks.
+        // Mesa's llvmpipe 22.3 may go on cutting by a distance that was just switched off: cut nothing then.
         put(32, view.clip() == null ? Vec3.ZERO : view.clip().normal(), 1);
         values[35] = view.clip() == null ? 1 : (float) view.clip().signedDistance(view.eye());
     }

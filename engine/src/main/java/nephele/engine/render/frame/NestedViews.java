@@ -1,12 +1,30 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.ViewNode;
 
 /** What is seen through portals, for the passes that fill their openings. */
 public interface NestedViews {
-    /** Whether there is anything to fill an opening with; where not, the wall that it lies in shows. */
-    boolean fills(ViewNode child);
+    /** What fills an opening. */
+    enum Filling {
+        /** The wall that it lies in shows. */
+        NOTHING,
+        /** The view behind it, {@link #draw drawn} in place. */
+        VIEW,
+        /** A {@link #picture}. */
+        PICTURE,
+        /** The colour {@link #MARK}. */
+        MARK
+    }
+
+    /** Stands for what is not drawn, where colours tell surfaces apart; 0xRRGGBB. */
+    int MARK = 0xff00ff;
+
+    Filling filling(ViewNode child);
 
     /** Draws a view that is seen in {@code frame} into the same target, as the stencil allows. */
     void draw(FrameContext frame, ViewNode child);
+
+    /** What covers an opening, at the places that {@link OpeningMesh} tells. */
+    Texture picture(ViewNode child);
 }

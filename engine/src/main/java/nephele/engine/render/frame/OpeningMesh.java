@@ -1,13 +1,15 @@
 package nephele.engine.render.frame;
 
 import java.util.Arrays;
-import java.util.List;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PolygonStream;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.scene.PicturePolygon;
 import nephele.engine.scene.Projection;
+import nephele.engine.scene.Reprojection;
+import nephele.engine.scene.View;
+import nephele.engine.scene.ViewHistory;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.ViewTree;
 
@@ -21,6 +23,7 @@ public final class OpeningMesh implements AutoCloseable {
 
     private final PolygonStream stream;
     private final PicturePolygon part = new PicturePolygon();
+    private final Reprojection reprojection = new Reprojection();
     private float[] values = new float[4096];
     private int[] firsts = new int[64];
     private int floats;
@@ -29,21 +32,23 @@ public final class OpeningMesh implements AutoCloseable {
         stream = new PolygonStream(gl, "openings", VertexFormat.of(Attribute.FLOAT4, Attribute.FLOAT3));
     }
 
-    /** Replaces what was there by the openings of {@code tree}. */
-    public void upload(ViewTree tree) {
+    /** Replaces what was there by the openings of {@code tree}; terminal ones look up where {@code history} says. */
+    public void upload(ViewTree tree, ViewHistory history) {
         floats = 0;
-        put(tree.views());
-        put(tree.terminals());
+        for (int i = 1; i < tree.views().size(); i++) {
+            ViewNode node = tree.views().get(i);
+            reprojection.between(node.parent().view(), node.parent().view());
+            put(node);
+        }
+        for (int i = 0; i < tree.terminals().size(); i++) {
+            ViewNode node = tree.terminals().get(i);
+            ViewNode before = history.of(node);
+            View shown = before == null ? node.parent().view() : before.parent().view();
+            reprojection.between(node.parent().view(), shown);
+            put(node);
+        }
         if (floats > 0) {
             stream.upload(values, floats);
-        }
-    }
-
-    private void put(List<ViewNode> nodes) {
-        for (int i = 0; i < nodes.size(); i++) {
-            if (nodes.get(i).parent() != null) {
-                put(nodes.get(i));
-            }
         }
     }
 
@@ -74,15 +79,17 @@ public final class OpeningMesh implements AutoCloseable {
         if (floats + FLOATS_PER_VERTEX > values.length) {
             values = Arrays.copyOf(values, 2 * values.length);
         }
+        double x = part.x(corner);
+        double y = part.y(corner);
         double w = part.w(corner);
         double z = w <= projection.nearMetres() ? -w : projection.depthOffset() - w * projection.depthScale();
-        values[floats++] = (float) part.x(corner);
-        values[floats++] = (float) part.y(corner);
+        values[floats++] = (float) x;
+        values[floats++] = (float) y;
         values[floats++] = (float) z;
         values[floats++] = (float) w;
-        values[floats++] = (float) part.x(corner);
-        values[floats++] = (float) part.y(corner);
-        values[floats++] = (float) w;
+        values[floats++] = (float) reprojection.x(x, y, w);
+        values[floats++] = (float) reprojection.y(x, y, w);
+        values[floats++] = (float) reprojection.w(x, y, w);
     }
 
     /** Draws one opening with the program that is set. */

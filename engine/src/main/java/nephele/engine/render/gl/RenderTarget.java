@@ -39,8 +39,14 @@ public final class RenderTarget implements AutoCloseable {
 
     /** Colour texture of the given format, 24 bits of depth and 8 of stencil. */
     public static RenderTarget picture(GlContext gl, String name, PixelFormat format, int width, int height) {
-        Texture colour = new Texture(
-                gl, name, Texture.Shape.FLAT, format, Texture.Extent.flat(width, height), Sampling.NEAREST_CLAMP);
+        return picture(gl, name, format, width, height, Sampling.NEAREST_CLAMP);
+    }
+
+    /** As {@link #picture(GlContext, String, PixelFormat, int, int)}, to be looked up in some other way. */
+    public static RenderTarget picture(
+            GlContext gl, String name, PixelFormat format, int width, int height, Sampling sampling) {
+        Texture colour =
+                new Texture(gl, name, Texture.Shape.FLAT, format, Texture.Extent.flat(width, height), sampling);
         GlHandle depth =
                 new GlHandle(gl, GlKind.RENDERBUFFER, name, glGenRenderbuffers(), id -> glDeleteRenderbuffers(id));
         glBindRenderbuffer(GL_RENDERBUFFER, depth.id());
@@ -130,8 +136,13 @@ public final class RenderTarget implements AutoCloseable {
 
     /** Binds, sets every colour to the given one, every depth to the farthest and every stencil to 0. */
     public void clear(float red, float green, float blue) {
-        bind();
         gl.state().noScissor();
+        clearWithinScissor(red, green, blue);
+    }
+
+    /** As {@link #clear}, only where the scissor lets through. */
+    public void clearWithinScissor(float red, float green, float blue) {
+        bind();
         gl.state().allowDepthClear();
         if (gl.state().listener() != null) {
             gl.state().listener().cleared(new float[] {red, green, blue, 1});
@@ -157,11 +168,12 @@ public final class RenderTarget implements AutoCloseable {
      */
     public void copyTo(RenderTarget target) {
         target.bind();
+        int from = framebuffer == null ? 0 : framebuffer.id();
         int to = target.framebuffer == null ? 0 : target.framebuffer.id();
         if (gl.state().listener() != null) {
-            gl.state().listener().copied(framebuffer.id(), to, width, height);
+            gl.state().listener().copied(from, to, width, height);
         }
-        copyColours(framebuffer.id(), to, width, height);
+        copyColours(from, to, width, height);
     }
 
     /** Leaves {@code to} bound for reading too, as {@link #bind} does. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Set;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
@@ -51,7 +52,7 @@ public final class OpeningDepthPass implements Pass {
         gl.state().depthOf(DepthOf.OPENING);
         program.use();
         for (int i = 0; i < children.size(); i++) {
-            if (frame.nested().fills(children.get(i))) {
+            if (frame.nested().filling(children.get(i)) != Filling.NOTHING) {
                 openings.draw(children.get(i));
             }
         }

@@ -10,6 +10,8 @@ import nephele.engine.render.gl.Uniforms;
 
 /** Programs that place openings alike, to the last bit of their depth. */
 final class OpeningPrograms {
+    static final int PICTURE_UNIT = 0;
+
     private static final String FOLDER = "/nephele/engine/render/pass/portal/";
 
     private OpeningPrograms() {}
@@ -22,6 +24,14 @@ final class OpeningPrograms {
     /** One colour. */
     static GlProgram<Uniforms.Vector4> colour(LoadContext context) {
         return program(context, "colour.frag", uniforms -> uniforms.vector4("colour"));
+    }
+
+    /** A picture, looked up. */
+    static GlProgram<Object> picture(LoadContext context) {
+        return program(context, "picture.frag", uniforms -> {
+            uniforms.sampler("shown", PICTURE_UNIT);
+            return uniforms;
+        });
     }
 
     private static <U> GlProgram<U> program(LoadContext context, String fragment, Function<Uniforms, U> uniforms) {

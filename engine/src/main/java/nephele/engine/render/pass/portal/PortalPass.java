@@ -8,6 +8,7 @@ import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
@@ -32,10 +33,14 @@ public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("portal", level -> PortalNeeds.of(level, PortalPass::new));
 
+    private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
+
     private final GlContext gl;
     private GlProgram<Object> nothing;
     private GlProgram<Uniforms.Vector4> colour;
+    private GlProgram<Object> picture;
     private OpeningMesh openings;
+    private ClearColour clear;
     /** Whether something is drawn wherever nothing else is, so that the clear colour never shows. */
     private boolean skyCovers;
 
@@ -53,22 +58,43 @@ public final class PortalPass implements Pass {
         Environment environment = context.scene().level().environment();
         nothing = OpeningPrograms.nothing(context);
         colour = OpeningPrograms.colour(context);
+        picture = OpeningPrograms.picture(context);
         openings = context.shared().openings();
         skyCovers = environment.sky() != null
                 && !(environment.sky() instanceof Sky.Constant)
                 && FogVeil.of(environment).isEmpty();
-        ClearColour clear = ClearColour.of(environment, context.output());
-        colour.uniforms().set(clear.red(), clear.green(), clear.blue(), 1);
+        clear = ClearColour.of(environment, context.output());
     }
 
     @Override
     public void draw(FrameContext frame) {
         List<ViewNode> children = frame.node().children();
         for (int i = 0; i < children.size(); i++) {
-            if (frame.nested().fills(children.get(i))) {
-                drawThrough(frame, children.get(i));
+            ViewNode child = children.get(i);
+            switch (frame.nested().filling(child)) {
+                case NOTHING -> {}
+                case VIEW -> drawThrough(frame, child);
+                case PICTURE -> {
+                    frame.nested().picture(child).bind(OpeningPrograms.PICTURE_UNIT);
+                    cover(frame, child, picture);
+                }
+                case MARK -> {
+                    colour(MARK);
+                    cover(frame, child, colour);
+                }
             }
         }
+    }
+
+    private void cover(FrameContext frame, ViewNode child, GlProgram<?> program) {
+        frame.surface().bind();
+        gl.state().depthOf(DepthOf.OPENING);
+        draw(child, program, Depth.EQUAL);
+        gl.state().depthOf(DepthOf.SURFACE);
+    }
+
+    private void colour(ClearColour c) {
+        colour.uniforms().set(c.red(), c.green(), c.blue(), 1);
     }
 
     private void drawThrough(FrameContext frame, ViewNode child) {
@@ -79,6 +105,7 @@ public final class PortalPass implements Pass {
         state.stencil(Stencil.EQUAL_COUNT_UP, depth);
         draw(child, nothing, Depth.EQUAL_ONLY_STENCIL);
         state.depthOf(DepthOf.FARTHEST);
+        colour(clear);
         state.stencil(Stencil.EQUAL, depth + 1);
         draw(
                 child,
@@ -106,6 +133,9 @@ public final class PortalPass implements Pass {
         }
         if (colour != null) {
             colour.close();
+        }
+        if (picture != null) {
+            picture.close();
         }
     }
 }

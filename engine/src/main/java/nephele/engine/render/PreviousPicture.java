@@ -1,0 +1,74 @@
+package nephele.engine.render;
+
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.scene.Moment;
+import nephele.engine.scene.ViewHistory;
+import nephele.engine.scene.ViewTree;
+
+/** The picture before this one and what was seen where in it; empty at first and after a cut. */
+final class PreviousPicture implements AutoCloseable {
+    private final GlContext gl;
+    private final ViewHistory history = new ViewHistory();
+    /** In turn: one grows while the other one's views are looked up. */
+    private ViewTree next = new ViewTree();
+
+    private ViewTree kept = new ViewTree();
+    private RenderTarget copy;
+    private PixelFormat format;
+
+    PreviousPicture(GlContext gl) {
+        this.gl = gl;
+    }
+
+    /** The tree to grow for the frame that begins. */
+    ViewTree nextTree() {
+        return next;
+    }
+
+    void match(ViewTree tree, Moment moment, int width, int height) {
+        if (copy != null && (copy.width() != width || copy.height() != height)) {
+            history.forget();
+        }
+        history.match(tree, moment.portals());
+    }
+
+    void remember(ViewTree tree, Moment moment, RenderTarget surface, PixelFormat surfaceFormat) {
+        if (copy == null
+                || copy.width() != surface.width()
+                || copy.height() != surface.height()
+                || format != surfaceFormat) {
+            close();
+            format = surfaceFormat;
+            copy = RenderTarget.picture(
+                    gl, "previous picture", format, surface.width(), surface.height(), Sampling.LINEAR_CLAMP);
+        }
+        surface.copyTo(copy);
+        history.remember(tree, moment.portals());
+        next = kept;
+        kept = tree;
+    }
+
+    void forget() {
+        history.forget();
+    }
+
+    ViewHistory history() {
+        return history;
+    }
+
+    Texture picture() {
+        return copy.colour();
+    }
+
+    @Override
+    public void close() {
+        if (copy != null) {
+            copy.close();
+            copy = null;
+        }
+    }
+}

@@ -1,0 +1,99 @@
+package nephele.engine.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+
+/**
+ * Where in the picture before this one the same portals were seen, for openings that are filled from it. Views are told
+ * by where their eyes are before a portal, not by the portals between: the player may have stepped through one since.
+ */
+public final class ViewHistory {
+    /** Of half the picture: a lookup so far beyond an opening's edge still meets its last pixel. */
+    private static final double EDGE = 2e-3;
+
+    private final List<ViewNode> matches = new ArrayList<>();
+    private final Reprojection reprojection = new Reprojection();
+    private ViewTree before;
+    private Portals portalsBefore;
+
+    /** Keeps the views of a picture that stays to be looked at; they must not change from now on. */
+    public void remember(ViewTree tree, Portals portals) {
+        before = tree;
+        portalsBefore = portals;
+    }
+
+    public void forget() {
+        before = null;
+        matches.clear();
+    }
+
+    public boolean isEmpty() {
+        return before == null;
+    }
+
+    /** Looks for every terminal opening of {@code now}. */
+    public void match(ViewTree now, Portals portals) {
+        matches.clear();
+        for (int i = 0; i < now.terminals().size(); i++) {
+            matches.add(before == null ? null : best(now.terminals().get(i), portals));
+        }
+    }
+
+    /** @return what to take the picture of a terminal opening from, or {@code null} */
+    public ViewNode of(ViewNode terminal) {
+        return matches.get(terminal.terminal());
+    }
+
+    private ViewNode best(ViewNode terminal, Portals portals) {
+        int portal = terminal.portal();
+        if (!isAsBefore(portal, portals) || !isAsBefore(portals.partner(portal), portals)) {
+            return null;
+        }
+        ViewNode best = null;
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 1; i < before.views().size(); i++) {
+            ViewNode shown = before.views().get(i);
+            double away = squareDistance(
+                    shown.parent().view().eye(), terminal.parent().view().eye());
+            if (shown.portal() == portal && away < least && covers(shown, terminal)) {
+                best = shown;
+                least = away;
+            }
+        }
+        return best;
+    }
+
+    private boolean isAsBefore(int portal, Portals portals) {
+        if (portal >= portalsBefore.size() || portalsBefore.partner(portal) != portals.partner(portal)) {
+            return false;
+        }
+        Portal then = portalsBefore.portal(portal);
+        Portal now = portals.portal(portal);
+        return then == now || then.centre().equals(now.centre()) && then.frame().equals(now.frame());
+    }
+
+    private static double squareDistance(Vec3 a, Vec3 b) {
+        double x = a.x() - b.x();
+        double y = a.y() - b.y();
+        double z = a.z() - b.z();
+        return x * x + y * y + z * z;
+    }
+
+    /** Whether all that shows of {@code terminal} was seen where {@code shown} was. */
+    private boolean covers(ViewNode shown, ViewNode terminal) {
+        reprojection.between(terminal.parent().view(), shown.parent().view());
+        PicturePolygon seen = terminal.region();
+        for (int i = 0; i < seen.size(); i++) {
+            double w = reprojection.w(seen.x(i), seen.y(i), seen.w(i));
+            double x = reprojection.x(seen.x(i), seen.y(i), seen.w(i)) / w;
+            double y = reprojection.y(seen.x(i), seen.y(i), seen.w(i)) / w;
+            if (!(w > 0) || shown.region().outside(x, y) > EDGE) {
+                return false;
+            }
+        }
+        return true;
+    }
+}
