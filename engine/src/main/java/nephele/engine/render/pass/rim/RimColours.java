@@ -6,13 +6,15 @@ import nephele.engine.scene.Moment;
 
 /**
  * The colours of portals, linear RGB as displayed. The two shots differ to every eye: blue and orange, and their
- * patterns differ too. Pairs of the level take hues that lie far apart however many there are.
+ * patterns differ too. Pairs of the level take hues away from both, and far from one another however many
+ * there are.
  */
 public final class RimColours {
     private static final Vec3 FIRST = new Vec3(0.05, 0.42, 1);
     private static final Vec3 SECOND = new Vec3(1, 0.36, 0.03);
     private static final double GOLDEN_SHARE = 0.6180339887498949;
-    private static final double FIRST_HUE = 0.36;
+    /** Of the hues between blue and orange, the greens come first. */
+    private static final double GREENS = 0.45;
 
     private RimColours() {}
 
@@ -28,7 +30,9 @@ public final class RimColours {
         }
         int partner = moment.portals().partner(portal);
         int pair = partner == Portals.CLOSED ? portal : Math.min(portal, partner);
-        return hue(FIRST_HUE + GOLDEN_SHARE * pair);
+        double place = 0.2 + GOLDEN_SHARE * pair;
+        place -= Math.floor(place);
+        return hue(place < GREENS ? 0.24 + 0.24 * place / GREENS : 0.72 + 0.25 * (place - GREENS) / (1 - GREENS));
     }
 
     /** A clear, not quite saturated colour. */

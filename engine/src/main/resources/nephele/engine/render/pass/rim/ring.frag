@@ -56,5 +56,5 @@ void main() {
     vec3 luminous = mix(tint * 0.10, hot * 1.5, lit);
     writeRadiance(radianceOf(mix(housing, luminous, strip)));
     bool isGhost = tintAndOpacity.a < 1.0;
-    pixel.a = isGhost ? tintAndOpacity.a * strip * (0.25 + 0.75 * lit) : 1.0;
+    pixel.a = isGhost ? tintAndOpacity.a * strip * (0.6 + 0.4 * lit) : 1.0;
 }
