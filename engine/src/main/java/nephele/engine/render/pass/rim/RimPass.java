@@ -7,6 +7,7 @@ import nephele.engine.level.Level;
 import nephele.engine.portal.Aperture;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
@@ -83,7 +84,7 @@ public final class RimPass implements Pass {
     private static boolean isLeftUnfilled(FrameContext frame, int portal) {
         List<ViewNode> children = frame.node().children();
         for (int i = 0; i < children.size(); i++) {
-            if (children.get(i).portal() == portal && !frame.nested().fills(children.get(i))) {
+            if (children.get(i).portal() == portal && frame.nested().filling(children.get(i)) == Filling.NOTHING) {
                 return true;
             }
         }
