@@ -6,7 +6,9 @@ import nephele.engine.level.Level;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.pass.thing.ThingPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
+import nephele.engine.scene.thing.FigurePresence;
 
 /** Which passes a level requires, in frame order, and why. */
 public record FramePlan(List<Step> steps) {
@@ -14,11 +16,18 @@ public record FramePlan(List<Step> steps) {
     public record Step(RenderFeature feature, List<Required> required) {}
 
     public static FramePlan forLevel(Level level, Output output) {
+        return forLevel(level, output, FigurePresence.NEVER);
+    }
+
+    public static FramePlan forLevel(Level level, Output output, FigurePresence figure) {
         List<Step> steps = new ArrayList<>();
         for (RenderFeature feature : RenderFeatures.ALL) {
             List<Required> required = new ArrayList<>(feature.requiredBy().apply(level));
             if (feature == ToneMapPass.FEATURE && output == Output.HDR && required.isEmpty()) {
                 required.add(ToneMapPass.FOR_OUTPUT_HDR);
+            }
+            if (feature == ThingPass.FEATURE && figure == FigurePresence.POSSIBLE && required.isEmpty()) {
+                required.add(ThingPass.forFigure(level));
             }
             steps.add(new Step(feature, List.copyOf(required)));
         }

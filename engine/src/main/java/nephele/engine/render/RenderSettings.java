@@ -5,10 +5,17 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
 import nephele.engine.scene.VisibleSet;
+import nephele.engine.scene.thing.FigurePresence;
 
 /** What the caller, not the level, decides about a picture. */
 public record RenderSettings(
-        Output output, Quality quality, Culling culling, Narrowing narrowing, Decoration decoration, Deepest deepest) {
+        Output output,
+        Quality quality,
+        Culling culling,
+        Narrowing narrowing,
+        Decoration decoration,
+        Deepest deepest,
+        FigurePresence figure) {
     /** How solids outside of a view are left out; pictures do not differ. */
     public enum Culling {
         /** Everything is drawn. */
@@ -60,26 +67,31 @@ public record RenderSettings(
     }
 
     public static RenderSettings of(Output output, Quality quality) {
-        return new RenderSettings(output, quality, Culling.HIERARCHY, Narrowing.ON, Decoration.ON, Deepest.HISTORY);
+        return new RenderSettings(
+                output, quality, Culling.HIERARCHY, Narrowing.ON, Decoration.ON, Deepest.HISTORY, FigurePresence.NEVER);
     }
 
     public RenderSettings with(Quality newQuality) {
-        return new RenderSettings(output, newQuality, culling, narrowing, decoration, deepest);
+        return new RenderSettings(output, newQuality, culling, narrowing, decoration, deepest, figure);
     }
 
     public RenderSettings with(Culling newCulling) {
-        return new RenderSettings(output, quality, newCulling, narrowing, decoration, deepest);
+        return new RenderSettings(output, quality, newCulling, narrowing, decoration, deepest, figure);
     }
 
     public RenderSettings with(Narrowing newNarrowing) {
-        return new RenderSettings(output, quality, culling, newNarrowing, decoration, deepest);
+        return new RenderSettings(output, quality, culling, newNarrowing, decoration, deepest, figure);
     }
 
     public RenderSettings with(Decoration newDecoration) {
-        return new RenderSettings(output, quality, culling, narrowing, newDecoration, deepest);
+        return new RenderSettings(output, quality, culling, narrowing, newDecoration, deepest, figure);
     }
 
     public RenderSettings with(Deepest newDeepest) {
-        return new RenderSettings(output, quality, culling, narrowing, decoration, newDeepest);
+        return new RenderSettings(output, quality, culling, narrowing, decoration, newDeepest, figure);
+    }
+
+    public RenderSettings with(FigurePresence newFigure) {
+        return new RenderSettings(output, quality, culling, narrowing, decoration, deepest, newFigure);
     }
 }

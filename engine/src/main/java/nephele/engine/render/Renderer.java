@@ -75,9 +75,10 @@ public final class Renderer implements AutoCloseable {
     }
 
     private void buildPasses() {
-        LoadContext context = new LoadContext(gl, scene, settings.output(), settings.quality(), shared);
-        for (FramePlan.Step step :
-                FramePlan.forLevel(scene.level(), settings.output()).steps()) {
+        LoadContext context =
+                new LoadContext(gl, scene, settings.output(), settings.quality(), settings.figure(), shared);
+        for (FramePlan.Step step : FramePlan.forLevel(scene.level(), settings.output(), settings.figure())
+                .steps()) {
             for (Required required : step.required()) {
                 Pass pass = required.build().apply(gl);
                 if (settings.decoration() == Decoration.ON || !pass.isDecoration()) {

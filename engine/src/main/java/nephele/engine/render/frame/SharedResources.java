@@ -10,7 +10,6 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.thing.FigurePresence;
 import nephele.engine.scene.thing.Things;
 
 /** What several passes of one level use; made when the first of them asks, closed with the level. */
@@ -78,7 +77,7 @@ public final class SharedResources implements AutoCloseable {
     /** What moves, on the GPU. */
     public ThingMeshes things(LoadContext context) {
         if (things == null) {
-            Things all = Things.of(scene.level(), scene.materials(), FigurePresence.NEVER);
+            Things all = Things.of(scene.level(), scene.materials(), context.figure());
             things = new ThingMeshes(gl, all, surfaceLight(context).anchor());
         }
         return things;

@@ -1,5 +1,6 @@
 package nephele.engine.scene.thing;
 
+import java.util.Arrays;
 import nephele.engine.scene.thing.ThingMesh.Builder;
 import nephele.engine.scene.thing.ThingMesh.Range;
 
@@ -86,8 +87,10 @@ final class BodyMeshes {
         }
     }
 
-    /** How far the flat sides of a step lie within the round shape, in radii. */
-    static double flatness(int step) {
-        return 1 - Math.cos(Math.PI / SIDES[step]);
+    /** How far the flat sides of each step lie within the round shape, in radii. */
+    static double[] flatness() {
+        return Arrays.stream(SIDES)
+                .mapToDouble(sides -> 1 - Math.cos(Math.PI / sides))
+                .toArray();
     }
 }

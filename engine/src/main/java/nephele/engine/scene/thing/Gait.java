@@ -13,7 +13,7 @@ public final class Gait {
     private static final double SLOWEST_CYCLES_PER_SECOND = 0.9;
     private static final double CYCLES_PER_SECOND_PER_STRIDE = 0.75;
     /** No leg reaches farther from first to last contact. */
-    private static final double LONGEST_CONTACT_METRES = 0.9;
+    private static final double LONGEST_CONTACT_METRES = 0.75;
 
     private static final double LONGEST_CONTACT_SHARE = 0.6;
 
@@ -32,5 +32,43 @@ public final class Gait {
     /** Share of a cycle that a foot is on the ground. */
     static double contactShare(double stride) {
         return Math.min(LONGEST_CONTACT_SHARE, LONGEST_CONTACT_METRES / Math.max(cycleMetres(stride), 1e-9));
+    }
+
+    /**
+     * Where a foot is at one time of the cycle.
+     *
+     * @param along metres ahead of the body's middle
+     * @param lift of the ankle, as a share of the highest
+     * @param pitch of the foot about its ball, 1 heel highest, negative toes up
+     */
+    record Foot(double along, double lift, double pitch) {}
+
+    /** @param phase of the cycle since this foot touched the ground, 0 to 1 */
+    static Foot foot(double phase, double stride) {
+        double share = contactShare(stride);
+        double length = share * cycleMetres(stride);
+        if (phase < share) {
+            double t = phase / share;
+            double toesUp = -0.3 * Math.max(0, 1 - t / 0.2);
+            double heelUp = smooth((t - 0.6) / 0.4);
+            return new Foot(length * (0.5 - t), 0, toesUp + 0.75 * heelUp);
+        }
+        double t = (phase - share) / (1 - share);
+        // Leaves and meets the ground with the ground's own speed.
+        double speed = -length * (1 - share) / share;
+        double along = hermite(t, -length / 2, length / 2, speed);
+        double pitch = t < 0.35 ? 0.75 + 0.25 * smooth(t / 0.35) : 1 - 1.3 * smooth((t - 0.35) / 0.6);
+        return new Foot(along, Math.pow(Math.sin(Math.PI * t), 1.5), pitch);
+    }
+
+    static double smooth(double x) {
+        double t = Math.max(0, Math.min(1, x));
+        return t * t * (3 - 2 * t);
+    }
+
+    /** Cubic from a to b with the same slope at both ends. */
+    private static double hermite(double t, double a, double b, double slope) {
+        double s = smooth(t);
+        return a + (b - a) * s + slope * (t * (1 - t) * (1 - t) - t * t * (1 - t));
     }
 }

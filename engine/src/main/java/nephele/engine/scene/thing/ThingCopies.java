@@ -1,9 +1,11 @@
 package nephele.engine.scene.thing;
 
 import java.util.Arrays;
+import java.util.Objects;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.scene.Moment;
+import nephele.engine.scene.Moment.Posture;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
@@ -19,14 +21,23 @@ public final class ThingCopies {
     public static final int FLOATS = 24;
 
     private static final int BALL = 4;
+    /** Of the ball around the middle of a head that holds all of it, and a near plane more. */
+    private static final double HEAD_METRES = 0.23;
+
     /** A plane that cuts nothing. */
     private static final float FAR_METRES = 1e9f;
+
+    private static final Vec3 UNIT = new Vec3(1, 1, 1);
 
     private final Things things;
     private final Vec3 anchor;
     private final ThingPlaces places = new ThingPlaces();
     private final int[] groupStart;
     private final double[] lastPoses;
+    private final FigurePose pose = new FigurePose();
+    private final Vector3d anchorOfFigure = new Vector3d();
+    private final ThingShape[] figureShapes =
+            Arrays.stream(FigurePart.ALL).map(FigurePart::shape).toArray(ThingShape[]::new);
     private final ThingShape[] oneShape = new ThingShape[1];
     private final Vector3d centre = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
@@ -34,6 +45,8 @@ public final class ThingCopies {
     private double[] balls = new double[64 * BALL];
     private int instances;
     private Portals lastPortals;
+    private Posture lastFigure;
+    private double lastSeconds;
     private long version;
 
     /** @param anchor world position that packed centres are relative to */
@@ -55,7 +68,11 @@ public final class ThingCopies {
             for (int group = 0; group < things.groups().size(); group++) {
                 groupStart[group] = instances;
                 for (int member : things.members().get(group)) {
-                    add(moment, member);
+                    if (member == Things.FIGURE) {
+                        addFigure(moment);
+                    } else {
+                        add(moment, member);
+                    }
                 }
             }
             groupStart[groupStart.length - 1] = instances;
@@ -65,7 +82,7 @@ public final class ThingCopies {
     }
 
     private boolean hasChanged(Moment moment) {
-        boolean changed = version == 0 || moment.portals() != lastPortals;
+        boolean changed = version == 0 || moment.portals() != lastPortals || isFigureNew(moment);
         lastPortals = moment.portals();
         for (int body = 0; body < things.shapes().size(); body++) {
             moment.centre(body, centre);
@@ -75,6 +92,14 @@ public final class ThingCopies {
             changed |= differs(7 * body + 4, turn.y, turn.z, turn.w);
         }
         return changed;
+    }
+
+    private boolean isFigureNew(Moment moment) {
+        boolean isNew = moment.figure() != null && lastSeconds != moment.seconds()
+                || !Objects.equals(moment.figure(), lastFigure);
+        lastFigure = moment.figure();
+        lastSeconds = moment.seconds();
+        return isNew;
     }
 
     /** Remembers three values and tells whether they are new. */
@@ -98,6 +123,25 @@ public final class ThingCopies {
         }
     }
 
+    private void addFigure(Moment moment) {
+        if (moment.figure() == null) {
+            return;
+        }
+        pose.take(moment.figure(), moment.seconds());
+        Vec3 middle = moment.figure().centre();
+        anchorOfFigure.set(middle.x(), middle.y(), middle.z());
+        places.begin(FigurePart.ALL.length);
+        for (FigurePart part : FigurePart.ALL) {
+            places.place(part.ordinal(), pose.centre(part), pose.orientation(part), anchorOfFigure);
+        }
+        places.spread(moment.portals(), figureShapes);
+        for (int copy = 0; copy < places.copies(); copy++) {
+            for (int part = 0; part < figureShapes.length; part++) {
+                pack(ThingPlaces.slot(copy, part), figureShapes[part], things.figureMaterial());
+            }
+        }
+    }
+
     private void pack(int slot, ThingShape shape, int material) {
         if ((instances + 1) * FLOATS > packed.length) {
             packed = Arrays.copyOf(packed, 2 * packed.length);
@@ -117,7 +161,7 @@ public final class ThingCopies {
         double z = centre.z - anchor.z();
         put(at + 4, (float) x, (float) y, (float) z, material);
         put(at + 8, (float) (x - (float) x), (float) (y - (float) y), (float) (z - (float) z), shape.kind());
-        Vec3 half = places.isShown(slot) ? shape.half() : Vec3.ZERO;
+        Vec3 half = !places.isShown(slot) ? Vec3.ZERO : shape.kind() == ThingShape.PART ? UNIT : shape.half();
         put(at + 12, (float) half.x(), (float) half.y(), (float) half.z(), (float) shape.halfAxisMetres());
         putPlane(at + 16, slot, 0);
         putPlane(at + 20, slot, 1);
@@ -155,6 +199,15 @@ public final class ThingCopies {
     /** The first instance of a group; that of the group after the last is the number of instances. */
     public int start(int group) {
         return groupStart[group];
+    }
+
+    /** Whether the last part of the copy that begins with {@code instance} encloses a point. */
+    boolean headEncloses(int instance, int parts, Vec3 eye) {
+        int head = BALL * (instance + parts - 1);
+        double x = balls[head] - eye.x();
+        double y = balls[head + 1] - eye.y();
+        double z = balls[head + 2] - eye.z();
+        return x * x + y * y + z * z < HEAD_METRES * HEAD_METRES;
     }
 
     /** Component 0–2 of the centre of the ball around an instance, or 3: its radius; world metres. */

@@ -7,6 +7,7 @@ import java.util.Map;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.scene.SceneMaterials;
+import nephele.engine.scene.SceneMaterials.Slot;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.SolidGeometry;
@@ -31,6 +32,13 @@ public record Things(
     /** In place of a body's number. */
     static final int FIGURE = -1;
 
+    /** Sides of the figure's rounded parts, doubled where they are large. */
+    private static final int FINE = 2;
+
+    private static final int COARSE = 1;
+    /** Of a figure's reach: half a centimetre. */
+    private static final double COARSE_FLATNESS = 0.005;
+
     private record Key(boolean round, SolidBatch.Kind kind) {}
 
     public static Things of(Level level, SceneMaterials known, FigurePresence figure) {
@@ -51,11 +59,42 @@ public record Things(
         List<ThingGroup> groups = new ArrayList<>();
         List<int[]> members = new ArrayList<>();
         sorted.forEach((key, bodies) -> {
-            groups.add(new ThingGroup(key.round ? round : box, key.kind, 1, null));
+            groups.add(
+                    key.round
+                            ? new ThingGroup(round, null, BodyMeshes.flatness(), key.kind, 1)
+                            : new ThingGroup(box, null, new double[1], key.kind, 1));
             members.add(bodies.stream().mapToInt(i -> i).toArray());
         });
+        List<Surface> materials = new ArrayList<>(known.surfaces());
+        if (figure == FigurePresence.POSSIBLE) {
+            members.add(new int[] {FIGURE});
+            groups.add(figureGroup(mesh, materials));
+        }
         return new Things(
-                mesh.finished(), List.copyOf(groups), known.surfaces(), List.copyOf(members), shapes, materialOf);
+                mesh.finished(), List.copyOf(groups), List.copyOf(materials), List.copyOf(members), shapes, materialOf);
+    }
+
+    /** Appends the figure's materials, all in one block. */
+    private static ThingGroup figureGroup(Builder mesh, List<Surface> materials) {
+        int perBlock = SolidGeometry.MATERIALS_PER_BLOCK;
+        while (materials.size() % perBlock + FigureMesh.MATERIALS.size() > perBlock) {
+            materials.add(materials.get(0));
+        }
+        int first = materials.size();
+        FigureMesh.MATERIALS.forEach(material -> materials.add(new Surface(material, Slot.NONE, Slot.NONE)));
+        Range[] fine = FigureMesh.add(mesh, FINE);
+        Range[] coarse = FigureMesh.add(mesh, COARSE);
+        return new ThingGroup(
+                new Range[] {fine[0], coarse[0]},
+                new Range[] {fine[1], coarse[1]},
+                new double[] {0, COARSE_FLATNESS},
+                new SolidBatch.Kind(false, -1, -1, first / perBlock),
+                FigurePart.ALL.length);
+    }
+
+    /** The figure's materials in its block begin here. */
+    int figureMaterial() {
+        return (materials.size() - FigureMesh.MATERIALS.size()) % SolidGeometry.MATERIALS_PER_BLOCK;
     }
 
     private static SolidBatch.Kind kind(Surface surface, int material) {

@@ -32,22 +32,32 @@ public final class VisibleThings {
         runs = 0;
         double pixelsPerTangent = pictureHeight / (2 * view.projection().tanHalfHeight());
         for (int group = 0; group < things.groups().size(); group++) {
-            for (int i = copies.start(group); i < copies.start(group + 1); i++) {
-                double radius = copies.ball(i, 3);
-                if (frustum.maySee(copies.ball(i, 0), copies.ball(i, 1), copies.ball(i, 2), radius)) {
-                    double pixels = radius * pixelsPerTangent / distance(view.eye(), i);
-                    add(group, i, mesh(things.groups().get(group).steps(), pixels));
+            ThingGroup shape = things.groups().get(group);
+            for (int i = copies.start(group); i < copies.start(group + 1); i += shape.parts()) {
+                if (maySee(frustum, i, shape.parts())) {
+                    double pixels = copies.ball(i, 3) * pixelsPerTangent / distance(view.eye(), i);
+                    add(group, i, mesh(shape, pixels, i, view.eye()));
                 }
             }
         }
+    }
+
+    private boolean maySee(Frustum frustum, int first, int parts) {
+        for (int i = first; i < first + parts; i++) {
+            if (frustum.maySee(copies.ball(i, 0), copies.ball(i, 1), copies.ball(i, 2), copies.ball(i, 3))) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Every instance with its finest mesh. */
     public void takeAll() {
         runs = 0;
         for (int group = 0; group < things.groups().size(); group++) {
-            for (int i = copies.start(group); i < copies.start(group + 1); i++) {
-                add(group, i, things.groups().get(group).steps()[0]);
+            ThingGroup shape = things.groups().get(group);
+            for (int i = copies.start(group); i < copies.start(group + 1); i += shape.parts()) {
+                add(group, i, shape.steps()[0]);
             }
         }
     }
@@ -60,18 +70,19 @@ public final class VisibleThings {
         return Math.max(nearest, 1e-3);
     }
 
-    private static Range mesh(Range[] steps, double radiusPixels) {
-        int step = steps.length - 1;
-        while (step > 0 && BodyMeshes.flatness(step) * radiusPixels > FLATNESS_PIXELS) {
+    private Range mesh(ThingGroup shape, double radiusPixels, int instance, Vec3 eye) {
+        int step = shape.steps().length - 1;
+        while (step > 0 && shape.flatness()[step] * radiusPixels > FLATNESS_PIXELS) {
             step--;
         }
-        return steps[step];
+        boolean isHeadless = shape.headless() != null && copies.headEncloses(instance, shape.parts(), eye);
+        return isHeadless ? shape.headless()[step] : shape.steps()[step];
     }
 
     private void add(int group, int instance, Range mesh) {
         int last = runs - 1;
         if (last >= 0 && groups[last] == group && meshes[last] == mesh && firsts[last] + counts[last] == instance) {
-            counts[last]++;
+            counts[last] += things.groups().get(group).parts();
             return;
         }
         if (runs == groups.length) {
@@ -82,7 +93,7 @@ public final class VisibleThings {
         }
         groups[runs] = group;
         firsts[runs] = instance;
-        counts[runs] = 1;
+        counts[runs] = things.groups().get(group).parts();
         meshes[runs++] = mesh;
     }
 

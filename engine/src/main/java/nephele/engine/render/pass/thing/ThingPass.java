@@ -61,11 +61,17 @@ public final class ThingPass implements Pass {
     }
 
     private static List<Required> requiredBy(Level level) {
-        if (level.bodies().isEmpty()) {
-            return List.of();
-        }
+        return level.bodies().isEmpty() ? List.of() : List.of(required(level, "bodies: things that move"));
+    }
+
+    /** What whoever plays asks for, in a level that asks for nothing itself. */
+    public static Required forFigure(Level level) {
+        return required(level, "player: a figure to be seen");
+    }
+
+    private static Required required(Level level, String because) {
         Set<Target> reads = SurfaceLight.targetsRead(level);
-        return List.of(new Required("bodies: things that move", gl -> new ThingPass(gl, reads)));
+        return new Required(because, gl -> new ThingPass(gl, reads));
     }
 
     @Override

@@ -1,0 +1,284 @@
+package nephele.engine.scene.thing;
+
+import nephele.engine.math.Basis;
+import nephele.engine.math.Rotations;
+import nephele.engine.math.Vec3;
+import nephele.engine.scene.Moment.Posture;
+import org.joml.Matrix3d;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/**
+ * Where each part of the figure is in a posture. The head stays where the eye is; the body hangs below it, and the legs
+ * reach the feet (two bones and the law of cosines), which {@link Gait} puts down. One object serves frame after frame.
+ */
+final class FigurePose {
+    /** Metres of the standing figure. */
+    private static final double STATURE = 1.8;
+
+    private static final double HEAD_BELOW_CROWN = 0.165;
+    private static final double HEAD_TO_CHEST = 0.3;
+    private static final double HEAD_TO_HIPS = 0.7;
+    private static final double HALF_HIPS = 0.09;
+    private static final double HALF_SHOULDERS = 0.205;
+    private static final double SHOULDER_ABOVE_CHEST = 0.1;
+    private static final double THIGH = 0.43;
+    private static final double SHIN = 0.41;
+    private static final double ANKLE = 0.09;
+    /** Ahead of the ankle: what the foot turns about. */
+    private static final double BALL = 0.11;
+
+    private static final double UPPER_ARM = 0.29;
+    private static final double FOREARM = 0.26;
+    private static final double TALLEST_LIFT = 0.16;
+
+    private final Vector3d[] centres = new Vector3d[FigurePart.ALL.length];
+    private final Quaterniond[] turns = new Quaterniond[FigurePart.ALL.length];
+    private final Matrix3d worldFromFigure = new Matrix3d();
+    private final Vector3d sole = new Vector3d();
+    private final Vector3d head = new Vector3d();
+    private final Vector3d hips = new Vector3d();
+    private final Vector3d[] ankles = {new Vector3d(), new Vector3d()};
+    private final double[] footPitch = new double[2];
+    private final Vector3d joint = new Vector3d();
+    private final Vector3d middle = new Vector3d();
+    private final Vector3d end = new Vector3d();
+    private final Vector3d along = new Vector3d();
+    private final Vector3d bend = new Vector3d();
+    private final Matrix3d chest = new Matrix3d();
+    private final Matrix3d pelvis = new Matrix3d();
+    private final Matrix3d turn = new Matrix3d();
+
+    FigurePose() {
+        for (int i = 0; i < centres.length; i++) {
+            centres[i] = new Vector3d();
+            turns[i] = new Quaterniond();
+        }
+    }
+
+    /** In the world, valid until the next {@link #take}. */
+    Vector3d centre(FigurePart part) {
+        return centres[part.ordinal()];
+    }
+
+    /** World from part. */
+    Quaterniond orientation(FigurePart part) {
+        return turns[part.ordinal()];
+    }
+
+    /** @param seconds by which the figure breathes */
+    void take(Posture posture, double seconds) {
+        Posture p = Postures.sane(posture);
+        place(p);
+        double crouch = Math.max(0, Math.min(1, (STATURE - p.heightMetres()) / 0.7));
+        double moving = Gait.smooth(p.stride() / 0.3);
+        double lean = 0.55 * crouch + 0.1 * Math.min(1.6, p.stride()) * Math.cos(p.travelRadians());
+        double folded = folded(p.travelRadians());
+        pelvis.rotationY(0.55 * folded * moving).rotateX(-0.6 * lean);
+        head.set(0, p.heightMetres() - HEAD_BELOW_CROWN, 0);
+        hips.set(0, -HEAD_TO_HIPS, 0).rotateX(-lean).add(head);
+        hips.z += bowed(p) / 2 - 0.25 * HEAD_TO_HIPS * Math.sin(lean);
+        feet(p, 0.7 * folded * moving, moving);
+        reachFeet();
+        for (int side = 0; side < 2; side++) {
+            leg(side, 0.7 * folded * moving);
+        }
+        double breath = Math.sin(seconds * Math.PI / 2.1);
+        torso(p, lean, folded * moving, breath);
+        for (int side = 0; side < 2; side++) {
+            arm(p, side, moving, breath);
+        }
+        joint.set(head);
+        turn.rotationX(p.pitchRadians() * 0.85);
+        put(FigurePart.HEAD, joint, turn);
+    }
+
+    /** Who looks down has the head before the body, metres: so it sees its legs. */
+    private static double bowed(Posture p) {
+        return 0.15 * Math.max(0, -Math.sin(p.pitchRadians()));
+    }
+
+    /** Legs never walk more than a quarter turn aside: what is farther is walked backwards. */
+    private static double folded(double travel) {
+        return Math.abs(travel) <= Math.PI / 2 ? travel : travel - Math.copySign(Math.PI, travel);
+    }
+
+    private void place(Posture p) {
+        Basis ahead = Basis.ofYawPitch(p.yawRadians(), 0);
+        worldFromFigure.set(
+                ahead.right().x(),
+                ahead.right().y(),
+                ahead.right().z(),
+                ahead.up().x(),
+                ahead.up().y(),
+                ahead.up().z(),
+                ahead.back().x(),
+                ahead.back().y(),
+                ahead.back().z());
+        Vec3 up = p.up();
+        Quaterniond upright = new Quaterniond().rotationTo(0, 1, 0, up.x(), up.y(), up.z());
+        worldFromFigure.rotateLocal(Rotations.renormalised(upright));
+        sole.set(p.centre().x(), p.centre().y(), p.centre().z());
+        sole.fma(-p.heightMetres() / 2, worldFromFigure.getColumn(1, along));
+    }
+
+    /** Where both ankles want to be: on the ground, or in the air. */
+    private void feet(Posture p, double footYaw, double moving) {
+        double amplitude = Gait.smooth(p.stride() / 0.25) * TALLEST_LIFT * (0.55 + 0.45 * Math.min(1.5, p.stride()));
+        double forward = Math.cos(p.travelRadians());
+        for (int side = 0; side < 2; side++) {
+            double out = side == 0 ? -1 : 1;
+            Gait.Foot foot = Gait.foot((p.step() + 0.5 * side) % 1, p.stride());
+            double way = foot.along();
+            double pitch = foot.pitch() * moving * forward * 0.85;
+            double wide = HALF_HIPS + 0.02 - 0.035 * moving * Math.abs(forward);
+            Vector3d ankle = ankles[side];
+            // The ball stays where it is while the heel rises.
+            double back = BALL * Math.cos(pitch) - ANKLE * Math.sin(pitch) - BALL;
+            double rise = BALL * Math.sin(pitch) + ANKLE * Math.cos(pitch);
+            ankle.set(0, Math.max(rise, ANKLE * Math.cos(pitch)), pitch > 0 ? back : 0);
+            ankle.rotateY(footYaw);
+            ankle.add(-Math.sin(p.travelRadians()) * way, foot.lift() * amplitude, -forward * way);
+            ankle.x += out * wide * Math.cos(footYaw);
+            ankle.z -= out * wide * Math.sin(footYaw);
+            footPitch[side] = pitch;
+            fly(p, side, wide);
+        }
+    }
+
+    private void fly(Posture p, int side, double wide) {
+        double air = p.airborne();
+        if (air <= 0) {
+            return;
+        }
+        double out = side == 0 ? -1 : 1;
+        end.set(out * (wide + 0.03), side == 0 ? 0.3 : 0.2, side == 0 ? -0.14 : 0.2);
+        ankles[side].lerp(end, air);
+        footPitch[side] += air * ((side == 0 ? 0.25 : 0.7) - footPitch[side]);
+    }
+
+    /** Lowers the hips as far as the farther foot asks for. */
+    private void reachFeet() {
+        double longest = THIGH + SHIN - 0.012;
+        double lowest = hips.y;
+        for (int side = 0; side < 2; side++) {
+            hip(side, joint);
+            double x = joint.x - ankles[side].x;
+            double z = joint.z - ankles[side].z;
+            double upright = Math.sqrt(Math.max(0, longest * longest - x * x - z * z));
+            lowest = Math.min(lowest, hips.y + ankles[side].y + upright - joint.y);
+        }
+        hips.y = lowest;
+    }
+
+    private Vector3d hip(int side, Vector3d out) {
+        out.set(side == 0 ? -HALF_HIPS : HALF_HIPS, -0.03, 0);
+        return pelvis.transform(out).add(hips);
+    }
+
+    private void leg(int side, double footYaw) {
+        hip(side, joint);
+        bend.set(side == 0 ? -0.12 : 0.12, 0, -1).rotateY(footYaw);
+        knee(joint, ankles[side], THIGH, SHIN);
+        bone(side == 0 ? FigurePart.LEFT_THIGH : FigurePart.RIGHT_THIGH, joint, middle);
+        bone(side == 0 ? FigurePart.LEFT_SHIN : FigurePart.RIGHT_SHIN, middle, end);
+        turn.rotationY(footYaw).rotateX(-footPitch[side]);
+        put(side == 0 ? FigurePart.LEFT_FOOT : FigurePart.RIGHT_FOOT, end, turn);
+    }
+
+    /** Puts {@link #middle} where two bones from {@code from} to {@code to} bend, and {@link #end} where they end. */
+    private void knee(Vector3d from, Vector3d to, double upper, double lower) {
+        along.set(to).sub(from);
+        double distance = Math.max(Math.abs(upper - lower) + 0.05, Math.min(upper + lower - 0.002, along.length()));
+        if (along.length() < 1e-6) {
+            along.set(0, -1, 0);
+        }
+        along.normalize();
+        end.set(from).fma(distance, along);
+        bend.fma(-bend.dot(along), along);
+        if (bend.length() < 1e-6) {
+            bend.set(0, 0, -1).fma(along.z, along);
+        }
+        bend.normalize();
+        double before = (upper * upper - lower * lower + distance * distance) / (2 * distance);
+        double aside = Math.sqrt(Math.max(0, upper * upper - before * before));
+        middle.set(from).fma(before, along).fma(aside, bend);
+    }
+
+    private void torso(Posture p, double lean, double travel, double breath) {
+        joint.set(0, 0.02, 0);
+        pelvis.transform(joint).add(hips);
+        put(FigurePart.PELVIS, joint, pelvis);
+        double swing = Math.sin(2 * Math.PI * p.step()) * 0.12 * Math.min(1, p.stride()) * Math.cos(p.travelRadians());
+        chest.rotationY(0.2 * travel + swing).rotateX(-lean - 0.012 * breath);
+        // Between head and hips, nearer to the head.
+        double share = HEAD_TO_CHEST / HEAD_TO_HIPS;
+        joint.set(head).lerp(hips, share);
+        joint.y += 0.004 * breath - 0.25 * share * (HEAD_TO_HIPS - head.distance(hips));
+        joint.z += 0.02 * Math.sin(lean) + bowed(p) * (1 - share / 2);
+        put(FigurePart.CHEST, joint, chest);
+        end.set(joint);
+        shoulders.set(joint);
+    }
+
+    private final Vector3d shoulders = new Vector3d();
+
+    private void arm(Posture p, int side, double moving, double breath) {
+        double out = side == 0 ? -1 : 1;
+        double opposite = Math.sin(2 * Math.PI * (p.step() + 0.5 * side) + 0.5 * Math.PI);
+        double quick = Math.min(1.5, p.stride());
+        double carry = p.carrying();
+        double air = p.airborne() * (1 - carry);
+        double swing = -opposite * (0.25 + 0.4 * quick) * moving * Math.cos(p.travelRadians());
+        double raise = mix(swing + 0.04, 0.95, carry) * (1 - air) + air * (side == 0 ? 0.5 : -0.3);
+        double spread = mix(0.13 + 0.05 * moving, 0.02, carry) * (1 - air) + air * 0.75;
+        double low = Math.max(0, Math.min(1, (STATURE - p.heightMetres()) / 0.7));
+        raise += 0.5 * low * (1 - carry);
+        double elbow = mix(0.22 + 0.9 * low + moving * (0.45 * quick + 0.3 * Math.max(0, -opposite)), 0.55, carry);
+        spread += 0.008 * breath;
+        joint.set(out * HALF_SHOULDERS, SHOULDER_ABOVE_CHEST, 0);
+        chest.transform(joint).add(shoulders);
+        along.set(0, -1, 0).rotateZ(out * spread).rotateX(raise);
+        chest.transform(along);
+        middle.set(joint).fma(UPPER_ARM, along);
+        end.set(0, -1, 0).rotateZ(out * spread * mix(0.6, -6, carry)).rotateX(raise + elbow * (1 - air * 0.4));
+        chest.transform(end);
+        end.mul(FOREARM).add(middle);
+        bend.set(0, 0, 1);
+        chest.transform(bend);
+        bone(side == 0 ? FigurePart.LEFT_UPPER_ARM : FigurePart.RIGHT_UPPER_ARM, joint, middle);
+        bone(side == 0 ? FigurePart.LEFT_FOREARM : FigurePart.RIGHT_FOREARM, middle, end);
+    }
+
+    private static double mix(double a, double b, double share) {
+        return a + (b - a) * share;
+    }
+
+    /** Puts a part's middle between two joints, its front away from where the limb bends; {@link #bend} tells. */
+    private void bone(FigurePart part, Vector3d from, Vector3d to) {
+        Vector3d y = sideways.set(from).sub(to).normalize();
+        boolean isLeg = part.ordinal() >= FigurePart.LEFT_THIGH.ordinal();
+        Vector3d z = back.set(bend).mul(isLeg ? -1 : 1);
+        z.fma(-z.dot(y), y);
+        if (z.length() < 1e-6) {
+            z.set(0, 0, 1).fma(-y.z, y);
+        }
+        z.normalize();
+        y.cross(z, along);
+        turn.set(along.x, along.y, along.z, y.x, y.y, y.z, z.x, z.y, z.z);
+        between.set(from).lerp(to, 0.5);
+        put(part, between, turn);
+    }
+
+    private final Vector3d sideways = new Vector3d();
+    private final Vector3d back = new Vector3d();
+    private final Vector3d between = new Vector3d();
+
+    private final Matrix3d inWorld = new Matrix3d();
+
+    private void put(FigurePart part, Vector3d inFigure, Matrix3d figureFromPart) {
+        worldFromFigure.transform(inFigure, centres[part.ordinal()]).add(sole);
+        worldFromFigure.mul(figureFromPart, inWorld);
+        turns[part.ordinal()].setFromNormalized(inWorld).normalize();
+    }
+}
