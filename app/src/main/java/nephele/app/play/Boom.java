@@ -21,6 +21,8 @@ final class Boom {
     /** However hard a landing, the camera does not lag farther. */
     private static final double MOST_LAG_METRES = 0.5;
 
+    private static final double FARTHEST_METRES = 500;
+
     private final double secondsPerTick;
     private final BoomReach reach;
     private final Vector3d way = new Vector3d();
@@ -59,12 +61,17 @@ final class Boom {
         before = after;
     }
 
-    /** The camera at a share of the tick between two states. */
-    PlayerPose camera(SimState earlier, SimState later, double share) {
+    /**
+     * The camera at a share of the tick between two states.
+     *
+     * @param aimed a point that the eye looks at; becomes what the camera sees it as
+     */
+    PlayerPose camera(SimState earlier, SimState later, double share, Vector3d aimed) {
         PlayerPose pose = PlayerPose.between(earlier, later, share);
         stretch(pose, earlier, later, share);
         PathTrace trace = reach.trace(portals(later));
         trace.walk(pose.eye().toVector(), way);
+        trace.carryPoint(aimed);
         return new PlayerPose(Vec3.of(trace.place()), carried(pose.view(), trace), pose.body(), pose.later());
     }
 
@@ -82,6 +89,13 @@ final class Boom {
         BoomState there = entering(earlier, later).after(share * secondsPerTick, wanted ? 1 : 0);
         way(pose, there);
         way.mul(Math.min(there.extent(), reach.free(portals(later), pose.eye().toVector(), way)));
+    }
+
+    /** What a straight line from the eye meets first. */
+    Vector3d aimedAt(PlayerPose pose) {
+        Vector3d eye = pose.eye().toVector();
+        Vector3d line = pose.view().back().toVector().mul(-FARTHEST_METRES);
+        return eye.fma(reach.freeOfSolids(eye, line), line);
     }
 
     private static Basis carried(Basis view, PathTrace trace) {

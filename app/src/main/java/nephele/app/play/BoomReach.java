@@ -73,7 +73,8 @@ final class BoomReach {
         return trace;
     }
 
-    private double freeOfSolids(Vector3dc from, Vector3dc way) {
+    /** How much of a way is free of solids, portals aside. */
+    double freeOfSolids(Vector3dc from, Vector3dc way) {
         var ray = new Ray(from.x(), from.y(), from.z(), way.x(), way.y(), way.z());
         return cast.cast(statics, ray, 1) ? cast.distance() : 1;
     }

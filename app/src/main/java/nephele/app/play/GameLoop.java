@@ -206,7 +206,12 @@ public final class GameLoop implements AutoCloseable {
         if (session == null || !window.isDrawable()) {
             return;
         }
-        var content = new HudContent(menu.page(), page, current.figures().lines(), message.text());
+        var content = new HudContent(
+                menu.page(),
+                page,
+                current.figures().lines(),
+                message.text(),
+                session.walk().sights(display.area()));
         var saved = display.draw(session, content, current.figures().frameBegins(), shot);
         shot = Display.Shot.NONE;
         if (saved != null) {

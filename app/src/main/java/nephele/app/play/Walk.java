@@ -3,6 +3,8 @@ package nephele.app.play;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.app.draw.Viewpoints;
+import nephele.app.play.hud.Area;
+import nephele.app.play.hud.Sights;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
@@ -15,16 +17,20 @@ import nephele.engine.sim.FixedStep;
 import nephele.engine.sim.PlayerPose;
 import nephele.engine.sim.PlayerState;
 import nephele.engine.sim.ReplayRecorder;
+import nephele.engine.sim.Shots;
 import nephele.engine.sim.SimLevel;
 import nephele.engine.sim.SimSettings;
 import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.TickEvent;
+import org.joml.Vector3d;
 
 /** The simulated part of a game: two states to draw between, the clock that makes ticks and the record of all input. */
 public final class Walk {
     /** A way longer than the velocities of its ends account for, and this, is no way: the player began again. */
     private static final double LEAP_METRES = 1;
+
+    private static final double LEAST_DEPTH_METRES = 0.1;
 
     private final Simulation simulation;
     private final double secondsPerTick;
@@ -35,11 +41,10 @@ public final class Walk {
     private final PortalAges ages;
     private final LiveMoment live;
     private final Boom boom;
+    private final Aiming aiming;
     private SimState before;
     private SimState after;
-    private PlayerPose pose;
-    private SimState posedAfter;
-    private double posedShare;
+    private Seen seen;
     private Limbs limbsBefore = Limbs.STANDING;
     private Limbs limbsAfter = Limbs.STANDING;
 
@@ -63,6 +68,7 @@ public final class Walk {
         ages = new PortalAges(start, secondsPerTick);
         live = new LiveMoment(level);
         boom = new Boom(simLevel.statics(), secondsPerTick);
+        aiming = new Aiming(simulation);
     }
 
     /** Simulates the ticks that are due after a frame of this length. */
@@ -81,6 +87,7 @@ public final class Walk {
         after = simulation.step(after, done);
         news.addAll(after.around().trace().events());
         ages.after(after);
+        aiming.after(after);
         limbsBefore = limbsAfter;
         limbsAfter = limbsAfter.next(after, secondsPerTick);
         if (isLeap()) {
@@ -133,26 +140,61 @@ public final class Walk {
 
     /** The player's view between the last two ticks: from the eye, or along the boom. */
     public View view(double aspect) {
-        PlayerPose camera = boom.isOut() ? boom.camera(before, after, clock.share()) : pose();
+        PlayerPose camera = seen().camera();
         return Viewpoints.ofEye(camera.eye(), camera.view(), aspect);
+    }
+
+    /** The crosshair of the last view, in a picture of this size. */
+    public Sights sights(Area area) {
+        Seen now = seen();
+        View view = view(area.width() / area.height());
+        Vector3d way = now.aimed().toVector().sub(view.eye().toVector());
+        double depth = Math.max(-way.dot(view.back().toVector()), LEAST_DEPTH_METRES);
+        double pointsPerUnit =
+                now.isFirstPerson() ? 0 : area.height() / 2 / (view.projection().tanHalfHeight() * depth);
+        return new Sights(
+                toHalves(way.dot(view.right().toVector()) * pointsPerUnit),
+                toHalves(-way.dot(view.up().toVector()) * pointsPerUnit),
+                aiming.half(after, Shots.Colour.FIRST),
+                aiming.half(after, Shots.Colour.SECOND));
+    }
+
+    /** The overlay is made anew when it changes: not for what nobody sees. */
+    private static double toHalves(double points) {
+        return Math.rint(2 * points) / 2 + 0.0;
     }
 
     /** What is to be seen between the last two ticks; the same object every time. */
     public Moment moment() {
         double share = clock.share();
         double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
+        live.moment().ghosts(aiming.ghosts(after));
         live.world(before, after, share, ages);
-        live.figure(pose(), limbsBefore.towards(limbsAfter, share), seconds);
+        live.figure(seen().player(), limbsBefore.towards(limbsAfter, share), seconds);
         return live.moment();
     }
 
-    /** View and moment of one frame share it. */
-    private PlayerPose pose() {
-        if (posedAfter != after || posedShare != clock.share()) {
-            posedAfter = after;
-            posedShare = clock.share();
-            pose = PlayerPose.between(before, after, posedShare);
+    /**
+     * Where the picture is taken from, and what a shot from the eye would hit.
+     *
+     * @param aimed as the camera sees it
+     */
+    private record Seen(SimState after, double share, PlayerPose player, PlayerPose camera, Vec3 aimed) {
+        boolean isFirstPerson() {
+            return camera == player;
         }
-        return pose;
+    }
+
+    /** View, moment and crosshair of one frame share it. */
+    private Seen seen() {
+        double share = clock.share();
+        if (seen == null || seen.after != after || seen.share != share || seen.isFirstPerson() == boom.isOut()) {
+            PlayerPose player = PlayerPose.between(before, after, share);
+            boolean isOut = boom.isOut();
+            Vector3d aimed = isOut ? boom.aimedAt(player) : new Vector3d();
+            PlayerPose camera = isOut ? boom.camera(before, after, share, aimed) : player;
+            seen = new Seen(after, share, player, camera, Vec3.of(aimed));
+        }
+        return seen;
     }
 }

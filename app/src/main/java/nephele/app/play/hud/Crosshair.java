@@ -1,19 +1,78 @@
 package nephele.app.play.hud;
 
+import nephele.app.play.hud.Sights.Half;
+import nephele.app.play.hud.Sights.Portal;
+import nephele.app.play.hud.Sights.Shot;
+import nephele.engine.render.pass.overlay.Colour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** Four short bars around the middle, dark below light so that they show on every background. */
+/**
+ * Where one points: four short bars, or with a portal gun a half ring for each shot, left and right as the mouse buttons
+ * are. A half is filled when its portal exists, dim and crossed out where a shot would open none. Dark below light, so
+ * that it shows on every background.
+ */
 final class Crosshair {
     private static final double GAP = 4;
     private static final double LENGTH = 7;
     private static final double WIDTH = 2;
     private static final double EDGE = 1;
 
+    private static final double EM = 40;
+    private static final double RADIUS = 0.36 * EM;
+    /** From the glyphs' baseline to the middle of the ring. */
+    private static final double RISE = 0.35 * EM;
+
+    private static final double APART = 2;
+    private static final double CROSS_EM = 17;
+    private static final double CROSS_WIDTH = 0.5 * CROSS_EM;
+    private static final double CROSS_GAP = 7;
+    private static final double REFUSED_ALPHA = 0.45;
+    private static final double DOT = 3;
+
     private Crosshair() {}
 
-    static void draw(OverlayCanvas canvas, Area area) {
-        double x = Math.rint(area.centreX());
-        double y = Math.rint(area.centreY());
+    static void draw(OverlayCanvas canvas, Area area, Sights sights) {
+        double x = Math.rint(area.centreX() + sights.right());
+        double y = Math.rint(area.centreY() + sights.down());
+        if (sights.first() == null) {
+            bars(canvas, x, y);
+            return;
+        }
+        bar(canvas, x - DOT / 2, y - DOT / 2, DOT, DOT);
+        half(canvas, x - APART - RADIUS, y, sights.first(), new Face("\ue000", "\ue002", Palette.FIRST));
+        half(canvas, x + APART, y, sights.second(), new Face("\ue001", "\ue003", Palette.SECOND));
+        if (sights.first().shot() == Shot.REFUSED) {
+            cross(canvas, x - APART - RADIUS - CROSS_GAP - CROSS_WIDTH, y);
+        }
+        if (sights.second().shot() == Shot.REFUSED) {
+            cross(canvas, x + APART + RADIUS + CROSS_GAP, y);
+        }
+    }
+
+    /** The letters of a half. */
+    private record Face(String hollow, String filled, Colour colour) {}
+
+    private static void half(OverlayCanvas canvas, double left, double y, Half half, Face face) {
+        String letter = half.portal() == Portal.MADE ? face.filled : face.hollow;
+        boolean opens = half.shot() == Shot.OPENS;
+        Colour colour = opens ? face.colour : face.colour.withAlpha(REFUSED_ALPHA);
+        edged(canvas, left, y + RISE, EM, colour, letter);
+    }
+
+    private static void cross(OverlayCanvas canvas, double left, double y) {
+        edged(canvas, left, y + 0.35 * CROSS_EM, CROSS_EM, Palette.INK, "X");
+    }
+
+    private static void edged(
+            OverlayCanvas canvas, double x, double baseline, double em, Colour colour, String letter) {
+        canvas.text(x - EDGE, baseline, em, Palette.SHADOW, letter);
+        canvas.text(x + EDGE, baseline, em, Palette.SHADOW, letter);
+        canvas.text(x, baseline - EDGE, em, Palette.SHADOW, letter);
+        canvas.text(x, baseline + EDGE, em, Palette.SHADOW, letter);
+        canvas.text(x, baseline, em, colour, letter);
+    }
+
+    private static void bars(OverlayCanvas canvas, double x, double y) {
         bar(canvas, x - GAP - LENGTH, y - WIDTH / 2, LENGTH, WIDTH);
         bar(canvas, x + GAP, y - WIDTH / 2, LENGTH, WIDTH);
         bar(canvas, x - WIDTH / 2, y - GAP - LENGTH, WIDTH, LENGTH);

@@ -32,7 +32,7 @@ public final class Hud {
         } else if (content.page() == HudContent.Page.HELP) {
             HelpPanel.draw(canvas, area);
         } else {
-            Crosshair.draw(canvas, area);
+            Crosshair.draw(canvas, area, content.sights());
         }
         if (!content.figures().isEmpty()) {
             FiguresPanel.draw(canvas, content.figures());

@@ -9,7 +9,7 @@ import java.util.List;
  * @param figures lines of the F3 panel, empty when it is closed
  * @param message null, or what happened just now
  */
-public record HudContent(Menu menu, Page page, List<Figure> figures, String message) {
+public record HudContent(Menu menu, Page page, List<Figure> figures, String message, Sights sights) {
     /** The page that covers the game, if any. */
     public enum Page {
         NONE,

@@ -12,5 +12,10 @@ final class Palette {
     static final Colour SELECTED = Colour.opaque(0x86ccff).withAlpha(0.18);
     static final Colour SHADOW = Colour.opaque(0x000000).withAlpha(0.4);
 
+    /** Of the two shots; the rims' colours, lighter. */
+    static final Colour FIRST = Colour.opaque(0x4db4ff);
+
+    static final Colour SECOND = Colour.opaque(0xffa53d);
+
     private Palette() {}
 }
