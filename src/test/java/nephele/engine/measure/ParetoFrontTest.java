@@ -14,8 +14,7 @@ import org.junit.jupiter.api.Test;
 class ParetoFrontTest {
     @Test
     void namesWhatDominates() {
-        var front = new ParetoFront(
-                List.of(new Choice(1, 10), new Choice(2, 5), new Choice(3, 7), new Choice(4, 1), new Choice(4, 2)));
+        var front = exact(0, 1, 10, 2, 5, 3, 7, 4, 1, 4, 2);
         assertEquals(OptionalInt.empty(), front.dominating(0));
         assertEquals(OptionalInt.of(1), front.dominating(2));
         assertEquals(OptionalInt.of(3), front.dominating(4));
@@ -25,17 +24,36 @@ class ParetoFrontTest {
     /** Equal choices do not exclude each other: nobody has to prefer one. */
     @Test
     void equalChoicesStay() {
-        var front = new ParetoFront(List.of(new Choice(1, 1), new Choice(1, 1)));
+        var front = exact(0, 1, 1, 1, 1);
         assertTrue(front.holds(0) && front.holds(1));
+    }
+
+    /** A tenth less error is no reason to pay more where only whole steps count; nor is it one against being cheaper. */
+    @Test
+    void errorsWithinAStepAreEqual() {
+        var front = exact(0.5, 1, 1, 2, 0.9, 3, 0.4);
+        assertTrue(front.holds(0) && front.holds(2));
+        assertEquals(OptionalInt.of(0), front.dominating(1));
+    }
+
+    /** Two costs whose intervals overlap are not told apart: neither dominates the other unless it errs less. */
+    @Test
+    void whatIsInDoubtDominatesNothing() {
+        var cheap = new Choice(new Interval(0.9, 1, 1.1), 5);
+        var dear = new Choice(new Interval(1.05, 1.2, 1.3), 5);
+        var better = new Choice(new Interval(1.05, 1.2, 1.3), 4);
+        assertTrue(new ParetoFront(List.of(cheap, dear), 0).holds(1));
+        assertEquals(OptionalInt.of(1), new ParetoFront(List.of(dear, better), 0).dominating(0));
+        assertTrue(new ParetoFront(List.of(cheap, better), 0).holds(0));
     }
 
     @Test
     void everyDominatedChoiceIsDominatedByOneOnTheFront() {
         var random = new Random(2);
         var choices = IntStream.range(0, 200)
-                .mapToObj(i -> new Choice(random.nextInt(30), random.nextInt(30)))
+                .mapToObj(i -> Choice.exact(random.nextInt(30), random.nextInt(30)))
                 .toList();
-        var front = new ParetoFront(choices);
+        var front = new ParetoFront(choices, 0);
         for (int i = 0; i < choices.size(); i++) {
             front.dominating(i).ifPresent(by -> assertTrue(front.holds(by)));
         }
@@ -43,6 +61,14 @@ class ParetoFrontTest {
 
     @Test
     void refusesWhatWasNotMeasured() {
-        assertThrows(IllegalArgumentException.class, () -> new Choice(Double.NaN, 1));
+        assertThrows(IllegalArgumentException.class, () -> Choice.exact(Double.NaN, 1));
+    }
+
+    private static ParetoFront exact(double errorStep, double... costsAndErrors) {
+        return new ParetoFront(
+                IntStream.range(0, costsAndErrors.length / 2)
+                        .mapToObj(i -> Choice.exact(costsAndErrors[2 * i], costsAndErrors[2 * i + 1]))
+                        .toList(),
+                errorStep);
     }
 }

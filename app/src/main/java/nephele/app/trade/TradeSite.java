@@ -1,0 +1,137 @@
+package nephele.app.trade;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.DoubleConsumer;
+import nephele.app.levels.AssetComplaint;
+import nephele.app.levels.PrintedProgress;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.LevelJson;
+import nephele.engine.level.appearance.Decoding;
+import nephele.engine.math.Basis;
+import nephele.engine.math.BitHash;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.reference.Pinhole;
+import nephele.engine.reference.ReferencePicture;
+import nephele.engine.reference.TraceSettings;
+import nephele.engine.reference.TracedLevel;
+import nephele.engine.render.Capture;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.View;
+
+/**
+ * Where subjects are measured: a level, what is seen of it, and one OpenGL context. The oracle's pictures are kept between
+ * runs.
+ */
+public final class TradeSite implements AutoCloseable {
+    private final LevelFile.Opened opened;
+    private final View view;
+    private final Extent extent;
+    private final Path folder;
+    private final PrintStream tell;
+    private GlContext gl;
+
+    /**
+     * How large pictures are and how exact the oracle's.
+     *
+     * @param samples rays a pixel
+     */
+    public record Extent(int width, int height, int samples) {
+        public double aspect() {
+            return (double) width / height;
+        }
+    }
+
+    /** @param folder for what is kept between runs */
+    TradeSite(LevelFile.Opened opened, View view, Extent extent, Path folder, PrintStream tell) {
+        this.opened = opened;
+        this.view = view;
+        this.extent = extent;
+        this.folder = folder;
+        this.tell = tell;
+    }
+
+    public Level level() {
+        return opened.level();
+    }
+
+    public View view() {
+        return view;
+    }
+
+    public Extent extent() {
+        return extent;
+    }
+
+    /** Made when it is asked for: subjects without pictures need none. */
+    public GlContext gl() {
+        if (gl == null) {
+            gl = GlContext.offscreen();
+        }
+        return gl;
+    }
+
+    public Scene scene(Level level) {
+        return AssetComplaint.named(
+                opened, () -> Scene.of(level, opened.assets(), PrintedProgress.ofBake(tell)));
+    }
+
+    /** The exact twin's radiance of this view, the bottom row first. */
+    public LinearPicture oracle() {
+        Path file = folder.resolve("oracle-" + oracleKey() + ".pfm");
+        try {
+            if (Files.exists(file)) {
+                return new LinearPicture(extent.width, extent.height, RadianceFile.read(file));
+            }
+            float[] rgb = trace(PrintedProgress.ofTrace(tell));
+            Capture.pfm(rgb, extent.width, extent.height, file);
+            return new LinearPicture(extent.width, extent.height, rgb);
+        } catch (IOException failure) {
+            throw new java.io.UncheckedIOException(failure);
+        }
+    }
+
+    private float[] trace(DoubleConsumer progress) {
+        var level = AssetComplaint.named(
+                opened, () -> TracedLevel.of(opened.level(), opened.assets(), Decoding.SRGB));
+        int threads = Runtime.getRuntime().availableProcessors();
+        var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
+        return ReferencePicture.trace(level, pinhole(), settings, progress);
+    }
+
+    private Pinhole pinhole() {
+        var projection = view.projection();
+        return new Pinhole(
+                view.eye(),
+                new Basis(view.right(), view.up(), view.back()),
+                projection.tanHalfWidth(),
+                projection.tanHalfHeight(),
+                projection.nearMetres(),
+                projection.farMetres());
+    }
+
+    /** Of everything that the oracle's picture depends on but the engine's code. */
+    private String oracleKey() {
+        return Long.toHexString(hash(LevelJson.write(opened.level()) + view + extent));
+    }
+
+    static long hash(String text) {
+        long hash = 0;
+        for (byte unit : text.getBytes(StandardCharsets.UTF_8)) {
+            hash = BitHash.join(hash, unit);
+        }
+        return hash;
+    }
+
+    @Override
+    public void close() {
+        if (gl != null) {
+            gl.close();
+        }
+    }
+}

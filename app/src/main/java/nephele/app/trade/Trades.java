@@ -1,0 +1,41 @@
+package nephele.app.trade;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.trade.subject.AnisotropySubject;
+import nephele.app.trade.subject.OutputSubject;
+import nephele.app.trade.subject.PlacementSubject;
+import nephele.app.trade.subject.SamplesSubject;
+import nephele.app.trade.subject.ShadowSubject;
+import nephele.app.trade.subject.TickRateSubject;
+import nephele.app.trade.subject.TraversalSubject;
+
+/** Every subject in the order of the report; the only registration. */
+public final class Trades {
+    public static final List<Trade> ALL = List.of(
+            ShadowSubject.TRADE,
+            SamplesSubject.TRADE,
+            AnisotropySubject.TRADE,
+            OutputSubject.TRADE,
+            PlacementSubject.TRADE,
+            TraversalSubject.TRADE,
+            TickRateSubject.TRADE);
+
+    private Trades() {}
+
+    /** Those with these names in the report's order; all where none is named. */
+    public static List<Trade> named(List<String> subjects) {
+        for (String subject : subjects) {
+            if (ALL.stream().noneMatch(trade -> trade.subject().equals(subject))) {
+                var known = ALL.stream().map(Trade::subject).collect(Collectors.joining(", "));
+                throw CommandFailure.usage("there is no subject `" + subject + "`; there are: " + known);
+            }
+        }
+        return subjects.isEmpty()
+                ? ALL
+                : ALL.stream()
+                        .filter(trade -> subjects.contains(trade.subject()))
+                        .toList();
+    }
+}

@@ -1,0 +1,114 @@
+package nephele.app.trade.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import nephele.app.trade.Findings;
+import nephele.app.trade.SettingFindings;
+
+/** What a subject's figures say to someone who has to choose, in sentences that are computed from them. */
+final class Advice {
+    /** Half an interval's width by its middle: beyond this a cost is called uncertain. */
+    private static final double UNCERTAIN = 0.1;
+
+    private final Findings findings;
+    private final SettingFindings chosen;
+
+    Advice(Findings findings) {
+        this.findings = findings;
+        chosen = findings.recommended();
+    }
+
+    /** Which setting, and why. */
+    String choice() {
+        var best = findings.best();
+        String begin = "Choose " + name(chosen) + ": ";
+        if (chosen == best && chosen == findings.cheapest()) {
+            return begin + (isAlone() ? "it costs least and none errs less." : "none costs less and none errs less.");
+        }
+        if (chosen == best) {
+            return begin + "none errs less, and what is cheaper is worse by more than " + error(enough()) + ".";
+        }
+        return begin + "its error of " + error(chosen.error()) + " is within " + error(enough()) + " of the best ("
+                + name(best) + ", " + error(best.error()) + "), for " + saving(chosen, best) + ".";
+    }
+
+    /** All that should be known besides. */
+    List<String> remarks() {
+        List<String> remarks = new ArrayList<>();
+        cheaper(remarks);
+        usual(remarks);
+        dominated(remarks);
+        uncertain(remarks);
+        return remarks;
+    }
+
+    private void cheaper(List<String> remarks) {
+        var cheapest = findings.cheapest();
+        if (cheapest != chosen) {
+            remarks.add("Where time is short: " + name(cheapest) + " is had for " + saving(cheapest, chosen)
+                    + " and errs " + error(cheapest.error()) + " instead of " + error(chosen.error()) + ".");
+        }
+    }
+
+    private void usual(List<String> remarks) {
+        var usual = findings.usual();
+        if (usual != chosen) {
+            double factor = usual.ratio().estimate() / chosen.ratio().estimate();
+            remarks.add("What is usual today, " + name(usual) + ", costs " + Numbers.ratio(factor)
+                    + " times as much and errs " + error(usual.error()) + ".");
+        }
+    }
+
+    private void dominated(List<String> remarks) {
+        var never = findings.settings().stream()
+                .filter(setting -> !setting.isOnFront())
+                .map(setting -> name(setting) + " (" + because(setting) + ")")
+                .collect(Collectors.joining(", "));
+        remarks.add(never.isEmpty() ? "No setting is dominated." : "Dominated, so never choose: " + never + ".");
+    }
+
+    private String because(SettingFindings setting) {
+        var by = findings.settings().get(setting.dominatedBy().orElseThrow());
+        boolean cheaper = by.ratio().high() < setting.ratio().low();
+        boolean better = by.error() < setting.error() - findings.trade().error().step();
+        String why = cheaper && better
+                ? "costs less and errs less"
+                : cheaper ? "costs less and errs no more" : "costs no more and errs less";
+        return name(by) + " " + why;
+    }
+
+    private void uncertain(List<String> remarks) {
+        double widest = findings.settings().stream()
+                .mapToDouble(setting -> (setting.ratio().high() - setting.ratio().low())
+                        / 2
+                        / setting.ratio().estimate())
+                .max()
+                .orElse(0);
+        if (widest > UNCERTAIN) {
+            remarks.add("Costs are known to ±" + Numbers.percent(widest)
+                    + " only: the machine was busy, or the rounds were few.");
+        }
+    }
+
+    private boolean isAlone() {
+        return findings.settings().stream().filter(SettingFindings::isOnFront).count() == 1;
+    }
+
+    private static String saving(SettingFindings cheap, SettingFindings dear) {
+        double share = cheap.ratio().estimate() / dear.ratio().estimate();
+        return share > 0.995 ? "the same cost" : Numbers.percent(1 - share) + " less";
+    }
+
+    private double enough() {
+        return findings.trade().error().enough();
+    }
+
+    private String error(double value) {
+        return Numbers.of(value, findings.trade().error().unit());
+    }
+
+    private static String name(SettingFindings setting) {
+        return "“" + setting.setting().name() + "”";
+    }
+}

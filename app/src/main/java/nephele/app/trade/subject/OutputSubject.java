@@ -1,0 +1,37 @@
+package nephele.app.trade.subject;
+
+import java.util.List;
+import nephele.app.trade.CostMetric;
+import nephele.app.trade.ErrorMetric;
+import nephele.app.trade.Setting;
+import nephele.app.trade.Trade;
+import nephele.engine.render.frame.Output;
+
+/** `--output`: where the tone curve is applied. */
+public final class OutputSubject {
+    private static final List<PictureSetting> SETTINGS = List.of(
+            new PictureSetting(
+                    new Setting("direct", "surfaces leave their shaders as they are displayed"),
+                    shot -> shot.with(Output.DIRECT)),
+            new PictureSetting(
+                    new Setting("hdr", "half floats first, then one tone-mapping pass"),
+                    shot -> shot.with(Output.HDR)));
+
+    public static final Trade TRADE = new Trade(
+            "output",
+            new Trade.Text(
+                    "Where the tone curve is applied",
+                    "Direct output applies it in the surfaces' own shaders and saves a whole pass. What is blended over"
+                            + " a picture that is display-referred already comes out too bright or too dark. A level without"
+                            + " blended surfaces cannot show that error: then both are equal up to the dither.",
+                    "the oracle's radiance, developed by the level's exposure and tone curve"),
+            List.of(),
+            SETTINGS.stream().map(PictureSetting::setting).toList(),
+            0,
+            new ErrorMetric("mean FLIP as displayed", "", 5e-4, 5e-3),
+            List.of("relMSE", "mean bias %", "FLIP of the worst 1 %"),
+            CostMetric.FRAME,
+            site -> new PictureExperiment(site, SETTINGS, Compared.DISPLAY));
+
+    private OutputSubject() {}
+}

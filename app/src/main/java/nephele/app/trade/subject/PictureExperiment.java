@@ -1,0 +1,99 @@
+package nephele.app.trade.subject;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import nephele.app.draw.Outputs;
+import nephele.app.trade.Experiment;
+import nephele.app.trade.Judgement;
+import nephele.app.trade.TradeSite;
+import nephele.engine.level.Level;
+import nephele.engine.measure.ErrorMap;
+import nephele.engine.measure.ImageError;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Scene;
+
+/** One renderer for each setting, drawing the same view by turns. */
+final class PictureExperiment implements Experiment {
+    /** What shows the previous picture is judged when that has settled. */
+    private static final int SETTLING_FRAMES = 4;
+
+    private final TradeSite site;
+    private final Compared compared;
+    private final List<Shot> shots = new ArrayList<>();
+    private final List<Renderer> renderers = new ArrayList<>();
+    private final Map<Level, Scene> scenes = new HashMap<>();
+    private final RenderTarget picture;
+    private LinearPicture exact;
+
+    PictureExperiment(TradeSite site, List<PictureSetting> settings, Compared compared) {
+        this.site = site;
+        this.compared = compared;
+        Shot usual = new Shot(site.level(), Outputs.requiredBy(site.level()), "high", Map.of());
+        settings.forEach(setting -> shots.add(setting.change().apply(usual)));
+        picture = RenderTarget.picture(
+                site.gl(), "trade", PixelFormat.RGBA8, site.extent().width(), site.extent().height());
+        settings.forEach(setting -> renderers.add(null));
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        try (var renderer = renderer(compared.judged(shots.get(setting)))) {
+            for (int frame = 0; frame < SETTLING_FRAMES; frame++) {
+                renderer.draw(site.view(), picture);
+            }
+            site.gl().requireNoError("trade");
+            return judged(compared.read(renderer, picture));
+        }
+    }
+
+    private Judgement judged(LinearPicture test) {
+        ErrorMap flip = compared.flip(oracle(), test);
+        return new Judgement(
+                flip.mean(),
+                List.of(
+                        ImageError.relativeSquared(oracle(), test),
+                        100 * ImageError.meanBias(oracle(), test),
+                        flip.quantile(0.99)),
+                compared.shown(test, site.level().environment()),
+                flip);
+    }
+
+    private LinearPicture oracle() {
+        if (exact == null) {
+            exact = compared.exact(site.oracle(), site.level().environment());
+        }
+        return exact;
+    }
+
+    @Override
+    public BufferedImage exact() {
+        return compared.shown(oracle(), site.level().environment());
+    }
+
+    @Override
+    public void run(int setting) {
+        if (renderers.get(setting) == null) {
+            renderers.set(setting, renderer(shots.get(setting)));
+        }
+        renderers.get(setting).draw(site.view(), picture);
+        site.gl().finish();
+    }
+
+    private Renderer renderer(Shot shot) {
+        Scene scene = scenes.computeIfAbsent(shot.level(), site::scene);
+        return Renderer.load(
+                site.gl(), scene, shot.settings(site.gl().limits().software()));
+    }
+
+    @Override
+    public void close() {
+        renderers.stream().filter(renderer -> renderer != null).forEach(Renderer::close);
+        picture.close();
+    }
+}

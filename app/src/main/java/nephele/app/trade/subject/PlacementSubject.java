@@ -1,0 +1,75 @@
+package nephele.app.trade.subject;
+
+import java.util.List;
+import nephele.app.prove.PlacementSample;
+import nephele.app.trade.CostMetric;
+import nephele.app.trade.ErrorMetric;
+import nephele.app.trade.Experiment;
+import nephele.app.trade.Judgement;
+import nephele.app.trade.Setting;
+import nephele.app.trade.Trade;
+
+/** Whether a portal fits where one aims: the student report's four lines against the exact search. */
+public final class PlacementSubject {
+    private static final int QUESTIONS = 2_000;
+
+    public static final Trade TRADE = new Trade(
+            "placement",
+            new Trade.Text(
+                    "Where a portal fits",
+                    "Four lines from the aimed point to the rectangle's corners miss holes and notches between them. The exact"
+                            + " test knows the whole outline; the game's also moves the portal to the nearest place where it"
+                            + " fits. Of the four lines the ray that finds the wall is not counted.",
+                    "areas clipped by brute force, on made-up walls of triangles with holes"),
+            List.of(),
+            List.of(
+                    new Setting("fourLines", "the source's way"),
+                    new Setting("exact", "fits or not, where one aims"),
+                    new Setting("nearest", "the game's: moved to where it fits")),
+            2,
+            new ErrorMetric("wrong answers", "%", 0.05, 0.1),
+            List.of("fits, said no, %", "does not fit, said yes, %"),
+            new CostMetric("CPU a placement", "µs", 1e3 * QUESTIONS),
+            site -> new Placements());
+
+    private PlacementSubject() {}
+
+    private static final class Placements implements Experiment {
+        private final PlacementSample sample = new PlacementSample(QUESTIONS);
+        /** What the compiler must not leave out. */
+        private int accepted;
+
+        @Override
+        public Judgement judge(int setting) {
+            int refused = 0;
+            int allowed = 0;
+            for (int question = 0; question < sample.size(); question++) {
+                boolean answer = answer(setting, question);
+                refused += sample.fits(question) && !answer ? 1 : 0;
+                allowed += !sample.fits(question) && answer ? 1 : 0;
+            }
+            double percent = 100.0 / sample.size();
+            return Judgement.of(percent * (refused + allowed), percent * refused, percent * allowed);
+        }
+
+        private boolean answer(int setting, int question) {
+            return switch (setting) {
+                case 0 -> sample.fourLines(question);
+                case 1 -> sample.exact(question);
+                default -> sample.nearest(question);
+            };
+        }
+
+        @Override
+        public void run(int setting) {
+            for (int question = 0; question < sample.size(); question++) {
+                accepted += answer(setting, question) ? 1 : 0;
+            }
+        }
+
+        @Override
+        public void close() {
+            accepted = 0;
+        }
+    }
+}

@@ -1,0 +1,49 @@
+package nephele.app.trade.subject;
+
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portal;
+import nephele.engine.sim.PlayerPose;
+
+/**
+ * How the student report goes through a portal (sources, part D): who is near it is moved in front of the other one and
+ * looks along its normal. Kept to be measured.
+ */
+final class SourceTeleport {
+    /** The report does not say how near; this is a body's radius and an arm. */
+    static final double NEAR_METRES = 0.5;
+
+    private SourceTeleport() {}
+
+    /** Whether the rule moves an eye that is there. */
+    static boolean isDue(Portal entry, Vec3 eye) {
+        double height = entry.inFront(eye.x(), eye.y(), eye.z());
+        return height >= 0
+                && height <= NEAR_METRES
+                && entry.aperture()
+                        .contains(
+                                entry.across(eye.x(), eye.y(), eye.z()), entry.upward(eye.x(), eye.y(), eye.z()));
+    }
+
+    /** As far before the other portal, at its middle, looking along its normal. */
+    static PlayerPose alongNormal(Portal exit) {
+        return new PlayerPose(exit.world(0, 0, NEAR_METRES), ahead(exit));
+    }
+
+    /** The same move, but the view keeps its angles to the portal: the least repair. */
+    static PlayerPose keepingView(Passage passage, Portal exit, PlayerPose before) {
+        Basis view = before.view();
+        return new PlayerPose(
+                exit.world(0, 0, NEAR_METRES),
+                new Basis(
+                        passage.direction(view.right()), passage.direction(view.up()), passage.direction(view.back())));
+    }
+
+    private static Basis ahead(Portal exit) {
+        Vec3 n = exit.normal();
+        Vec3 back = new Vec3(-n.x(), -n.y(), -n.z());
+        Vec3 r = exit.frame().right();
+        return new Basis(new Vec3(-r.x(), -r.y(), -r.z()), exit.frame().up(), back);
+    }
+}

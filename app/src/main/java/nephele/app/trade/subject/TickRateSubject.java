@@ -1,0 +1,32 @@
+package nephele.app.trade.subject;
+
+import java.util.List;
+import java.util.stream.Stream;
+import nephele.app.trade.CostMetric;
+import nephele.app.trade.ErrorMetric;
+import nephele.app.trade.Setting;
+import nephele.app.trade.Trade;
+
+/** `--ticks-per-second`. */
+public final class TickRateSubject {
+    static final int[] RATES = {30, 60, 120, 240};
+
+    public static final Trade TRADE = new Trade(
+            "tickRate",
+            new Trade.Text(
+                    "Ticks a second",
+                    "How often the simulation moves the player. Between ticks the picture is interpolated, so a low rate"
+                            + " does not look rough; it puts landings, corners and stairs a little elsewhere.",
+                    "the same walks at 960 ticks a second; the height of a jump, v²/2g"),
+            List.of(),
+            Stream.of("30", "60", "120", "240")
+                    .map(rate -> new Setting(rate, rate.equals("120") ? "the game's" : ""))
+                    .toList(),
+            2,
+            new ErrorMetric("median deviation of a walk", "mm", 0.1, 10),
+            List.of("deviation of the worst walk, mm", "jump too low by, mm"),
+            new CostMetric("CPU a simulated second", "µs", 1e3 * ScriptedWalk.SECONDS),
+            site -> new TickRateExperiment());
+
+    private TickRateSubject() {}
+}

@@ -1,0 +1,31 @@
+package nephele.app.trade.subject;
+
+import java.util.List;
+import nephele.app.trade.CostMetric;
+import nephele.app.trade.ErrorMetric;
+import nephele.app.trade.Setting;
+import nephele.app.trade.Trade;
+
+/** How a player gets through a portal: the student report's leap against the time of impact. */
+public final class TraversalSubject {
+    public static final Trade TRADE = new Trade(
+            "traversal",
+            new Trade.Text(
+                    "Going through a portal",
+                    "The source moves whoever is near to the middle before the other portal and makes them look along its"
+                            + " normal. The game finds the instant at which the body's centre enters, and turns everything"
+                            + " by the portals' rigid map. Cost is that of looking for portals in a tick of walking.",
+                    "a window: what is seen does not leap at all"),
+            List.of(),
+            List.of(
+                    new Setting("teleport", "the source's way, within " + SourceTeleport.NEAR_METRES + " m"),
+                    new Setting("teleportKeepingView", "the same, but the view keeps its angle to the portal"),
+                    new Setting("timeOfImpact", "the game's")),
+            2,
+            new ErrorMetric("median leap of the view", "°", 1e-3, 0.05),
+            List.of("worst leap, °", "mean leap of picture points, pixels of 1280×720", "leap of the eye, m"),
+            new CostMetric("CPU a tick", "ns", TraversalExperiment.TICKS_PER_RUN),
+            site -> new TraversalExperiment());
+
+    private TraversalSubject() {}
+}
