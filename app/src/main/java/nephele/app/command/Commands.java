@@ -14,8 +14,7 @@ public final class Commands {
             new CommandEntry("bench", "Measure a level's frames", BenchCommand::new),
             new CommandEntry("prove", "Run the proofs at full count and write docs/proofs.md", ProveCommand::new),
             new CommandEntry("edit", "Edit a level: edit [LEVEL]", UnbuiltCommand::new),
-            new CommandEntry(
-                    "trade", "Report speed against accuracy: trade [SUBJECT...] --out DIR", UnbuiltCommand::new),
+            new CommandEntry("trade", "Report speed against accuracy: trade [SUBJECT...] --out DIR", TradeCommand::new),
             new CommandEntry(
                     "bake", "Bake the sky into a skybox, and whatever a level caches: bake LEVEL", UnbuiltCommand::new),
             new CommandEntry(

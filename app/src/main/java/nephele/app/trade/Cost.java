@@ -3,7 +3,7 @@ package nephele.app.trade;
 /**
  * What one run of a setting took, the mean over a slice.
  *
- * @param cpuNanos of the whole process
+ * @param cpuNanos by the subject's clock
  * @param bytes allocated by the running thread
  */
 public record Cost(double cpuNanos, double wallNanos, double bytes) {

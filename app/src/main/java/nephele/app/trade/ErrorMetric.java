@@ -9,6 +9,6 @@ package nephele.app.trade;
  * @param enough a setting that errs by no more than this above the best one is recommended if it is cheaper
  */
 public record ErrorMetric(String name, String unit, double step, double enough) {
-    /** Of pictures of radiance. Half a hundredth of mean FLIP is what two neighbouring presets differ by. */
-    public static final ErrorMetric PICTURE = new ErrorMetric("mean HDR-FLIP", "", 5e-4, 5e-3);
+    /** Of pictures of radiance. What is wrong by a tenth of the range on a fiftieth of the picture is called visible. */
+    public static final ErrorMetric PICTURE = new ErrorMetric("mean HDR-FLIP", "", 2e-4, 2e-3);
 }

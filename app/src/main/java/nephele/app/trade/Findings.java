@@ -20,7 +20,8 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
         }
         var front = new ParetoFront(
                 IntStream.range(0, count)
-                        .mapToObj(i -> new ParetoFront.Choice(ratios.get(i), state.judged().get(i).error()))
+                        .mapToObj(i -> new ParetoFront.Choice(
+                                ratios.get(i), state.judged().get(i).error()))
                         .toList(),
                 trade.error().step());
         List<SettingFindings> settings = new ArrayList<>();
@@ -28,10 +29,13 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
             var judged = state.judged().get(i);
             settings.add(new SettingFindings(
                     trade.settings().get(i),
-                    scaled(bootstrap.median(column(state, i, Cost::cpuNanos)), 1 / trade.cost().nanosPerUnit()),
+                    scaled(
+                            bootstrap.median(column(state, i, Cost::cpuNanos)),
+                            trade.cost().scale()),
                     bootstrap.median(column(state, i, Cost::wallNanos)),
                     ratios.get(i),
-                    bootstrap.median(column(state, i, Cost::bytes)).estimate(),
+                    bootstrap.median(column(state, i, Cost::bytes)).estimate()
+                            / trade.cost().perRun(),
                     judged.error(),
                     judged.figures(),
                     judged.hasPicture(),

@@ -12,18 +12,19 @@ import java.util.stream.IntStream;
  * round, which is why ratios within rounds are compared and not times.
  */
 final class PairedTiming {
-    private static final double WARM_UP_SECONDS_PER_SETTING = 0.25;
+    private static final double WARM_UP_SECONDS_PER_SETTING = 0.3;
 
     private final Experiment experiment;
     private final int settings;
     private final double sliceNanos;
-    private final ProcessClock clock = new ProcessClock();
+    private final CpuClock clock;
     private int[] runs;
 
     /** @param sliceSeconds that a setting runs at a time, at least */
-    PairedTiming(Experiment experiment, int settings, double sliceSeconds) {
+    PairedTiming(Trade trade, Experiment experiment, double sliceSeconds) {
         this.experiment = experiment;
-        this.settings = settings;
+        settings = trade.settings().size();
+        clock = new CpuClock(trade.cost().clock());
         sliceNanos = 1e9 * sliceSeconds;
     }
 
@@ -46,7 +47,8 @@ final class PairedTiming {
 
     /** @param number of the round; it decides the order */
     List<Cost> round(int number) {
-        List<Integer> order = new ArrayList<>(IntStream.range(0, settings).boxed().toList());
+        List<Integer> order =
+                new ArrayList<>(IntStream.range(0, settings).boxed().toList());
         Collections.shuffle(order, new Random(number));
         Cost[] there = new Cost[settings];
         for (int setting : order) {
@@ -63,14 +65,14 @@ final class PairedTiming {
     private Cost slice(int setting) {
         experiment.run(setting);
         long bytes = clock.allocatedBytes();
-        long cpu = clock.cpuNanos();
+        long cpu = clock.nanos();
         long wall = System.nanoTime();
         for (int run = 0; run < runs[setting]; run++) {
             experiment.run(setting);
         }
         double each = runs[setting];
         return new Cost(
-                Math.max(1, clock.cpuNanos() - cpu) / each,
+                Math.max(1, clock.nanos() - cpu) / each,
                 Math.max(1, System.nanoTime() - wall) / each,
                 (clock.allocatedBytes() - bytes) / each);
     }

@@ -7,10 +7,10 @@ import nephele.engine.measure.Interval;
 /**
  * What is known of a setting.
  *
- * @param cost in the subject's unit, process CPU
+ * @param cost in the subject's unit, CPU
  * @param wallNanos of one run
  * @param ratio to the subject's usual setting, CPU, from rounds
- * @param bytes allocated a run
+ * @param bytes allocated for one of what is counted
  * @param dominatedBy the index of a setting that is better in one respect and worse in none
  */
 public record SettingFindings(

@@ -55,8 +55,9 @@ final class SubjectFile {
         }
         for (int i = 0; i < state.rounds().size(); i++) {
             List<Double> numbers = new ArrayList<>();
-            state.rounds().get(i).forEach(cost -> numbers.addAll(
-                    List.of(cost.cpuNanos(), cost.wallNanos(), cost.bytes())));
+            state.rounds()
+                    .get(i)
+                    .forEach(cost -> numbers.addAll(List.of(cost.cpuNanos(), cost.wallNanos(), cost.bytes())));
             saved.setProperty("round." + i, words(numbers));
         }
         var text = new StringWriter();

@@ -26,7 +26,8 @@ public record Trade(
     public Trade {
         long names = settings.stream().map(Setting::name).distinct().count();
         if (names != settings.size() || usual < 0 || usual >= settings.size()) {
-            throw new IllegalArgumentException(subject + ": settings have names of their own, and one is the usual one");
+            throw new IllegalArgumentException(
+                    subject + ": settings have names of their own, and one is the usual one");
         }
     }
 

@@ -22,6 +22,7 @@ public final class TradeRun {
     private final PrintStream tell;
     private final Pictures pictures;
     private final LevelFile.Opened opened;
+    private String graphics = "";
 
     public TradeRun(TradeRequest request, PrintStream tell) {
         this.request = request;
@@ -34,6 +35,11 @@ public final class TradeRun {
         return opened;
     }
 
+    /** What drew the pictures. */
+    public String graphics() {
+        return graphics;
+    }
+
     /** What all subjects found, in order. */
     public List<Findings> run() throws IOException {
         Path partial = request.folder().resolve(PARTIAL);
@@ -43,6 +49,7 @@ public final class TradeRun {
             for (Trade trade : request.trades()) {
                 found.add(Findings.of(trade, measured(trade, site, partial)));
             }
+            graphics = site.gl().limits().renderer();
         }
         return found;
     }
@@ -57,7 +64,7 @@ public final class TradeRun {
 
     /** Everything that figures depend on besides the subject: what was found under another key does not count. */
     private String key() {
-        return "commit " + Surroundings.commit() + "; level "
+        return "commit " + CodeState.key() + "; level "
                 + Long.toHexString(TradeSite.hash(LevelJson.write(opened.level()))) + "; camera " + request.camera()
                 + "; " + request.extent() + "; slice " + request.sliceSeconds() + "; " + Surroundings.machine();
     }
@@ -101,7 +108,7 @@ public final class TradeRun {
     private SubjectState timed(Trade trade, Experiment experiment, SubjectState before, SubjectFile file)
             throws IOException {
         SubjectState state = before;
-        var timing = new PairedTiming(experiment, trade.settings().size(), request.sliceSeconds());
+        var timing = new PairedTiming(trade, experiment, request.sliceSeconds());
         timing.warmUp();
         while (state.rounds().size() < request.rounds()) {
             int round = state.rounds().size();

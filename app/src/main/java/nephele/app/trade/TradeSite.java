@@ -77,8 +77,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     public Scene scene(Level level) {
-        return AssetComplaint.named(
-                opened, () -> Scene.of(level, opened.assets(), PrintedProgress.ofBake(tell)));
+        return AssetComplaint.named(opened, () -> Scene.of(level, opened.assets(), PrintedProgress.ofBake(tell)));
     }
 
     /** The exact twin's radiance of this view, the bottom row first. */
@@ -97,8 +96,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     private float[] trace(DoubleConsumer progress) {
-        var level = AssetComplaint.named(
-                opened, () -> TracedLevel.of(opened.level(), opened.assets(), Decoding.SRGB));
+        var level = AssetComplaint.named(opened, () -> TracedLevel.of(opened.level(), opened.assets(), Decoding.SRGB));
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
         return ReferencePicture.trace(level, pinhole(), settings, progress);

@@ -16,7 +16,8 @@ public final class ParetoFront {
     public record Choice(Interval cost, double error) {
         public Choice {
             if (!Double.isFinite(cost.low() + cost.estimate() + cost.high()) || !Double.isFinite(error)) {
-                throw new IllegalArgumentException("a choice needs a finite cost and error, not " + cost + ", " + error);
+                throw new IllegalArgumentException(
+                        "a choice needs a finite cost and error, not " + cost + ", " + error);
             }
         }
 

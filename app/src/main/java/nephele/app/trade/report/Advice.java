@@ -1,7 +1,9 @@
 package nephele.app.trade.report;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Collectors;
 import nephele.app.trade.Findings;
 import nephele.app.trade.SettingFindings;
@@ -36,11 +38,43 @@ final class Advice {
     /** All that should be known besides. */
     List<String> remarks() {
         List<String> remarks = new ArrayList<>();
+        spread(remarks);
+        same(remarks);
         cheaper(remarks);
         usual(remarks);
         dominated(remarks);
         uncertain(remarks);
         return remarks;
+    }
+
+    private void spread(List<String> remarks) {
+        double worst = findings.settings().stream()
+                .mapToDouble(SettingFindings::error)
+                .max()
+                .orElseThrow();
+        if (worst - findings.best().error() <= enough()) {
+            remarks.add("The knob hardly shows here: between the worst and the best setting lies "
+                    + error(worst - findings.best().error()) + ".");
+        }
+        if (findings.best().hasPicture() && findings.best().error() > enough()) {
+            remarks.add("An error of " + error(findings.best().error())
+                    + " is there at the best setting too: it comes from the engine's other approximations.");
+        }
+    }
+
+    /** A driver may offer fewer settings than are asked for. */
+    private void same(List<String> remarks) {
+        Map<List<Double>, List<String>> names = new LinkedHashMap<>();
+        for (SettingFindings setting : findings.settings()) {
+            if (setting.hasPicture()) {
+                List<Double> figures = new ArrayList<>(setting.figures());
+                figures.add(setting.error());
+                names.computeIfAbsent(figures, key -> new ArrayList<>()).add(name(setting));
+            }
+        }
+        names.values().stream()
+                .filter(alike -> alike.size() > 1)
+                .forEach(alike -> remarks.add(String.join(" and ", alike) + " give the very same picture here."));
     }
 
     private void cheaper(List<String> remarks) {
@@ -80,9 +114,10 @@ final class Advice {
 
     private void uncertain(List<String> remarks) {
         double widest = findings.settings().stream()
-                .mapToDouble(setting -> (setting.ratio().high() - setting.ratio().low())
-                        / 2
-                        / setting.ratio().estimate())
+                .mapToDouble(
+                        setting -> (setting.ratio().high() - setting.ratio().low())
+                                / 2
+                                / setting.ratio().estimate())
                 .max()
                 .orElse(0);
         if (widest > UNCERTAIN) {

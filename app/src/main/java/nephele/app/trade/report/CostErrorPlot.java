@@ -67,10 +67,15 @@ final class CostErrorPlot {
         svg.line("axis", LEFT, HEIGHT - BOTTOM, WIDTH - RIGHT, HEIGHT - BOTTOM);
         svg.line("axis", LEFT, TOP, LEFT, HEIGHT - BOTTOM);
         var trade = findings.trade();
-        String costWords = trade.cost().name() + ", " + trade.cost().unit() + (cost.isLogarithmic() ? " (logarithmic)" : "");
+        String costWords =
+                trade.cost().name() + ", " + trade.cost().unit() + (cost.isLogarithmic() ? " (logarithmic)" : "");
         svg.text("label", (LEFT + WIDTH - RIGHT) / 2, HEIGHT - 12, "middle", costWords + " →");
         String unit = trade.error().unit();
-        svg.upwardText("label", 18, (TOP + HEIGHT - BOTTOM) / 2, trade.error().name() + (unit.isEmpty() ? "" : ", " + unit) + " →");
+        svg.upwardText(
+                "label",
+                18,
+                (TOP + HEIGHT - BOTTOM) / 2,
+                trade.error().name() + (unit.isEmpty() ? "" : ", " + unit) + " →");
     }
 
     private void front() {
@@ -89,14 +94,17 @@ final class CostErrorPlot {
         for (SettingFindings setting : findings.settings()) {
             taken.add(new double[] {x(setting) - 8, y(setting) - 8, x(setting) + 8, y(setting) + 8});
         }
-        findings.settings().stream()
-                .sorted(Comparator.comparingDouble(this::x))
-                .forEach(this::draw);
+        findings.settings().stream().sorted(Comparator.comparingDouble(this::x)).forEach(this::draw);
     }
 
     private void draw(SettingFindings setting) {
         String kind = setting.isOnFront() ? "good" : "dominated";
-        svg.line("interval " + kind, cost.pixel(setting.cost().low()), y(setting), cost.pixel(setting.cost().high()), y(setting));
+        svg.line(
+                "interval " + kind,
+                cost.pixel(setting.cost().low()),
+                y(setting),
+                cost.pixel(setting.cost().high()),
+                y(setting));
         if (setting == findings.recommended()) {
             svg.circle("ring", x(setting), y(setting), 10, "recommended");
         }
@@ -106,7 +114,8 @@ final class CostErrorPlot {
 
     private String title(SettingFindings setting) {
         var trade = findings.trade();
-        return setting.setting().name() + ": " + Numbers.of(setting.cost().estimate(), trade.cost().unit()) + " ("
+        return setting.setting().name() + ": "
+                + Numbers.of(setting.cost().estimate(), trade.cost().unit()) + " ("
                 + Numbers.range(setting.cost()) + "), " + trade.error().name() + " "
                 + Numbers.of(setting.error(), trade.error().unit());
     }
@@ -132,8 +141,7 @@ final class CostErrorPlot {
 
     private boolean isTaken(double left, double bottom, double width) {
         return taken.stream()
-                .anyMatch(box ->
-                        left < box[2] && left + width > box[0] && bottom - LINE < box[3] && bottom > box[1]);
+                .anyMatch(box -> left < box[2] && left + width > box[0] && bottom - LINE < box[3] && bottom > box[1]);
     }
 
     private double x(SettingFindings setting) {

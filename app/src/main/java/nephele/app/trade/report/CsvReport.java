@@ -9,9 +9,10 @@ import nephele.app.trade.SettingFindings;
 
 /** Everything that was found, one line a setting. */
 final class CsvReport {
-    static final String HEADER = "subject,setting,usual,recommended,dominatedBy,errorName,errorUnit,error,costName,costUnit,"
-            + "cost,costLow,costHigh,ratioToUsual,ratioLow,ratioHigh,wallMs,wallMsLow,wallMsHigh,allocatedBytes,rounds,"
-            + "figure1Name,figure1,figure2Name,figure2,figure3Name,figure3";
+    static final String HEADER =
+            "subject,setting,usual,recommended,dominatedBy,errorName,errorUnit,error,costName,costUnit,"
+                + "cost,costLow,costHigh,ratioToUsual,ratioLow,ratioHigh,wallMs,wallMsLow,wallMsHigh,allocatedBytes,rounds,"
+                + "figure1Name,figure1,figure2Name,figure2,figure3Name,figure3";
 
     private static final int FIGURES = 3;
 
@@ -41,10 +42,17 @@ final class CsvReport {
                 trade.cost().name(),
                 trade.cost().unit()));
         cells.addAll(List.of(
-                setting.cost().estimate(), setting.cost().low(), setting.cost().high(),
-                setting.ratio().estimate(), setting.ratio().low(), setting.ratio().high(),
-                setting.wallNanos().estimate() / 1e6, setting.wallNanos().low() / 1e6, setting.wallNanos().high() / 1e6,
-                setting.bytes(), (double) findings.rounds()));
+                setting.cost().estimate(),
+                setting.cost().low(),
+                setting.cost().high(),
+                setting.ratio().estimate(),
+                setting.ratio().low(),
+                setting.ratio().high(),
+                setting.wallNanos().estimate() / 1e6,
+                setting.wallNanos().low() / 1e6,
+                setting.wallNanos().high() / 1e6,
+                setting.bytes(),
+                (double) findings.rounds()));
         for (int figure = 0; figure < FIGURES; figure++) {
             boolean there = figure < setting.figures().size();
             cells.add(there ? trade.figures().get(figure) : "");

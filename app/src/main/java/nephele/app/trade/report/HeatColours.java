@@ -1,5 +1,8 @@
 package nephele.app.trade.report;
 
+import java.util.Arrays;
+import java.util.stream.Collectors;
+
 /** Errors as colours of growing lightness: black, violet, red, orange, cream. Readable without colour vision. */
 final class HeatColours {
     /** Red, green, blue at even steps of error from 0 to 1. */
@@ -20,5 +23,12 @@ final class HeatColours {
             colour = colour << 8 | (int) Math.rint(low + (at - stop) * (high - low));
         }
         return colour;
+    }
+
+    /** The colours of CSS, from 0 to 1. */
+    static String gradient() {
+        return Arrays.stream(STOPS)
+                .map(stop -> "rgb(" + stop[0] + "," + stop[1] + "," + stop[2] + ")")
+                .collect(Collectors.joining(","));
     }
 }

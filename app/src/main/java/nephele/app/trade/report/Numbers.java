@@ -26,7 +26,7 @@ final class Numbers {
     }
 
     static String of(double value, String unit) {
-        return unit.isEmpty() ? of(value) : unit.equals("°") || unit.equals("%") ? of(value) + " " + unit : of(value) + " " + unit;
+        return unit.isEmpty() ? of(value) : of(value) + "\u00a0" + unit;
     }
 
     /** Whole per cent. */

@@ -7,7 +7,10 @@ final class Svg {
     private final StringBuilder text = new StringBuilder();
 
     static String escaped(String plain) {
-        return plain.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;");
+        return plain.replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
     }
 
     Svg line(String style, double x1, double y1, double x2, double y2) {
@@ -52,7 +55,8 @@ final class Svg {
     /** @param style what stands in the picture's style element; empty within a page that has its own */
     String document(double width, double height, String title, String style) {
         String box = n(width) + " " + n(height);
-        return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 " + box + "\" role=\"img\">\n<title>"
+        return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 " + box
+                + "\" role=\"img\">\n<title>"
                 + escaped(title) + "</title>\n" + (style.isEmpty() ? "" : "<style>\n" + style + "</style>\n") + text
                 + "</svg>\n";
     }

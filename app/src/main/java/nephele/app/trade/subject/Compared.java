@@ -2,34 +2,35 @@ package nephele.app.trade.subject;
 
 import java.awt.image.BufferedImage;
 import java.nio.ByteBuffer;
+import java.util.function.Supplier;
 import nephele.app.draw.DevelopedPicture;
+import nephele.app.trade.TradeSite;
 import nephele.engine.level.Environment;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Development;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.RenderTarget;
 
-/** Which of a picture's values are held against the oracle's. */
+/** Which of a picture's values are judged, and against what. */
 enum Compared {
-    /** Before exposure and tone curve: the knob's own error, at every exposure. */
+    /** Before exposure and tone curve, against the oracle, which draws no rims: the knob's own error, at every exposure. */
     RADIANCE {
         @Override
         Shot judged(Shot shot) {
-            return shot.with(Output.HDR);
+            return shot.with(Output.HDR).set("rims", "off");
         }
 
         @Override
-        LinearPicture read(Renderer renderer, RenderTarget picture) {
-            return new LinearPicture(picture.width(), picture.height(), renderer.readRadiance());
+        LinearPicture read(float[] radiance, RenderTarget picture) {
+            return new LinearPicture(picture.width(), picture.height(), radiance);
         }
 
         @Override
-        LinearPicture exact(LinearPicture oracle, Environment environment) {
-            return oracle;
+        LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
+            return site.oracle();
         }
 
         @Override
@@ -42,7 +43,7 @@ enum Compared {
             return DevelopedPicture.of(picture.rgb(), picture.width(), environment, Output.DIRECT);
         }
     },
-    /** What the display emits, from the 8-bit picture: tone curve, encoding and dither count. */
+    /** What the display emits, against the engine's own radiance developed in double precision. */
     DISPLAY {
         @Override
         Shot judged(Shot shot) {
@@ -50,7 +51,7 @@ enum Compared {
         }
 
         @Override
-        LinearPicture read(Renderer renderer, RenderTarget picture) {
+        LinearPicture read(float[] radiance, RenderTarget picture) {
             ByteBuffer rgba = picture.readBytes();
             float[] rgb = new float[3 * picture.width() * picture.height()];
             for (int i = 0; i < rgb.length; i++) {
@@ -60,13 +61,15 @@ enum Compared {
         }
 
         @Override
-        LinearPicture exact(LinearPicture oracle, Environment environment) {
-            float[] rgb = oracle.rgb().clone();
+        LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
+            LinearPicture radiance = drawn.get();
+            var environment = site.level().environment();
+            float[] rgb = radiance.rgb().clone();
             double exposure = Math.pow(2, environment.exposureStops());
             for (int i = 0; i < rgb.length; i++) {
                 rgb[i] = (float) Development.toneCurve(Math.max(exposure * rgb[i], 0), environment.toneCurve());
             }
-            return new LinearPicture(oracle.width(), oracle.height(), rgb);
+            return new LinearPicture(radiance.width(), radiance.height(), rgb);
         }
 
         @Override
@@ -92,9 +95,11 @@ enum Compared {
     /** What is drawn to be judged instead of what is drawn to be timed. */
     abstract Shot judged(Shot shot);
 
-    abstract LinearPicture read(Renderer renderer, RenderTarget picture);
+    /** @param radiance where the judged shot has it */
+    abstract LinearPicture read(float[] radiance, RenderTarget picture);
 
-    abstract LinearPicture exact(LinearPicture oracle, Environment environment);
+    /** @param drawn the usual picture's radiance, drawn when it is asked for */
+    abstract LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site);
 
     abstract ErrorMap flip(LinearPicture exact, LinearPicture test);
 

@@ -21,14 +21,15 @@ public final class OutputSubject {
             "output",
             new Trade.Text(
                     "Where the tone curve is applied",
-                    "Direct output applies it in the surfaces' own shaders and saves a whole pass. What is blended over"
-                            + " a picture that is display-referred already comes out too bright or too dark. A level without"
-                            + " blended surfaces cannot show that error: then both are equal up to the dither.",
-                    "the oracle's radiance, developed by the level's exposure and tone curve"),
+                    "Direct output applies it in the surfaces' own shaders and saves a whole pass. What is blended"
+                        + " over a picture that is display-referred already comes out too bright or too dark. So far"
+                        + " only the rims of portals and the ghosts of shots are blended: elsewhere both are equal up"
+                        + " to dither.",
+                    "the engine's own radiance in linear light, developed in double precision"),
             List.of(),
             SETTINGS.stream().map(PictureSetting::setting).toList(),
             0,
-            new ErrorMetric("mean FLIP as displayed", "", 5e-4, 5e-3),
+            new ErrorMetric("mean FLIP as displayed", "", 2e-4, 2e-3),
             List.of("relMSE", "mean bias %", "FLIP of the worst 1 %"),
             CostMetric.FRAME,
             site -> new PictureExperiment(site, SETTINGS, Compared.DISPLAY));

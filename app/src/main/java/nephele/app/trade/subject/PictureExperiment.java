@@ -14,6 +14,7 @@ import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
@@ -25,6 +26,7 @@ final class PictureExperiment implements Experiment {
 
     private final TradeSite site;
     private final Compared compared;
+    private final Shot usual;
     private final List<Shot> shots = new ArrayList<>();
     private final List<Renderer> renderers = new ArrayList<>();
     private final Map<Level, Scene> scenes = new HashMap<>();
@@ -34,21 +36,30 @@ final class PictureExperiment implements Experiment {
     PictureExperiment(TradeSite site, List<PictureSetting> settings, Compared compared) {
         this.site = site;
         this.compared = compared;
-        Shot usual = new Shot(site.level(), Outputs.requiredBy(site.level()), "high", Map.of());
+        usual = new Shot(site.level(), Outputs.requiredBy(site.level()), "high", Map.of());
         settings.forEach(setting -> shots.add(setting.change().apply(usual)));
         picture = RenderTarget.picture(
-                site.gl(), "trade", PixelFormat.RGBA8, site.extent().width(), site.extent().height());
+                site.gl(),
+                "trade",
+                PixelFormat.RGBA8,
+                site.extent().width(),
+                site.extent().height());
         settings.forEach(setting -> renderers.add(null));
     }
 
     @Override
     public Judgement judge(int setting) {
-        try (var renderer = renderer(compared.judged(shots.get(setting)))) {
+        return judged(compared.read(drawn(compared.judged(shots.get(setting))), picture));
+    }
+
+    /** Radiance of a settled frame where the shot's output has it; the picture itself lies in its target. */
+    private float[] drawn(Shot shot) {
+        try (var renderer = renderer(shot)) {
             for (int frame = 0; frame < SETTLING_FRAMES; frame++) {
                 renderer.draw(site.view(), picture);
             }
             site.gl().requireNoError("trade");
-            return judged(compared.read(renderer, picture));
+            return shot.output() == Output.HDR ? renderer.readRadiance() : null;
         }
     }
 
@@ -66,9 +77,14 @@ final class PictureExperiment implements Experiment {
 
     private LinearPicture oracle() {
         if (exact == null) {
-            exact = compared.exact(site.oracle(), site.level().environment());
+            exact = compared.exact(this::radiance, site);
         }
         return exact;
+    }
+
+    /** Of the usual picture in linear light. */
+    private LinearPicture radiance() {
+        return new LinearPicture(picture.width(), picture.height(), drawn(usual.with(Output.HDR)));
     }
 
     @Override
@@ -87,8 +103,7 @@ final class PictureExperiment implements Experiment {
 
     private Renderer renderer(Shot shot) {
         Scene scene = scenes.computeIfAbsent(shot.level(), site::scene);
-        return Renderer.load(
-                site.gl(), scene, shot.settings(site.gl().limits().software()));
+        return Renderer.load(site.gl(), scene, shot.settings(site.gl().limits().software()));
     }
 
     @Override

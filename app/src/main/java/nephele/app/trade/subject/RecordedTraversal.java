@@ -97,9 +97,9 @@ final class RecordedTraversal {
     }
 
     /** The first pose that the source's rule would move; {@code null} when none came near. */
-    PlayerPose near() {
+    Gaze near() {
         for (int tick = 0; tick + 1 < states.size(); tick++) {
-            PlayerPose pose = pose(tick, 0);
+            Gaze pose = pose(tick, 0);
             if (SourceTeleport.isDue(portals.portal(0), pose.eye())) {
                 return pose;
             }
@@ -108,7 +108,7 @@ final class RecordedTraversal {
     }
 
     /** The last pose before and the first pose behind the portal; {@code null} when the eye did not go through. */
-    PlayerPose[] through() {
+    Gaze[] through() {
         for (int tick = 0; tick + 1 < states.size(); tick++) {
             if (apart(pose(tick, 0), pose(tick, 1)) > 1) {
                 return bisected(tick);
@@ -117,7 +117,7 @@ final class RecordedTraversal {
         return null;
     }
 
-    private PlayerPose[] bisected(int tick) {
+    private Gaze[] bisected(int tick) {
         double low = 0;
         double high = 1;
         for (int i = 0; i < 50; i++) {
@@ -128,14 +128,14 @@ final class RecordedTraversal {
                 high = middle;
             }
         }
-        return new PlayerPose[] {pose(tick, low), pose(tick, high)};
+        return new Gaze[] {pose(tick, low), pose(tick, high)};
     }
 
-    private PlayerPose pose(int tick, double share) {
-        return PlayerPose.between(states.get(tick), states.get(tick + 1), share);
+    private Gaze pose(int tick, double share) {
+        return Gaze.of(PlayerPose.between(states.get(tick), states.get(tick + 1), share));
     }
 
-    private static double apart(PlayerPose a, PlayerPose b) {
+    private static double apart(Gaze a, Gaze b) {
         return a.eye().toVector().distance(b.eye().toVector());
     }
 }

@@ -81,9 +81,7 @@ final class ScriptedWalk {
     }
 
     private static PlayerInput input(Wish wish, int ticksPerBeat) {
-        var input = PlayerInput.NONE
-                .walking(wish.forward, wish.right)
-                .turning(wish.turnMillidegrees / ticksPerBeat, 0);
+        var input = PlayerInput.NONE.walking(wish.forward, wish.right).turning(wish.turnMillidegrees / ticksPerBeat, 0);
         return wish.jumps ? input.holding(Action.JUMP) : input;
     }
 }

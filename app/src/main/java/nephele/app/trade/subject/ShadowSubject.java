@@ -24,7 +24,8 @@ public final class ShadowSubject {
             "4096",
             Stream.concat(
                             Stream.of(new PictureSetting(
-                                    new Setting("off", "no shadows at all"), shot -> shot.with(unshadowed(shot.level())))),
+                                    new Setting("off", "no shadows at all"),
+                                    shot -> shot.with(unshadowed(shot.level())))),
                             Stream.of(256, 512, 1024, 2048, 4096, 8192)
                                     .map(texels -> PictureSetting.of(FIELD, texels, note(texels))))
                     .toList());
@@ -80,7 +81,6 @@ public final class ShadowSubject {
                     spot.outerConeDegrees(),
                     false);
         }
-        return new Light.Point(
-                light.id(), light.position(), light.radiantIntensity(), light.rangeMetres(), false);
+        return new Light.Point(light.id(), light.position(), light.radiantIntensity(), light.rangeMetres(), false);
     }
 }

@@ -29,6 +29,6 @@ record Shot(Level level, Output output, String preset, Map<String, String> set) 
     }
 
     RenderSettings settings(boolean software) {
-        return new RenderSettings(output, new QualityChoice(preset, set).on(software), RenderSettings.Culling.ON);
+        return new QualityChoice(preset, set).settings(output, software);
     }
 }

@@ -4,7 +4,6 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portal;
-import nephele.engine.sim.PlayerPose;
 
 /**
  * How the student report goes through a portal (sources, part D): who is near it is moved in front of the other one and
@@ -22,22 +21,17 @@ final class SourceTeleport {
         return height >= 0
                 && height <= NEAR_METRES
                 && entry.aperture()
-                        .contains(
-                                entry.across(eye.x(), eye.y(), eye.z()), entry.upward(eye.x(), eye.y(), eye.z()));
+                        .contains(entry.across(eye.x(), eye.y(), eye.z()), entry.upward(eye.x(), eye.y(), eye.z()));
     }
 
     /** As far before the other portal, at its middle, looking along its normal. */
-    static PlayerPose alongNormal(Portal exit) {
-        return new PlayerPose(exit.world(0, 0, NEAR_METRES), ahead(exit));
+    static Gaze alongNormal(Portal exit) {
+        return new Gaze(exit.world(0, 0, NEAR_METRES), ahead(exit));
     }
 
     /** The same move, but the view keeps its angles to the portal: the least repair. */
-    static PlayerPose keepingView(Passage passage, Portal exit, PlayerPose before) {
-        Basis view = before.view();
-        return new PlayerPose(
-                exit.world(0, 0, NEAR_METRES),
-                new Basis(
-                        passage.direction(view.right()), passage.direction(view.up()), passage.direction(view.back())));
+    static Gaze keepingView(Passage passage, Portal exit, Gaze before) {
+        return new Gaze(exit.world(0, 0, NEAR_METRES), Gaze.turned(passage, before.view()));
     }
 
     private static Basis ahead(Portal exit) {

@@ -45,8 +45,7 @@ final class TickRateExperiment implements Experiment {
         }
         Arrays.sort(deviations);
         double apex = ScriptedWalk.jump().highest(simulations.get(setting));
-        return Judgement.of(
-                deviations[WALKS / 2], deviations[WALKS - 1], 1e3 * (PlayerBody.JUMP_HEIGHT - apex));
+        return Judgement.of(deviations[WALKS / 2], deviations[WALKS - 1], 1e3 * (PlayerBody.JUMP_HEIGHT - apex));
     }
 
     private static List<List<Vec3>> walks(Simulation simulation) {

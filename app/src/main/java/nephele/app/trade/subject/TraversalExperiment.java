@@ -9,7 +9,6 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Crossing;
 import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.PlayerPose;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -51,9 +50,9 @@ final class TraversalExperiment implements Experiment {
         }
         jumps.sort(Comparator.comparingDouble(ViewJump::degrees));
         return Judgement.of(
+                jumps.stream().mapToDouble(ViewJump::pixels).average().orElseThrow(),
                 jumps.get(jumps.size() / 2).degrees(),
                 jumps.get(jumps.size() - 1).degrees(),
-                jumps.stream().mapToDouble(ViewJump::pixels).average().orElseThrow(),
                 jumps.stream().mapToDouble(ViewJump::metres).average().orElseThrow());
     }
 
@@ -61,14 +60,14 @@ final class TraversalExperiment implements Experiment {
         Portals portals = walk.portals();
         Passage passage = portals.passage(0);
         if (setting == 2) {
-            PlayerPose[] through = walk.through();
+            Gaze[] through = walk.through();
             return through == null ? null : ViewJump.of(passage, through[0], through[1]);
         }
-        PlayerPose near = walk.near();
+        Gaze near = walk.near();
         if (near == null) {
             return null;
         }
-        PlayerPose moved = setting == 0
+        Gaze moved = setting == 0
                 ? SourceTeleport.alongNormal(portals.portal(1))
                 : SourceTeleport.keepingView(passage, portals.portal(1), near);
         return ViewJump.of(passage, near, moved);

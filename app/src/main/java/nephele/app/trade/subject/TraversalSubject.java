@@ -12,9 +12,11 @@ public final class TraversalSubject {
             "traversal",
             new Trade.Text(
                     "Going through a portal",
-                    "The source moves whoever is near to the middle before the other portal and makes them look along its"
-                            + " normal. The game finds the instant at which the body's centre enters, and turns everything"
-                            + " by the portals' rigid map. Cost is that of looking for portals in a tick of walking.",
+                    "The source moves whoever is near to the middle before the other portal and makes them look along"
+                        + " its normal. The game finds the instant at which the body's centre enters, and turns"
+                        + " everything by the portals' rigid map. Leaps are in pixels of a 1280×720 picture, points"
+                        + " that leave it counting as its diagonal; cost is that of looking for portals in a tick of"
+                        + " walking.",
                     "a window: what is seen does not leap at all"),
             List.of(),
             List.of(
@@ -22,9 +24,9 @@ public final class TraversalSubject {
                     new Setting("teleportKeepingView", "the same, but the view keeps its angle to the portal"),
                     new Setting("timeOfImpact", "the game's")),
             2,
-            new ErrorMetric("median leap of the view", "°", 1e-3, 0.05),
-            List.of("worst leap, °", "mean leap of picture points, pixels of 1280×720", "leap of the eye, m"),
-            new CostMetric("CPU a tick", "ns", TraversalExperiment.TICKS_PER_RUN),
+            new ErrorMetric("mean leap of picture points", "px", 0.01, 0.5),
+            List.of("median turn of the view, °", "worst turn, °", "leap of the eye, m"),
+            new CostMetric("CPU a tick", "ns", 1, TraversalExperiment.TICKS_PER_RUN, CostMetric.Clock.THREAD),
             site -> new TraversalExperiment());
 
     private TraversalSubject() {}

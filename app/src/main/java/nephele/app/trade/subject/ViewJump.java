@@ -3,7 +3,6 @@ package nephele.app.trade.subject;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Passage;
-import nephele.engine.sim.PlayerPose;
 import org.joml.Vector3d;
 
 /**
@@ -25,12 +24,8 @@ record ViewJump(double degrees, double metres, double pixels) {
     private static final double DEPTH_METRES = 5;
 
     /** @param before the last pose on this side; {@code after} the first on the other */
-    static ViewJump of(Passage passage, PlayerPose before, PlayerPose after) {
-        Basis seen = before.view();
-        var expected = new PlayerPose(
-                passage.point(before.eye()),
-                new Basis(
-                        passage.direction(seen.right()), passage.direction(seen.up()), passage.direction(seen.back())));
+    static ViewJump of(Passage passage, Gaze before, Gaze after) {
+        Gaze expected = before.through(passage);
         Vector3d way = after.eye().toVector().sub(expected.eye().toVector());
         return new ViewJump(turnDegrees(expected.view(), after.view()), way.length(), meanPixels(expected, after));
     }
@@ -46,7 +41,7 @@ record ViewJump(double degrees, double metres, double pixels) {
         return a.toVector().distanceSquared(b.toVector());
     }
 
-    private static double meanPixels(PlayerPose expected, PlayerPose after) {
+    private static double meanPixels(Gaze expected, Gaze after) {
         double sum = 0;
         for (int column = 0; column < COLUMNS; column++) {
             for (int row = 0; row < ROWS; row++) {
@@ -59,7 +54,7 @@ record ViewJump(double degrees, double metres, double pixels) {
     }
 
     /** Pixels from the middle of the picture, both ways. */
-    private static double moved(PlayerPose expected, PlayerPose after, double x, double y) {
+    private static double moved(Gaze expected, Gaze after, double x, double y) {
         double perPixel = TAN_HALF_HEIGHT / HALF_HEIGHT_PIXELS;
         Vector3d point = expected.eye()
                 .toVector()
@@ -70,8 +65,7 @@ record ViewJump(double degrees, double metres, double pixels) {
         double depth = -point.dot(after.view().back().toVector());
         double newX = point.dot(after.view().right().toVector()) / depth / perPixel;
         double newY = point.dot(after.view().up().toVector()) / depth / perPixel;
-        boolean inside =
-                depth > 0 && Math.abs(newX) <= HALF_WIDTH_PIXELS && Math.abs(newY) <= HALF_HEIGHT_PIXELS;
+        boolean inside = depth > 0 && Math.abs(newX) <= HALF_WIDTH_PIXELS && Math.abs(newY) <= HALF_HEIGHT_PIXELS;
         return inside ? Math.hypot(newX - x, newY - y) : DIAGONAL_PIXELS;
     }
 }

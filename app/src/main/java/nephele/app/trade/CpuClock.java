@@ -1,5 +1,7 @@
 package nephele.app.trade;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import nephele.app.bench.Stopwatch;
 import org.lwjgl.system.APIUtil;
 import org.lwjgl.system.JNI;
@@ -7,16 +9,22 @@ import org.lwjgl.system.MemoryUtil;
 import org.lwjgl.system.Platform;
 
 /**
- * CPU time of the whole process, every thread of the JVM and of the OpenGL driver counted. Linux has a clock for it that
- * advances by the nanosecond; the JVM's own, elsewhere, advances in steps of 10 ms.
+ * CPU time: of the running thread, or of the whole process, every thread of the JVM and of the OpenGL driver counted. For the
+ * process Linux has a clock that advances by the nanosecond; the JVM's own, elsewhere, advances in steps of 10 ms.
  */
-final class ProcessClock {
+final class CpuClock {
     /** CLOCK_PROCESS_CPUTIME_ID of Linux. */
     private static final int PROCESS_CPU = 2;
 
+    private final CostMetric.Clock whose;
+    private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     private final Stopwatch stopwatch = new Stopwatch();
     private final long clockGettime = address();
     private final long timespec = clockGettime == 0 ? 0 : MemoryUtil.nmemAllocChecked(2 * Long.BYTES);
+
+    CpuClock(CostMetric.Clock whose) {
+        this.whose = whose;
+    }
 
     private static long address() {
         if (Platform.get() != Platform.LINUX || Platform.getArchitecture() != Platform.Architecture.X64) {
@@ -29,7 +37,10 @@ final class ProcessClock {
         }
     }
 
-    long cpuNanos() {
+    long nanos() {
+        if (whose == CostMetric.Clock.THREAD) {
+            return threads.getCurrentThreadCpuTime();
+        }
         if (clockGettime == 0 || JNI.invokePI(PROCESS_CPU, timespec, clockGettime) != 0) {
             return stopwatch.processCpuNanos();
         }

@@ -1,0 +1,154 @@
+package nephele.app.command;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.List;
+import nephele.app.levels.LevelName;
+import nephele.app.levels.LevelShelf;
+import nephele.app.prove.Surroundings;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.app.trade.TradeRequest;
+import nephele.app.trade.TradeRun;
+import nephele.app.trade.TradeSite;
+import nephele.app.trade.Trades;
+import nephele.app.trade.report.Circumstances;
+import nephele.app.trade.report.Report;
+import nephele.engine.asset.WholeFile;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Measures what each knob costs and how wrong each of its settings is, and writes a report; a stopped run goes on. */
+@picocli.CommandLine.Command
+final class TradeCommand implements Command {
+    private static final String WITHOUT_LEVEL_TWO = "levels/samples/portals.json";
+    private static final int MOST_SAMPLES = 1 << 16;
+    private static final int MOST_ROUNDS = 10_000;
+
+    @Parameters(paramLabel = "SUBJECT", description = "What to measure (default: everything; see --list).")
+    private List<String> subjects = List.of();
+
+    @Option(names = "--out", paramLabel = "DIR", description = "Where the report goes, and what is kept for going on.")
+    private Path out;
+
+    @Option(
+            names = "--level",
+            paramLabel = "LEVEL",
+            description = "Whose pictures are compared (default: the game's second level).")
+    private String level;
+
+    @Option(names = "--camera", paramLabel = "ID", description = "One of the level's cameras (default: the first).")
+    private String camera;
+
+    @Option(
+            names = "--size",
+            paramLabel = "WxH",
+            converter = Size.Converter.class,
+            description = "Picture in pixels (default: 640x360; 320x180 with --quick).")
+    private Size size;
+
+    @Option(names = "--spp", paramLabel = "N", description = "The oracle's rays a pixel (default: 64; 8 with --quick).")
+    private Integer samples;
+
+    @Option(
+            names = "--rounds",
+            paramLabel = "N",
+            description = "Rounds of timing, every setting twice in each (default: 15; 5 with --quick).")
+    private Integer rounds;
+
+    @Option(names = "--quick", description = "Small pictures and few rounds: a look, no figures to quote.")
+    private boolean quick;
+
+    @Option(names = "--list", description = "List the subjects and their settings.")
+    private boolean list;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) throws Exception {
+        if (list) {
+            Trades.named(subjects).forEach(trade -> {
+                terminal.out().println(trade.subject() + ": " + trade.text().title());
+                trade.settings().forEach(setting -> terminal.out()
+                        .println(("  " + setting.name() + "  " + setting.note()).stripTrailing()));
+            });
+            return ExitCode.DONE;
+        }
+        var request = request();
+        checkFolder();
+        var run = new TradeRun(request, terminal.err());
+        var found = run.run();
+        Report.write(found, circumstances(request, run), out);
+        terminal.out().println(out.resolve("index.html"));
+        return ExitCode.DONE;
+    }
+
+    private TradeRequest request() {
+        if (out == null) {
+            throw CommandFailure.usage("say where the report goes: --out DIR");
+        }
+        Size pictures = size != null ? size : quick ? new Size(320, 180) : new Size(640, 360);
+        return new TradeRequest(
+                Trades.named(subjects),
+                level != null ? level : usualLevel(),
+                camera,
+                new TradeSite.Extent(
+                        pictures.width(), pictures.height(), chosen("--spp", samples, quick ? 8 : 64, MOST_SAMPLES)),
+                chosen("--rounds", rounds, quick ? 5 : 15, MOST_ROUNDS),
+                quick ? 0.03 : 0.15,
+                out);
+    }
+
+    private static int chosen(String option, Integer said, int usual, int most) {
+        if (said != null && (said < 1 || said > most)) {
+            throw CommandFailure.usage(option + " is a whole number from 1 to " + most + ", not " + said);
+        }
+        return said == null ? usual : said;
+    }
+
+    private static String usualLevel() {
+        return LevelShelf.numbered().stream()
+                .filter(name -> name.fileName().startsWith("02-"))
+                .map(LevelName::typed)
+                .findFirst()
+                .orElse(WITHOUT_LEVEL_TWO);
+    }
+
+    private void checkFolder() {
+        try {
+            Files.createDirectories(out);
+        } catch (IOException failure) {
+            throw CommandFailure.environment("--out " + out + ": can't be made: " + WholeFile.reason(failure)
+                    + "; name a folder that can be written to");
+        }
+        if (!Files.isWritable(out)) {
+            throw CommandFailure.environment("--out " + out + ": can't be written to; name another folder");
+        }
+    }
+
+    private static Circumstances circumstances(TradeRequest request, TradeRun run) {
+        var extent = request.extent();
+        return new Circumstances(
+                run.opened().level().name().isEmpty()
+                        ? new LevelName(request.level()).title()
+                        : run.opened().level().name(),
+                request.level(),
+                extent.width() + "×" + extent.height() + " pixels, oracle of " + extent.samples() + " rays a pixel, "
+                        + (request.camera() == null ? "first camera" : "camera " + request.camera()),
+                Surroundings.machine(),
+                run.graphics(),
+                Surroundings.commit(),
+                LocalDate.now(ZoneOffset.UTC).toString());
+    }
+}
