@@ -4,8 +4,10 @@ import java.util.List;
 import java.util.stream.Collectors;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.trade.subject.AnisotropySubject;
+import nephele.app.trade.subject.CullingSubject;
 import nephele.app.trade.subject.OutputSubject;
 import nephele.app.trade.subject.PlacementSubject;
+import nephele.app.trade.subject.PortalSubjects;
 import nephele.app.trade.subject.SamplesSubject;
 import nephele.app.trade.subject.ShadowSubject;
 import nephele.app.trade.subject.TickRateSubject;
@@ -14,10 +16,14 @@ import nephele.app.trade.subject.TraversalSubject;
 /** Every subject in the order of the report; the only registration. */
 public final class Trades {
     public static final List<Trade> ALL = List.of(
+            PortalSubjects.TECHNIQUE,
+            PortalSubjects.BUDGET,
+            PortalSubjects.RESOLUTION,
             ShadowSubject.TRADE,
             SamplesSubject.TRADE,
             AnisotropySubject.TRADE,
             OutputSubject.TRADE,
+            CullingSubject.TRADE,
             PlacementSubject.TRADE,
             TraversalSubject.TRADE,
             TickRateSubject.TRADE);

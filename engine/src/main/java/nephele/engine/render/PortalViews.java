@@ -39,6 +39,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private final List<VisibleSet> visible = new ArrayList<>();
 
     private ViewTree tree;
+    private RenderTarget frameBuffer;
 
     /** @param passes of every view, in frame order */
     PortalViews(GlContext gl, RenderSettings settings, SharedResources shared, Scene scene, List<Pass> passes) {
@@ -49,12 +50,18 @@ final class PortalViews implements NestedViews, AutoCloseable {
         this.passes = passes;
         clearColour = ClearColour.of(scene.level().environment(), settings.output());
         exposure = ClearColour.exposure(scene.level().environment());
-        pictures = new PortalPictures(gl, settings.quality().portalResolution());
+        pictures = new PortalPictures(
+                gl, technique().copies() ? 1 : settings.quality().portalResolution());
         previous = new PreviousPicture(gl);
     }
 
-    /** Chooses the views of a frame, and draws what has pictures of its own. */
-    ViewNode begin(View main, Moment moment, RenderTarget picture, PixelFormat format) {
+    /**
+     * Chooses the views of a frame, and draws what has pictures of its own.
+     *
+     * @param drawn the frame buffer: what is in it is lost
+     */
+    ViewNode begin(View main, Moment moment, RenderTarget picture, RenderTarget drawn, PixelFormat format) {
+        frameBuffer = drawn;
         gl.state().stencil(Stencil.OFF, 0);
         gl.state().depthOf(DepthOf.SURFACE);
         tree = previous.nextTree();
@@ -66,15 +73,15 @@ final class PortalViews implements NestedViews, AutoCloseable {
                 settings.quality().viewBudget());
         previous.match(tree, moment, picture.width(), picture.height());
         shared.openings().upload(tree, previous.history());
-        if (isTexture()) {
+        if (technique().hasPictures()) {
             pictures.begin(format, picture.width(), picture.height());
             drawPictures(tree.root(), moment, picture);
         }
         return tree.root();
     }
 
-    private boolean isTexture() {
-        return settings.quality().portalTechnique() == PortalTechnique.TEXTURE;
+    private PortalTechnique technique() {
+        return settings.quality().portalTechnique();
     }
 
     /** Tells what the frame looks like before anything is drawn over it. */
@@ -95,7 +102,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     @Override
     public Filling filling(ViewNode child) {
         if (!child.isTerminal()) {
-            return isTexture() ? Filling.PICTURE : Filling.VIEW;
+            return technique().hasPictures() ? Filling.PICTURE : Filling.VIEW;
         }
         if (settings.deepest() == Deepest.MARK) {
             return Filling.MARK;
@@ -137,7 +144,8 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     private void drawPicture(ViewNode node, Moment moment, RenderTarget picture) {
-        RenderTarget target = pictures.take(node);
+        RenderTarget own = pictures.take(node);
+        RenderTarget target = technique().copies() ? frameBuffer : own;
         shared.frameUniforms().upload(node.view(), exposure);
         if (settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
@@ -149,11 +157,22 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
         target.clearWithinScissor(clearColour.red(), clearColour.green(), clearColour.blue());
         drawPasses(node, moment, target, picture);
+        copy(target, own);
         gl.state().noScissor();
         for (int i = 0; i < node.children().size(); i++) {
             if (!node.children().get(i).isTerminal()) {
                 pictures.release(node.children().get(i));
             }
+        }
+    }
+
+    /** Where the view was drawn elsewhere than in its own picture; the scissor limits what is copied. */
+    private void copy(RenderTarget drawn, RenderTarget own) {
+        if (technique() == PortalTechnique.COPY) {
+            gl.state().noScissor();
+        }
+        if (drawn != own) {
+            drawn.copyTo(own);
         }
     }
 

@@ -148,7 +148,7 @@ public final class Renderer implements AutoCloseable {
         RenderTarget surface = settings.output() == Output.HDR ? linear(picture) : picture;
         RenderTarget drawn = multisampling.inPlaceOf(surface, surfaceFormat(picture));
         // Pictures of their own come first: drawing on in a target after another one is costly.
-        ViewNode root = portals == null ? null : portals.begin(view, moment, picture, surfaceFormat(picture));
+        ViewNode root = portals == null ? null : portals.begin(view, moment, picture, drawn, surfaceFormat(picture));
         drawn.clear(clearColour.red(), clearColour.green(), clearColour.blue());
         if (surfacePasses == 0) {
             multisampling.resolve(surface);

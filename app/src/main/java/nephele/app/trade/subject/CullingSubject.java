@@ -1,0 +1,25 @@
+package nephele.app.trade.subject;
+
+import java.util.List;
+import nephele.app.trade.Trade;
+
+/** `--set culling=`. */
+public final class CullingSubject {
+    private static final String KEY = "culling";
+
+    public static final Trade TRADE = PictureTrade.of(
+            KEY,
+            new Trade.Text(
+                    "Leaving out what is out of view",
+                    "Solids that the view cannot show are not sent to the renderer: none left out, a sphere around"
+                            + " each tested, or boxes around groups of them tested first. Pictures must not differ.",
+                    "the oracle: rays through the level, many a pixel"),
+            List.of(),
+            "hierarchy",
+            List.of(
+                    PictureSetting.of(KEY, "none", "everything is drawn"),
+                    PictureSetting.of(KEY, "sphere", "one after the other"),
+                    PictureSetting.of(KEY, "hierarchy", "all presets")));
+
+    private CullingSubject() {}
+}
