@@ -7,7 +7,7 @@ package nephele.app.trade;
  * @param bytes allocated by the running thread
  */
 public record Cost(double cpuNanos, double wallNanos, double bytes) {
-    Cost meanWith(Cost other) {
+    public Cost meanWith(Cost other) {
         return new Cost((cpuNanos + other.cpuNanos) / 2, (wallNanos + other.wallNanos) / 2, (bytes + other.bytes) / 2);
     }
 }

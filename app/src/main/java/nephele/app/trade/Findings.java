@@ -10,7 +10,7 @@ import nephele.engine.measure.ParetoFront;
 
 /** What a subject's measurements say. */
 public record Findings(Trade trade, List<SettingFindings> settings, int rounds) {
-    static Findings of(Trade trade, SubjectState state) {
+    public static Findings of(Trade trade, SubjectState state) {
         var bootstrap = PairedBootstrap.standard();
         int count = trade.settings().size();
         List<Interval> ratios = new ArrayList<>();

@@ -10,7 +10,7 @@ import java.util.List;
  * @param rounds for each round of timing, the costs of all settings
  */
 public record SubjectState(List<Judged> judged, List<List<Cost>> rounds) {
-    static final SubjectState NOTHING = new SubjectState(List.of(), List.of());
+    public static final SubjectState NOTHING = new SubjectState(List.of(), List.of());
 
     /**
      * What stays of a judgement; its pictures lie beside the report.
@@ -19,19 +19,19 @@ public record SubjectState(List<Judged> judged, List<List<Cost>> rounds) {
      */
     public record Judged(double error, List<Double> figures, boolean hasPicture) {}
 
-    SubjectState with(Judged next) {
+    public SubjectState with(Judged next) {
         List<Judged> more = new ArrayList<>(judged);
         more.add(next);
         return new SubjectState(List.copyOf(more), rounds);
     }
 
-    SubjectState withRound(List<Cost> next) {
+    public SubjectState withRound(List<Cost> next) {
         List<List<Cost>> more = new ArrayList<>(rounds);
         more.add(next);
         return new SubjectState(judged, List.copyOf(more));
     }
 
-    boolean isComplete(Trade trade, int wantedRounds) {
+    public boolean isComplete(Trade trade, int wantedRounds) {
         return judged.size() == trade.settings().size() && rounds.size() >= wantedRounds;
     }
 }

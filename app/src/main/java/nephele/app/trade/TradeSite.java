@@ -48,7 +48,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     /** @param folder for what is kept between runs */
-    TradeSite(LevelFile.Opened opened, View view, Extent extent, Path folder, PrintStream tell) {
+    public TradeSite(LevelFile.Opened opened, View view, Extent extent, Path folder, PrintStream tell) {
         this.opened = opened;
         this.view = view;
         this.extent = extent;
@@ -118,7 +118,8 @@ public final class TradeSite implements AutoCloseable {
         return Long.toHexString(hash(LevelJson.write(opened.level()) + view + extent));
     }
 
-    static long hash(String text) {
+    /** Of a text, for names and keys. */
+    public static long hash(String text) {
         long hash = 0;
         for (byte unit : text.getBytes(StandardCharsets.UTF_8)) {
             hash = BitHash.join(hash, unit);

@@ -1,4 +1,4 @@
-package nephele.app.trade;
+package nephele.app.trade.run;
 
 import java.io.IOException;
 import java.io.StringReader;
@@ -10,7 +10,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import java.util.stream.Collectors;
+import nephele.app.trade.Cost;
+import nephele.app.trade.Setting;
+import nephele.app.trade.SubjectState;
 import nephele.app.trade.SubjectState.Judged;
+import nephele.app.trade.Trade;
 import nephele.engine.asset.WholeFile;
 
 /** A subject's state in a file of its own, rewritten in one step after everything that was learnt. */

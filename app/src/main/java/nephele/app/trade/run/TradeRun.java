@@ -1,4 +1,4 @@
-package nephele.app.trade;
+package nephele.app.trade.run;
 
 import java.io.IOException;
 import java.io.PrintStream;
@@ -9,7 +9,12 @@ import java.util.List;
 import nephele.app.draw.Viewpoints;
 import nephele.app.levels.LevelName;
 import nephele.app.prove.Surroundings;
+import nephele.app.trade.Experiment;
+import nephele.app.trade.Findings;
+import nephele.app.trade.SubjectState;
 import nephele.app.trade.SubjectState.Judged;
+import nephele.app.trade.Trade;
+import nephele.app.trade.TradeSite;
 import nephele.app.trade.report.Pictures;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelJson;

@@ -1,8 +1,9 @@
-package nephele.app.trade;
+package nephele.app.trade.run;
 
 import java.util.List;
 import java.util.stream.Collectors;
 import nephele.app.terminal.CommandFailure;
+import nephele.app.trade.Trade;
 import nephele.app.trade.subject.AnisotropySubject;
 import nephele.app.trade.subject.CullingSubject;
 import nephele.app.trade.subject.OutputSubject;

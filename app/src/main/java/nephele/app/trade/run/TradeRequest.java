@@ -1,7 +1,9 @@
-package nephele.app.trade;
+package nephele.app.trade.run;
 
 import java.nio.file.Path;
 import java.util.List;
+import nephele.app.trade.Trade;
+import nephele.app.trade.TradeSite;
 
 /**
  * What was asked for.

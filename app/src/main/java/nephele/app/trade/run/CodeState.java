@@ -1,4 +1,4 @@
-package nephele.app.trade;
+package nephele.app.trade.run;
 
 import java.io.IOException;
 import java.net.URISyntaxException;

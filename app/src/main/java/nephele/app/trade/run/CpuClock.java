@@ -1,8 +1,9 @@
-package nephele.app.trade;
+package nephele.app.trade.run;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import nephele.app.bench.Stopwatch;
+import nephele.app.trade.CostMetric;
 import org.lwjgl.system.APIUtil;
 import org.lwjgl.system.JNI;
 import org.lwjgl.system.MemoryUtil;

@@ -1,10 +1,13 @@
-package nephele.app.trade;
+package nephele.app.trade.run;
 
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import nephele.app.trade.Cost;
+import nephele.app.trade.Experiment;
+import nephele.app.trade.Trade;
 
 /**
  * Times settings side by side: a round runs all of them in a random order and then in the reverse one (A B B A), so that
