@@ -14,6 +14,7 @@ import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.thing.FigurePresence;
 import nephele.engine.sim.Replay;
 
 /** What `play` does without a display: the recorded walk drawn offscreen, three pictures and figures. */
@@ -123,7 +124,7 @@ public final class OffscreenWalk {
     private Renderer renderer(GlContext gl, Preparation.Prepared prepared) {
         var output = request.quality().output(prepared.opened().level());
         var quality = request.quality().on(gl.limits().software());
-        var settings = RenderSettings.of(output, quality);
+        var settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
         return AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 

@@ -7,6 +7,7 @@ import nephele.engine.level.Level;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.thing.FigurePresence;
 import nephele.engine.sim.SimSettings;
 
 /** One level being played: what is drawn and what is simulated. */
@@ -32,7 +33,7 @@ final class Session implements AutoCloseable {
         var prepared = preparation.get();
         var output = request.quality().output(prepared.opened().level());
         var quality = request.quality().on(gl.limits().software());
-        var settings = RenderSettings.of(output, quality);
+        var settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
         var renderer = AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
         return new Session(request, prepared, renderer, input);
     }

@@ -63,6 +63,11 @@ public final class Frustum {
         return new Frustum(planes, count, eye.x(), eye.y(), eye.z());
     }
 
+    /** Without bounds. */
+    public static Frustum everything() {
+        return new Frustum(new double[0], 0, 0, 0, 0);
+    }
+
     /** Everything in front of {@code plane}, however far. */
     public static Frustum inFrontOnly(Plane plane) {
         return new Frustum(new double[0], 0, 0, 0, 0).inFrontOf(plane);

@@ -6,6 +6,7 @@ import nephele.engine.level.Level;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.pass.shadow.ThingShadowPass;
 import nephele.engine.render.pass.thing.ThingPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 import nephele.engine.scene.thing.FigurePresence;
@@ -28,6 +29,9 @@ public record FramePlan(List<Step> steps) {
             }
             if (feature == ThingPass.FEATURE && figure == FigurePresence.POSSIBLE && required.isEmpty()) {
                 required.add(ThingPass.forFigure(level));
+            }
+            if (feature == ThingShadowPass.FEATURE && figure == FigurePresence.POSSIBLE && required.isEmpty()) {
+                required.addAll(ThingShadowPass.forFigure(level));
             }
             steps.add(new Step(feature, List.copyOf(required)));
         }

@@ -8,6 +8,7 @@ import nephele.engine.render.pass.rim.RimPass;
 import nephele.engine.render.pass.shadow.LampShadowPass;
 import nephele.engine.render.pass.shadow.SkyVisibilityPass;
 import nephele.engine.render.pass.shadow.SunShadowPass;
+import nephele.engine.render.pass.shadow.ThingShadowPass;
 import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
@@ -19,6 +20,7 @@ public final class RenderFeatures {
     public static final List<RenderFeature> ALL = List.of(
             SunShadowPass.FEATURE,
             LampShadowPass.FEATURE,
+            ThingShadowPass.FEATURE,
             SkyVisibilityPass.FEATURE,
             OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,

@@ -86,7 +86,7 @@ public final class SharedResources implements AutoCloseable {
     /** Defines, uniforms and textures of {@code surface-light.glsl}. */
     public SurfaceLight surfaceLight(LoadContext context) {
         if (surfaceLight == null) {
-            surfaceLight = new SurfaceLight(gl, scene, context.quality(), this::picture);
+            surfaceLight = new SurfaceLight(gl, scene, context, this::picture);
         }
         return surfaceLight;
     }

@@ -42,11 +42,12 @@ public final class SurfaceLight implements AutoCloseable {
     private final LampTable lamps;
     private final BufferTexture lampTexels;
     private final BufferTexture lampGrid;
+    private final ThingShade thingShade;
 
     private final Function<String, Picture> pictureOf;
     private SkyIrradiance skyIrradiance;
 
-    SurfaceLight(GlContext gl, Scene scene, Quality quality, Function<String, Picture> pictureOf) {
+    SurfaceLight(GlContext gl, Scene scene, LoadContext context, Function<String, Picture> pictureOf) {
         this.pictureOf = pictureOf;
         this.scene = scene;
         level = scene.level();
@@ -55,11 +56,12 @@ public final class SurfaceLight implements AutoCloseable {
         boolean hasLamps = LightNeeds.lamps(level);
         List<Brush> brushes =
                 sunCasts || hasLamps ? level.solids().stream().map(Brush::of).toList() : List.of();
-        sunFrame = sunCasts ? sunFrame(brushes, quality) : null;
+        sunFrame = sunCasts ? sunFrame(brushes, context.quality()) : null;
         sunShadow = sunFrame != null;
         lamps = hasLamps ? LampTable.of(level.lights(), brushes) : null;
         lampTexels = hasLamps ? BufferTexture.ofFloats(gl, "lamps", lamps.packed(anchor())) : null;
         lampGrid = hasLamps ? lampGrid(gl) : null;
+        thingShade = new ThingShade(gl, level, context.figure());
     }
 
     private BufferTexture lampGrid(GlContext gl) {
@@ -83,6 +85,14 @@ public final class SurfaceLight implements AutoCloseable {
         if (LightNeeds.skyVisibility(level)) {
             targets.add(Target.SKY_VISIBILITY);
         }
+        if (!level.bodies().isEmpty()
+                && LightNeeds.sun(level)
+                && level.environment().sun().castsShadow()) {
+            targets.add(Target.THING_SUN_SHADOW);
+        }
+        if (!level.bodies().isEmpty() && LightNeeds.lampShadow(level)) {
+            targets.add(Target.THING_LAMP_SHADOW);
+        }
         return targets;
     }
 
@@ -99,6 +109,11 @@ public final class SurfaceLight implements AutoCloseable {
         return scene.solids().origin();
     }
 
+    /** What the shadows of things need. */
+    public ThingShade thingShade() {
+        return thingShade;
+    }
+
     /** {@code null} without a sun that casts. */
     public ShadowFrame sunFrame() {
         return sunFrame;
@@ -111,16 +126,18 @@ public final class SurfaceLight implements AutoCloseable {
 
     /** Whether light differs from point to point of a face. */
     public boolean variesOverFaces() {
-        return sunShadow || lamps != null || scene.skyVisibility() != null;
+        return needsPositions() || scene.skyVisibility() != null;
     }
 
     /** Whether shaders need to know where on the level they are. */
     public boolean needsPositions() {
-        return sunShadow || lamps != null;
+        return sunShadow || lamps != null || thingShade.sun();
     }
 
     public Defines addTo(Defines defines) {
-        return defines.withIf(LightNeeds.sun(level), "SUN")
+        return thingShade
+                .addTo(defines)
+                .withIf(LightNeeds.sun(level), "SUN")
                 .withIf(sunShadow, "SUN_SHADOW")
                 .withIf(lamps != null, "LAMPS")
                 .withIf(lampShadow, "LAMP_SHADOW")
@@ -132,7 +149,9 @@ public final class SurfaceLight implements AutoCloseable {
 
     /** The same for what moves: it has no place in the light map, so its share of the sky comes otherwise. */
     public Defines addForThings(Defines defines) {
-        return defines.withIf(LightNeeds.sun(level), "SUN")
+        return thingShade
+                .addTo(defines)
+                .withIf(LightNeeds.sun(level), "SUN")
                 .withIf(sunShadow, "SUN_SHADOW")
                 .withIf(lamps != null, "LAMPS")
                 .withIf(lampShadow, "LAMP_SHADOW")
@@ -159,6 +178,7 @@ public final class SurfaceLight implements AutoCloseable {
     }
 
     private void setLights(Uniforms uniforms) {
+        thingShade.set(uniforms);
         Environment environment = level.environment();
         if (LightNeeds.sun(level)) {
             setSun(uniforms, environment.sun());
@@ -241,6 +261,7 @@ public final class SurfaceLight implements AutoCloseable {
             shared.texture(Target.SKY_VISIBILITY).bind(SKY_VISIBILITY_UNIT);
         }
         bindLamps();
+        thingShade.bind(shared);
     }
 
     /** As {@link #bind}, for programs made with {@link #addForThings}. */
@@ -252,6 +273,7 @@ public final class SurfaceLight implements AutoCloseable {
             shared.texture(Target.LAMP_SHADOW).bind(LAMP_SHADOW_UNIT);
         }
         bindLamps();
+        thingShade.bind(shared);
     }
 
     private void bindLamps() {
@@ -263,6 +285,7 @@ public final class SurfaceLight implements AutoCloseable {
 
     @Override
     public void close() {
+        thingShade.close();
         if (lamps != null) {
             lampTexels.close();
             lampGrid.close();

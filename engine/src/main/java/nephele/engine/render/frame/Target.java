@@ -8,6 +8,9 @@ public enum Target {
     PICTURE,
     SUN_SHADOW,
     LAMP_SHADOW,
+    /** The sun's depth map of what moves. */
+    THING_SUN_SHADOW,
+    THING_LAMP_SHADOW,
     /** Light map of the static faces. */
     SKY_VISIBILITY
 }

@@ -39,9 +39,10 @@ public final class LightNeeds {
                 && level.lights().stream().anyMatch(light -> Lamp.of(light).isPresent());
     }
 
-    /** A lamp that casts, and more than one solid: a convex solid does not shade itself. */
+    /** A lamp that casts, and more than one solid or body: a convex one does not shade itself. */
     public static boolean lampShadow(Level level) {
-        return level.solids().size() > 1 && level.lights().stream().anyMatch(LightNeeds::casts);
+        boolean several = level.solids().size() + level.bodies().size() > 1;
+        return several && lamps(level) && level.lights().stream().anyMatch(LightNeeds::casts);
     }
 
     /** Whether a lamp lights anything and casts. */

@@ -29,14 +29,18 @@ public final class VisibleThings {
 
     /** @param pictureHeight pixels */
     public void find(View view, Frustum frustum, int pictureHeight) {
+        find(frustum, view.eye(), pictureHeight / (2 * view.projection().tanHalfHeight()));
+    }
+
+    /** @param pixelsPerTangent how large a metre is at distance 1 */
+    public void find(Frustum frustum, Vec3 eye, double pixelsPerTangent) {
         runs = 0;
-        double pixelsPerTangent = pictureHeight / (2 * view.projection().tanHalfHeight());
         for (int group = 0; group < things.groups().size(); group++) {
             ThingGroup shape = things.groups().get(group);
             for (int i = copies.start(group); i < copies.start(group + 1); i += shape.parts()) {
                 if (maySee(frustum, i, shape.parts())) {
-                    double pixels = copies.ball(i, 3) * pixelsPerTangent / distance(view.eye(), i);
-                    add(group, i, mesh(shape, pixels, i, view.eye()));
+                    double pixels = copies.ball(i, 3) * pixelsPerTangent / distance(eye, i);
+                    add(group, i, mesh(shape, pixels, i, eye));
                 }
             }
         }

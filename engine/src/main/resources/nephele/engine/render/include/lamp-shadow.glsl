@@ -39,7 +39,11 @@ float lampLitShare(Lamp lamp, vec3 fromLamp, vec3 faceNormal) {
     float texelsToTangent = 2.0 / (size * cotangent);
     vec2 gradient = n.xy * (-slope * texelsToTangent / planeDistance);
     float halfTexel = slope * 0.5 * texelsToTangent / distance;
-    vec4 depths = textureGather(lampShadowMaps, vec3(gatherPoint(texel) / size, layer));
+    vec3 coordinates = vec3(gatherPoint(texel) / size, layer);
+    vec4 depths = textureGather(lampShadowMaps, coordinates);
+#ifdef THING_LAMP_SHADOW
+    depths = nearerDepths(depths, coordinates);
+#endif
     float depth = scale - slope / distance - contactTolerance(halfTexel, gradient);
     return litShare(depths, texel, depth, gradient);
 }

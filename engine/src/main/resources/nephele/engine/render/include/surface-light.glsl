@@ -1,6 +1,6 @@
 // Radiance that a surface sends to the eye; uniforms and textures come from render.frame.SurfaceLight. What is compiled is what the level asks for:
-//   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, LAMPS, LAMP_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static faces.
-// ANCHOR_POSITION goes with each of SUN_SHADOW and LAMPS.
+//   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, THING_SUN_SHADOW, THING_LAMP_SHADOW, LAMPS, LAMP_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static faces.
+// ANCHOR_POSITION goes with each of SUN_SHADOW, THING_SUN_SHADOW and LAMPS.
 
 struct Surface {
     vec3 baseColour;
@@ -29,8 +29,11 @@ const float PI = 3.14159265;
 uniform vec3 sunDirection;   // towards the sun, unit
 uniform vec3 sunIrradiance;  // on a perpendicular plane
 #endif
-#if defined(SUN_SHADOW) || defined(LAMP_SHADOW)
+#if defined(SUN_SHADOW) || defined(LAMP_SHADOW) || defined(THING_SUN_SHADOW)
 #include "shadow-filter.glsl"
+#endif
+#if defined(THING_SUN_SHADOW) || defined(THING_LAMP_SHADOW)
+#include "thing-shade.glsl"
 #endif
 #ifdef SUN_SHADOW
 #include "sun-shadow.glsl"
@@ -79,6 +82,11 @@ vec3 sunLight(REFLECTANCE r, Surface s) {
     float lit = nDotSun > 0.0 ? 1.0 : 0.0;
 #ifdef SUN_SHADOW
     lit *= sunLitShare(s.anchorPosition, s.faceNormal, nDotSun);
+#endif
+#ifdef THING_SUN_SHADOW
+    if (lit > 0.0) {
+        lit *= thingSunLitShare(s.anchorPosition, s.faceNormal, nDotSun);
+    }
 #endif
     return reflected(r, s, sunDirection) * sunIrradiance * lit;
 }

@@ -1,0 +1,116 @@
+package nephele.engine.render.frame;
+
+import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.UniformBuffer;
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.thing.ThingSunMap;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+
+/**
+ * The shadows of what moves, for shaders that include {@code surface-light.glsl}: defines, the block {@code ThingShade}
+ * and two more depth textures beside those of what never moves.
+ */
+public final class ThingShade implements AutoCloseable {
+    public static final int BINDING = 3;
+
+    private static final int SUN_UNIT = 10;
+    private static final int LAMP_UNIT = 11;
+    /** One float for each layer of the lamps' depth texture, four to a vector. */
+    private static final int MOST_LAYERS = 512;
+
+    private static final int FLOATS = 16 + 3 * 4 + MOST_LAYERS;
+    private static final int LAYERS = 16 + 3 * 4;
+
+    private final boolean sun;
+    private final boolean lamps;
+    private final UniformBuffer block;
+    private final float[] values = new float[FLOATS];
+    private final Matrix4d map = new Matrix4d();
+
+    ThingShade(GlContext gl, Level level, FigurePresence figure) {
+        boolean things = !level.bodies().isEmpty() || figure == FigurePresence.POSSIBLE;
+        sun = things && LightNeeds.sun(level) && level.environment().sun().castsShadow();
+        lamps = things && LightNeeds.lampShadow(level);
+        block = sun || lamps ? new UniformBuffer(gl, "shadows of things", FLOATS) : null;
+    }
+
+    public boolean sun() {
+        return sun;
+    }
+
+    public boolean lamps() {
+        return lamps;
+    }
+
+    Defines addTo(Defines defines) {
+        return defines.withIf(sun, "THING_SUN_SHADOW").withIf(lamps, "THING_LAMP_SHADOW");
+    }
+
+    void set(Uniforms uniforms) {
+        if (sun) {
+            uniforms.sampler("thingSunMap", SUN_UNIT);
+        }
+        if (lamps) {
+            uniforms.sampler("thingLampMaps", LAMP_UNIT);
+        }
+        if (block != null) {
+            uniforms.block("ThingShade", BINDING);
+        }
+    }
+
+    /** Where the sun's map lies now. */
+    public void sunMap(ThingSunMap sunMap, Vec3 anchor) {
+        sunMap.mapFromAnchor(anchor, map).get(values);
+        float texelDepth = (float) (sunMap.texelMetres() / sunMap.depthMetres());
+        put(16, sunMap.right(), texelDepth);
+        put(20, sunMap.up(), texelDepth / 2);
+        values[24] = sunMap.width();
+        values[25] = sunMap.height();
+    }
+
+    /** Where nothing that moves casts: the map is not asked. */
+    public void noSunMap() {
+        values[24] = 0;
+    }
+
+    /** Whether a lamp's layer shows anything that moves. */
+    public void layer(int layer, boolean isUsed) {
+        values[LAYERS + layer] = isUsed ? 1 : 0;
+    }
+
+    /** Hands what was set to the shaders. */
+    public void upload() {
+        block.upload(values);
+    }
+
+    private void put(int at, Vector3d v, float w) {
+        values[at] = (float) v.x;
+        values[at + 1] = (float) v.y;
+        values[at + 2] = (float) v.z;
+        values[at + 3] = w;
+    }
+
+    void bind(SharedResources shared) {
+        if (sun) {
+            shared.texture(Target.THING_SUN_SHADOW).bind(SUN_UNIT);
+        }
+        if (lamps) {
+            shared.texture(Target.THING_LAMP_SHADOW).bind(LAMP_UNIT);
+        }
+        if (block != null) {
+            block.bind(BINDING);
+        }
+    }
+
+    @Override
+    public void close() {
+        if (block != null) {
+            block.close();
+        }
+    }
+}

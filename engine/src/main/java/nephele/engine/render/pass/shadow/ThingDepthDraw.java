@@ -1,0 +1,58 @@
+package nephele.engine.render.pass.shadow;
+
+import java.util.Map;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.ThingMeshes;
+import nephele.engine.render.frame.ThingMeshes.RunUniforms;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.Uniforms.Matrix4;
+import nephele.engine.scene.ViewTree;
+import nephele.engine.scene.thing.VisibleThings;
+import org.joml.Matrix4d;
+
+/** Draws the depth of what moves under a projection; both sides of every face, since halves are open. */
+final class ThingDepthDraw implements AutoCloseable {
+    private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
+
+    private record DepthUniforms(Matrix4 clipFromAnchor, RunUniforms run) {}
+
+    private final GlContext gl;
+    private final ThingMeshes meshes;
+    private final GlProgram<DepthUniforms> program;
+    private final int clipDistances;
+    private final float[] matrix = new float[16];
+
+    ThingDepthDraw(LoadContext context, ThingMeshes meshes) {
+        this.gl = context.gl();
+        this.meshes = meshes;
+        clipDistances = ViewTree.mayGrow(context.scene().level()) ? 3 : 0;
+        Map<String, String> defines = Defines.of(context).values();
+        program = new GlProgram<>(
+                gl,
+                ShaderSource.load(FOLDER + "thing-depth.vert", defines),
+                ShaderSource.load(FOLDER + "depth.frag", Map.of()),
+                uniforms -> new DepthUniforms(uniforms.matrix4("clipFromAnchor"), RunUniforms.of(uniforms)));
+    }
+
+    /** Into the bound target, after its depth was cleared. */
+    void draw(VisibleThings visible, Matrix4d clipFromAnchor) {
+        gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, clipDistances);
+        program.use();
+        program.uniforms().clipFromAnchor().set(clipFromAnchor.get(matrix));
+        meshes.bind();
+        for (int run = 0; run < visible.runs(); run++) {
+            meshes.draw(visible, run, program.uniforms().run());
+        }
+    }
+
+    @Override
+    public void close() {
+        program.close();
+    }
+}

@@ -1,0 +1,72 @@
+package nephele.engine.render.pass.shadow;
+
+import nephele.engine.math.Frustum;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.ThingMeshes;
+import nephele.engine.render.frame.ThingShade;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.scene.thing.ThingSunMap;
+import nephele.engine.scene.thing.VisibleThings;
+import org.joml.Matrix4d;
+
+/** The sun's depth map of what moves. */
+final class ThingSunShadow implements AutoCloseable {
+    /** So many times finer than the static map's side the own map's side is. */
+    private static final int SMALLER = 4;
+
+    private final GlContext gl;
+    private final ThingMeshes meshes;
+    private final ThingShade shade;
+    private final Vec3 anchor;
+    private final ThingSunMap sunMap;
+    private final Texture map;
+    private final RenderTarget target;
+    private final VisibleThings visible;
+    private final Matrix4d matrix = new Matrix4d();
+
+    ThingSunShadow(LoadContext context, ThingMeshes meshes) {
+        gl = context.gl();
+        this.meshes = meshes;
+        shade = context.shared().surfaceLight(context).thingShade();
+        anchor = context.shared().surfaceLight(context).anchor();
+        int side = Math.max(256, context.quality().shadowTexels() / SMALLER);
+        sunMap = new ThingSunMap(context.scene().level().environment().sun().directionTowardsSun(), side);
+        Texture.Extent extent = new Texture.Extent(side, side, 1);
+        map = new Texture(
+                gl, "sun shadow of things", Texture.Shape.ARRAY, PixelFormat.DEPTH32F, extent, Sampling.NEAREST_CLAMP);
+        target = RenderTarget.depthLayer(gl, "sun shadow of things", map, 0);
+        visible = new VisibleThings(meshes.things(), meshes.copies());
+        context.shared().publish(Target.THING_SUN_SHADOW, map);
+    }
+
+    void draw(ThingDepthDraw depth, Vec3 eye) {
+        sunMap.fit(meshes.copies(), eye);
+        if (sunMap.width() == 0) {
+            shade.noSunMap();
+            return;
+        }
+        shade.sunMap(sunMap, anchor);
+        gl.state().scissor(0, 0, sunMap.width(), sunMap.height());
+        target.clearDepth();
+        visible.find(Frustum.everything(), eye, 1 / sunMap.texelMetres());
+        sunMap.mapFromAnchor(anchor, matrix);
+        depth.draw(visible, clip(matrix));
+        gl.state().noScissor();
+    }
+
+    private static Matrix4d clip(Matrix4d map) {
+        return map.scaleLocal(2, 2, 2, map).translateLocal(-1, -1, -1, map);
+    }
+
+    @Override
+    public void close() {
+        target.close();
+        map.close();
+    }
+}

@@ -1,0 +1,12 @@
+#include "thing-position.glsl"
+
+uniform mat4 clipFromAnchor;
+
+void main() {
+    ThingVertex v = thingVertex();
+    gl_Position = clipFromAnchor * vec4(v.centreHigh + v.fromCentre, 1.0);
+#ifdef PORTALS
+    gl_ClipDistance[0] = 1.0;
+#endif
+    clipToOwnPlanes(v, 0.0);
+}
