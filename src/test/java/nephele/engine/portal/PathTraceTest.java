@@ -227,6 +227,39 @@ final class PathTraceTest {
         assertEquals(50, trace.crossings());
     }
 
+    /**
+     * Portals.md row 36: three pairs bend a beam back into its own start, 2 m a leg: it never arrives anywhere, ends at
+     * the cap at its own beginning, and a sound of any shorter reach ends after exactly that way.
+     */
+    @Test
+    void aBeamThatRunsIntoItsOwnStartEndsAtTheCap() {
+        Portals ring = pairs(List.of(
+                portal("in 0", new Vec3(0, 1, -1), new Vec3(0, 0, 1)),
+                portal("out 0", new Vec3(5, 1, 0), new Vec3(1, 0, 0)),
+                portal("in 1", new Vec3(7, 1, 0), new Vec3(-1, 0, 0)),
+                portal("out 1", new Vec3(5, 1, 5), new Vec3(0, 0, 1)),
+                portal("in 2", new Vec3(5, 1, 7), new Vec3(0, 0, -1)),
+                portal("out 2", new Vec3(0, 1, 1), new Vec3(0, 0, -1))));
+        var trace = new PathTrace(ring, Obstacles.NONE);
+        Vector3d start = new Vector3d(0, 1.2, 1);
+        assertEquals(End.TOO_MANY_CROSSINGS, trace.walk(start, new Vector3d(0, 0, -1e6)));
+        assertEquals(PathTrace.MOST_CROSSINGS, trace.crossings());
+        assertEquals(2.0 * (PathTrace.MOST_CROSSINGS + 1), 1e6 * trace.freeFraction(), 1e-7);
+        assertEquals(0, trace.place().distance(new Vector3d(7, 1.2, 0)), 1e-9);
+        for (int legs = 1; legs <= PathTrace.MOST_CROSSINGS; legs++) {
+            assertEquals(End.ARRIVED, trace.walk(start, new Vector3d(0, 0, 1e-6 - 2 * legs)), legs + " legs");
+            assertEquals(legs - 1, trace.crossings());
+            assertEquals(1, trace.freeFraction());
+            Vector3d arrives =
+                    switch (legs % 3) {
+                        case 1 -> new Vector3d(0, 1.2, -1);
+                        case 2 -> new Vector3d(7, 1.2, 0);
+                        default -> new Vector3d(5, 1.2, 7);
+                    };
+            assertEquals(0, trace.place().distance(arrives), 2e-6, legs + " legs");
+        }
+    }
+
     /** The wall that a portal is in does not stop what goes through it; what stands before it does. */
     @Test
     void theHostWallIsOpenAndNothingElse() {

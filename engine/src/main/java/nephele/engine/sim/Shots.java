@@ -34,6 +34,11 @@ public record Shots(int first, int second) {
         return shot == Colour.FIRST ? first : second;
     }
 
+    /** The one that comes first among the portals. */
+    Colour earlier() {
+        return first <= second ? Colour.FIRST : Colour.SECOND;
+    }
+
     Shots with(Colour shot, int portal) {
         return shot == Colour.FIRST ? new Shots(portal, second) : new Shots(first, portal);
     }

@@ -25,6 +25,7 @@ public final class Simulation {
     private final Spaces spaces;
     private final BodiesTick bodiesTick;
     private final Hands hands;
+    private final Continuation continuation;
     private final Assists assists;
     private final int actionsOfHands;
     private final double lowest;
@@ -50,6 +51,7 @@ public final class Simulation {
         bodiesTick = new BodiesTick(level.bodies(), spaces, seconds, faults);
         assists = new Assists(settings);
         hands = new Hands(level, spaces, seconds);
+        continuation = new Continuation(level, spaces);
         actionsOfHands = level.gun() == null && level.bodies().size() == 0 ? 0 : Action.OF_HANDS;
         lowest = statics.size() == 0
                 ? Double.NEGATIVE_INFINITY
@@ -72,6 +74,17 @@ public final class Simulation {
     /** The state at tick 0 with the player elsewhere. */
     public SimState startFrom(PlayerStart elsewhere) {
         return start.withPlayer(standing(elsewhere));
+    }
+
+    /**
+     * A state of this simulation as the game goes on in an edited level: shots whose surface is gone or takes no
+     * portals any more close, and who stands in them is put on its centre's side.
+     *
+     * @return {@code null} where somebody finds no room there: the edit has to wait
+     * @throws IllegalArgumentException when the edited level has other bodies
+     */
+    public SimState continuedIn(Simulation edited, SimState state) {
+        return edited.continuation.of(state, spaces.of(state.around().portals()));
     }
 
     /** What a shot would do in a state, for who shows it before; {@code null} in a level without a gun. */

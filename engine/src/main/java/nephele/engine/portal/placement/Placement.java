@@ -26,6 +26,12 @@ public final class Placement {
     /** More limits than this are not searched for any place at all: it would be far off, and a query is short. */
     private static final int MOST_LIMITS = 100;
 
+    /** A portal is looked at from so near: what is farther from its wall does not touch it. */
+    private static final double HOLDS_FROM_METRES = 0.02;
+
+    /** Re-triangulated, a surface gives the same place within this (portals.md section 5, row 31). */
+    private static final double SAME_PLACE_METRES = 5e-5;
+
     private final Surfaces surfaces;
     private final Gun gun;
     private final RayHit hit = new RayHit();
@@ -61,6 +67,20 @@ public final class Placement {
             return new Placed.Refused(Refusal.NOT_PORTALABLE, where);
         }
         return onRegion(id, region, onPlane(region.frame(), ray, where), aim.view(), others);
+    }
+
+    /** Whether a portal lies where a shot straight at its middle would put it, among what is there now. */
+    public boolean holds(Portal portal, List<Portal> others) {
+        Vec3 before = portal.world(0, 0, HOLDS_FROM_METRES);
+        Placed again = place(portal.id(), new Aim(before, portal.frame()), others, MovingSurfaces.NONE);
+        return again instanceof Placed.Fits fits
+                && isSame(fits.portal().aperture(), portal.aperture())
+                && fits.portal().centre().toVector().distance(portal.centre().toVector()) <= SAME_PLACE_METRES
+                && Directions.dot(fits.portal().frame().up(), portal.frame().up()) >= Tolerance.COPLANAR_COSINE;
+    }
+
+    private static boolean isSame(Aperture a, Aperture b) {
+        return a.shape() == b.shape() && a.widthMetres() == b.widthMetres() && a.heightMetres() == b.heightMetres();
     }
 
     /** Where the ray meets the region's own plane: that of the face which it hit is noisier. */

@@ -1,0 +1,222 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.level.Level;
+import nephele.engine.level.Solid;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portals;
+import org.joml.Quaterniond;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Row 14 of {@code knowledge/portals.md}, section 5: the surface under a portal is taken away or takes no portals any
+ * more. The portal closes, and who stands in it is treated by row 12: the centre's side decides, or the edit is refused.
+ */
+final class EditedLevelTest {
+    private static final double EDGE = 0.5;
+    /** The solid of {@link Lab#hall} whose face is at z = −8. */
+    private static final int WALL_AHEAD = 4;
+
+    private static final double WALL = -8;
+
+    /** What is done to the wall under the first portal. */
+    private enum Edit {
+        NOT_PORTALABLE,
+        GONE;
+
+        void of(List<Solid> solids) {
+            Solid.Box wall = (Solid.Box) solids.get(WALL_AHEAD);
+            solids.set(
+                    WALL_AHEAD, new Solid.Box(wall.id(), null, false, null, wall.centre(), wall.size(), wall.faces()));
+            if (this == GONE) {
+                solids.remove(WALL_AHEAD);
+            }
+        }
+    }
+
+    private static Lab twoPortals() {
+        return Lab.hall()
+                .gun()
+                .cube(new Vec3(3, EDGE / 2, 3), EDGE, 10)
+                .startAt(0, 0, 0, 0, -5)
+                .press(Action.FIRE_FIRST)
+                .turn(90, 0)
+                .press(Action.FIRE_SECOND);
+    }
+
+    private static Lab withCubeAt(Lab lab, double beforeTheWall) {
+        Bodies bodies = lab.state().around().bodies();
+        Vec3 still = Vec3.ZERO;
+        var centre = new Vec3(0, EDGE / 2, WALL + beforeTheWall);
+        var moved = new BodyState(centre, new Quaterniond(), still, still);
+        return lab.set(lab.state().with(lab.state().around().with(bodies.with(0, moved))))
+                .hold(PlayerInput.NONE, 0.3);
+    }
+
+    private static Simulation edited(Level level, List<Solid> solids) {
+        var changed = new Level(
+                level.name(),
+                level.description(),
+                level.environment(),
+                level.player(),
+                level.cameras(),
+                level.materials(),
+                solids,
+                level.lights(),
+                level.portals(),
+                level.models(),
+                level.bodies(),
+                level.portalGun());
+        return new Simulation(changed, SimSettings.DEFAULT);
+    }
+
+    private static Simulation edited(Lab lab, Edit edit) {
+        List<Solid> solids = new ArrayList<>(lab.level().solids());
+        edit.of(solids);
+        return edited(lab.level(), solids);
+    }
+
+    private static SimState after(Simulation simulation, SimState state, int ticks) {
+        SimState now = state;
+        for (int i = 0; i < ticks; i++) {
+            now = simulation.step(now, PlayerInput.NONE);
+        }
+        return now;
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void thePortalClosesAndTheOtherStaysWithoutAPartner(Edit edit) {
+        Lab lab = twoPortals();
+        Simulation edited = edited(lab, edit);
+        SimState state = lab.simulation().continuedIn(edited, lab.state());
+        Portals portals = state.around().portals();
+        assertEquals(1, portals.size());
+        assertFalse(portals.isOpen(0));
+        assertEquals(new Shots(Shots.UNFIRED, 0), state.around().shots());
+        assertEquals(lab.state().around().portals().portal(1), portals.portal(0));
+        assertEquals(lab.player(), state.player());
+        // The gun shoots on: in the wall to the left the first portal finds its place again, and both are open.
+        SimState again = edited.step(state, PlayerInput.NONE.turning(80_000, 0).holding(Action.FIRE_FIRST));
+        again = after(edited, again, 1);
+        again = edited.step(again, PlayerInput.NONE.turning(80_000, 0).holding(Action.FIRE_FIRST));
+        assertTrue(
+                again.around().portals().isOpen(0) && again.around().portals().isOpen(1));
+    }
+
+    /** The cube stands beyond the plane by up to a quarter of its edge; the push ends at the skin before the wall. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.002, 0.1, 0.2})
+    void aCubeInItIsPutOnItsCentresSide(double before) {
+        Lab lab = withCubeAt(twoPortals(), before);
+        assertEquals(WALL + before, lab.body(0).z(), 1e-3);
+        Simulation edited = edited(lab, Edit.NOT_PORTALABLE);
+        SimState state = lab.simulation().continuedIn(edited, lab.state());
+        double at = state.around().bodies().state(0).centre().z();
+        assertEquals(WALL + EDGE / 2, at, 2e-3);
+        assertTrue(at - EDGE / 2 > WALL - 1e-9, "in the wall by " + (WALL + EDGE / 2 - at));
+        Vec3 rested = after(edited, state, 120).around().bodies().state(0).centre();
+        assertEquals(0, rested.toVector().distance(0, EDGE / 2, WALL + EDGE / 2), 3e-3);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.01, 0.15, 0.29})
+    void aPlayerInItIsPutOnItsCentresSide(double before) {
+        Lab lab = twoPortals();
+        lab.set(lab.state().withPlayer(lab.player().withFeet(new Vec3(0, 0, WALL + before))));
+        SimState state = lab.simulation().continuedIn(edited(lab, Edit.NOT_PORTALABLE), lab.state());
+        assertEquals(WALL + 0.3, state.player().feet().z(), 2e-3);
+        assertTrue(state.player().feet().z() >= WALL + 0.3);
+    }
+
+    /** The solid in front leaves the cube no way out: the level stays as it was. */
+    @Test
+    void withoutRoomTheEditIsRefused() {
+        Lab lab = withCubeAt(twoPortals(), 0.05);
+        List<Solid> solids = new ArrayList<>(lab.level().solids());
+        Edit.NOT_PORTALABLE.of(solids);
+        double front = WALL + 0.05 + EDGE / 2 + 0.005;
+        var block = (Solid.Box)
+                Lab.hall().box(-2, 0, front, 2, 2, front + 1).level().solids().get(6);
+        solids.add(block);
+        assertNull(lab.simulation().continuedIn(edited(lab.level(), solids), lab.state()));
+        solids.remove(block);
+        assertNotNull(lab.simulation().continuedIn(edited(lab.level(), solids), lab.state()));
+    }
+
+    /** Half of the aperture is enough, and so is a thing that now stands against it. */
+    @Test
+    void whatOnlyPartlyHoldsCloses() {
+        Lab lab = twoPortals();
+        List<Solid> cut = new ArrayList<>(lab.level().solids());
+        cut.add(((Solid.Box) Lab.hall()
+                .box(0.5, 0, WALL, 3, 2, WALL + 0.005, false)
+                .level()
+                .solids()
+                .get(6)));
+        SimState state = lab.simulation().continuedIn(edited(lab.level(), cut), lab.state());
+        assertEquals(Shots.UNFIRED, state.around().shots().first());
+        List<Solid> beside = new ArrayList<>(lab.level().solids());
+        beside.add(((Solid.Box) Lab.hall()
+                .box(0.7, 0, WALL, 3, 2, WALL + 0.005, false)
+                .level()
+                .solids()
+                .get(6)));
+        state = lab.simulation().continuedIn(edited(lab.level(), beside), lab.state());
+        assertTrue(
+                state.around().portals().isOpen(0) && state.around().portals().isOpen(1));
+    }
+
+    /** What is held along a line through the portal is lost with it, and kept where the edit is elsewhere. */
+    @Test
+    void theLineToWhatIsHeldGoesWithThePortal() {
+        Lab lab = twoPortals();
+        var holding =
+                new Holding(0, CrossingWord.EMPTY.then(0, lab.state().around().portals()), 0);
+        SimState held = lab.state().with(lab.state().around().with(holding));
+        Simulation same = edited(lab.level(), lab.level().solids());
+        assertEquals(holding, lab.simulation().continuedIn(same, held).around().holding());
+        SimState lost = lab.simulation().continuedIn(edited(lab, Edit.GONE), held);
+        assertEquals(Holding.NOTHING, lost.around().holding());
+    }
+
+    /** Nothing changed: every bit goes on as without the edit. */
+    @Test
+    void theSameLevelGoesOnBitByBit() {
+        Lab lab = Lab.hall()
+                .gun()
+                .startAt(0, 0, 0, 0, -5)
+                .press(Action.FIRE_FIRST)
+                .turn(90, 0)
+                .press(Action.FIRE_SECOND)
+                .hold(PlayerInput.FORWARD, 1);
+        Simulation same = edited(lab.level(), lab.level().solids());
+        SimState state = lab.simulation().continuedIn(same, lab.state());
+        assertEquals(lab.state().hash(), state.hash());
+        for (int i = 0; i < 240; i++) {
+            state = same.step(state, PlayerInput.FORWARD);
+        }
+        assertEquals(lab.hold(PlayerInput.FORWARD, 2).state().hash(), state.hash());
+    }
+
+    @Test
+    void otherBodiesAreAnotherGame() {
+        Lab lab = twoPortals();
+        Simulation other = new Simulation(Lab.hall().gun().level(), SimSettings.DEFAULT);
+        assertThrows(IllegalArgumentException.class, () -> lab.simulation().continuedIn(other, lab.state()));
+    }
+}
