@@ -9,6 +9,8 @@ import nephele.engine.level.Fog;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
+import nephele.engine.level.PortalShape;
+import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Sun;
@@ -27,6 +29,7 @@ final class TestLevel {
     private final List<Material> materials = new ArrayList<>();
     private final List<Solid> solids = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
+    private final List<PortalSpec> portals = new ArrayList<>();
 
     TestLevel sun(Vec3 towards, double irradiance) {
         sun = new Sun(towards, grey(irradiance), false);
@@ -100,6 +103,17 @@ final class TestLevel {
         return this;
     }
 
+    /** A portal without rim or wall of its own. */
+    TestLevel portal(String id, String linkedTo, Vec3 centre, Vec3 normal, double width, double height) {
+        Vec3 up = Math.abs(normal.y()) > 0.9 ? new Vec3(0, 0, -1) : new Vec3(0, 1, 0);
+        return portal(new PortalSpec(id, linkedTo, centre, normal, up, width, height, PortalShape.RECTANGLE));
+    }
+
+    TestLevel portal(PortalSpec portal) {
+        portals.add(portal);
+        return this;
+    }
+
     TestLevel light(Light light) {
         lights.add(light);
         return this;
@@ -116,7 +130,7 @@ final class TestLevel {
                 List.copyOf(materials),
                 List.copyOf(solids),
                 List.copyOf(lights),
-                List.of(),
+                List.copyOf(portals),
                 List.of(),
                 List.of(),
                 null);

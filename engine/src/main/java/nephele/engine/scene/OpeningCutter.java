@@ -10,6 +10,9 @@ final class OpeningCutter {
     /** Times the picture: what is cut off must not show at its edges after rounding to float. */
     private static final double BEYOND_PICTURE = 1.05;
 
+    /** A portal in the plane that a view looks out of is its rear, whatever rounding says. */
+    private static final double IN_PLANE_METRES = 1e-6;
+
     private OpeningCutter() {}
 
     /**
@@ -53,9 +56,21 @@ final class OpeningCutter {
                     -dot(view.back(), x, y, z));
         }
         if (view.clip() != null) {
+            if (reachBefore(view.clip(), portal, openness) <= IN_PLANE_METRES) {
+                opening.clear();
+                return;
+            }
             keepBefore(view, view.clip(), opening);
         }
         opening.keepInPicture(BEYOND_PICTURE);
+    }
+
+    /** Metres by which the aperture reaches before a plane. */
+    private static double reachBefore(Plane plane, Portal portal, double openness) {
+        double alongRight = dot(portal.frame().right(), plane.nx(), plane.ny(), plane.nz());
+        double alongUp = dot(portal.frame().up(), plane.nx(), plane.ny(), plane.nz());
+        double reach = openness * portal.aperture().reach(alongRight, alongUp);
+        return plane.signedDistance(portal.centre()) + reach;
     }
 
     private static double corner(double centre, double right, double up, double across, double upward) {

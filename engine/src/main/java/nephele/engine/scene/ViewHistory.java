@@ -14,6 +14,9 @@ public final class ViewHistory {
     /** Of half the picture: a lookup so far beyond an opening's edge still meets its last pixel. */
     private static final double EDGE = 2e-3;
 
+    /** What was cut off by the picture's side is continued from there, if it is not more than this. */
+    private static final double LEAST_SHARE = 0.5;
+
     private final List<ViewNode> matches = new ArrayList<>();
     private final Reprojection reprojection = new Reprojection();
     private ViewTree before;
@@ -53,13 +56,16 @@ public final class ViewHistory {
             return null;
         }
         ViewNode best = null;
+        double bestShare = LEAST_SHARE;
         double least = Double.POSITIVE_INFINITY;
         for (int i = 1; i < before.views().size(); i++) {
             ViewNode shown = before.views().get(i);
             double away = squareDistance(
                     shown.parent().view().eye(), terminal.parent().view().eye());
-            if (shown.portal() == portal && away < least && covers(shown, terminal)) {
+            double share = shown.portal() == portal ? coveredShare(shown, terminal) : 0;
+            if (share > bestShare || share == bestShare && away < least) {
                 best = shown;
+                bestShare = share;
                 least = away;
             }
         }
@@ -82,18 +88,20 @@ public final class ViewHistory {
         return x * x + y * y + z * z;
     }
 
-    /** Whether all that shows of {@code terminal} was seen where {@code shown} was. */
-    private boolean covers(ViewNode shown, ViewNode terminal) {
+    /** Of the corners of what shows of {@code terminal}, those that were seen where {@code shown} was. */
+    private double coveredShare(ViewNode shown, ViewNode terminal) {
         reprojection.between(terminal.parent().view(), shown.parent().view());
         PicturePolygon seen = terminal.region();
+        int covered = 0;
         for (int i = 0; i < seen.size(); i++) {
             double w = reprojection.w(seen.x(i), seen.y(i), seen.w(i));
             double x = reprojection.x(seen.x(i), seen.y(i), seen.w(i)) / w;
             double y = reprojection.y(seen.x(i), seen.y(i), seen.w(i)) / w;
-            if (!(w > 0) || shown.region().outside(x, y) > EDGE) {
-                return false;
+            if (!(w > 0)) {
+                return 0;
             }
+            covered += shown.region().outside(x, y) <= EDGE ? 1 : 0;
         }
-        return true;
+        return covered / (double) seen.size();
     }
 }

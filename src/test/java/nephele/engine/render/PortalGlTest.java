@@ -1,0 +1,258 @@
+package nephele.engine.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Random;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Sky;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.RenderSettings.Culling;
+import nephele.engine.render.RenderSettings.Decoration;
+import nephele.engine.render.RenderSettings.Narrowing;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.PortalTechnique;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.scene.View;
+import org.junit.jupiter.api.Test;
+
+/** What is seen through portals: the same by every technique and setting, and the same as through a hole. */
+class PortalGlTest {
+    private static final Quality QUALITY = Quality.HIGH.withViewBudget(40);
+
+    private static RenderSettings settings(Output output) {
+        return RenderSettings.of(output, QUALITY).with(Decoration.OFF);
+    }
+
+    /** Boxes of many colours all around, some with a lamp's light on them, under a sky that is not constant. */
+    private static TestLevel furnished(long seed) {
+        Random random = new Random(seed);
+        TestLevel level = new TestLevel()
+                .sun(new Vec3(0.3, 1, 0.5), 2)
+                .ambient(0.3)
+                .sky(new Sky.Gradient(TestLevel.grey(0.1), TestLevel.grey(0.8), TestLevel.grey(0.3)))
+                .light(new Light.Point("lamp", new Vec3(1, 2, 1), TestLevel.grey(5), 9, false));
+        for (int i = 0; i < 60; i++) {
+            level.material("m" + i, new Vec3(random.nextDouble(), random.nextDouble(), random.nextDouble()));
+            Vec3 centre = new Vec3(coordinate(random), coordinate(random), coordinate(random));
+            Vec3 size = new Vec3(0.2 + random.nextDouble(), 0.2 + random.nextDouble(), 0.2 + random.nextDouble());
+            level.box("m" + i, centre, size);
+        }
+        return level;
+    }
+
+    private static double coordinate(Random random) {
+        return 16 * random.nextDouble() - 8;
+    }
+
+    /** Two portals face each other across the furniture, two more lie across it. */
+    private static Level facing() {
+        return furnished(4)
+                .portal("a", "b", new Vec3(0, 0, -6), new Vec3(0, 0, 1), 4, 4)
+                .portal("b", "a", new Vec3(0, 0, 6), new Vec3(0, 0, -1), 4, 4)
+                .portal("c", "d", new Vec3(-5, 0, 0), new Vec3(1, 0.2, 0), 3, 3)
+                .portal("d", "c", new Vec3(5, -1, 0), new Vec3(-1, 0.3, 0.4), 3, 3)
+                .level();
+    }
+
+    private static View[] views(Offscreen offscreen) {
+        return new View[] {
+            offscreen.view(new Vec3(0.3, 0.2, 1), new Vec3(0, 0, -6)),
+            offscreen.view(new Vec3(0.3, 0.2, -5.9), new Vec3(0.5, 0.1, -6)),
+            offscreen.view(new Vec3(-4.9, 0.4, 0.2), new Vec3(-5, 0, 0.3)),
+            offscreen.view(new Vec3(3, 1.2, 2), new Vec3(-5, 0, 0))
+        };
+    }
+
+    /** Culling and narrowing leave out only what no pixel shows. */
+    @Test
+    void picturesDoNotDependOnWhatIsLeftOut() {
+        try (Offscreen offscreen = new Offscreen(160, 90)) {
+            for (View view : views(offscreen)) {
+                int[] expected = draw(offscreen, facing(), view, settings(Output.DIRECT));
+                for (Culling culling : Culling.values()) {
+                    for (Narrowing narrowing : Narrowing.values()) {
+                        RenderSettings other =
+                                settings(Output.DIRECT).with(culling).with(narrowing);
+                        assertArrayEquals(expected, draw(offscreen, facing(), view, other), culling + " " + narrowing);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Pictures of their own at full resolution show the same pixels as the stencil, in every output. */
+    @Test
+    void bothTechniquesDrawTheSamePixels() {
+        try (Offscreen offscreen = new Offscreen(160, 90)) {
+            for (View view : views(offscreen)) {
+                for (Output output : Output.values()) {
+                    RenderSettings stencil = settings(output);
+                    RenderSettings texture = stencil.with(QUALITY.withPortalTechnique(PortalTechnique.TEXTURE));
+                    assertArrayEquals(
+                            draw(offscreen, facing(), view, stencil), draw(offscreen, facing(), view, texture));
+                }
+            }
+        }
+    }
+
+    /** A picture of half the resolution is blurred, but no other picture. */
+    @Test
+    void lessResolutionOnlyBlurs() {
+        try (Offscreen offscreen = new Offscreen(160, 90)) {
+            View view = views(offscreen)[0];
+            Quality half = QUALITY.withPortalTechnique(PortalTechnique.TEXTURE).withPortalResolution(0.5);
+            int[] whole = draw(offscreen, facing(), view, settings(Output.PLAIN));
+            int[] blurred =
+                    draw(offscreen, facing(), view, settings(Output.PLAIN).with(half));
+            double sum = 0;
+            for (int i = 0; i < whole.length; i++) {
+                sum += Math.abs(Offscreen.green(whole[i]) - Offscreen.green(blurred[i]));
+            }
+            assertNotEquals(0, sum);
+            assertTrue(sum / whole.length < 4, "mean difference " + sum / whole.length + " of 255");
+        }
+    }
+
+    /** With several samples a pixel, too: edges in there are as smooth as any. */
+    @Test
+    void samplesAreTakenThroughPortals() {
+        try (Offscreen offscreen = new Offscreen(160, 90)) {
+            View view = views(offscreen)[0];
+            int[] one = draw(offscreen, facing(), view, settings(Output.PLAIN));
+            int[] four = draw(offscreen, facing(), view, settings(Output.PLAIN).with(QUALITY.withSamples(4)));
+            double sum = 0;
+            for (int i = 0; i < one.length; i++) {
+                sum += Math.abs(Offscreen.green(one[i]) - Offscreen.green(four[i]));
+            }
+            assertNotEquals(0, sum);
+            assertTrue(sum / one.length < 6, "mean difference " + sum / one.length + " of 255");
+        }
+    }
+
+    /**
+     * Entry and exit in one place: looking through is looking past. Also portals.md 5, row 9: the eye comes as near to
+     * the plane as 1e-9 m on either side, looking up to 89.99° from the normal, and no pixel is other than without
+     * portals, but where an edge lies on a pixel's centre.
+     */
+    @Test
+    void throughAPortalThatLeadsNowhereElseNothingChanges() {
+        Level open = furnished(9).level();
+        Level identity = furnished(9)
+                .portal("a", "b", Vec3.ZERO, new Vec3(0, 0, 1), 3, 3)
+                .portal("b", "a", Vec3.ZERO, new Vec3(0, 0, -1), 3, 3)
+                .level();
+        try (Offscreen offscreen = new Offscreen(160, 90);
+                Renderer plain = load(offscreen, open);
+                Renderer portals = load(offscreen, identity)) {
+            int worst = 0;
+            for (double metres : new double[] {1e-9, 1e-7, 1e-5, 1e-3, 1e-2, 0.1, 1, 3}) {
+                for (double degrees : new double[] {0, 30, 60, 85, 89, 89.9, 89.99}) {
+                    for (int side = -1; side <= 1; side += 2) {
+                        View view = looking(offscreen, side * metres, degrees);
+                        plain.draw(view, offscreen.picture);
+                        int[] expected = offscreen.pixels();
+                        portals.draw(view, offscreen.picture);
+                        worst = Math.max(worst, differing(expected, offscreen.pixels()));
+                    }
+                }
+            }
+            assertTrue(worst <= 3, worst + " of 14400 pixels");
+        }
+    }
+
+    private static View looking(Offscreen offscreen, double z, double degrees) {
+        double angle = Math.toRadians(degrees);
+        Vec3 eye = new Vec3(0.2, -0.3, z);
+        return offscreen.view(eye, new Vec3(eye.x() + 9 * Math.sin(angle), eye.y(), eye.z() - 9 * Math.cos(angle)));
+    }
+
+    /** There and back again, through two pairs: A leads to B, beside it C leads back to where A is. */
+    @Test
+    void thereAndBackIsWhereItBegan() {
+        Vec3 away = new Vec3(300, 0, 0);
+        Level open = furnished(11).level();
+        // Looking through a from z > 0 one is at b, 300 m off, before whose exit c stands and leads back behind a.
+        Level there = furnished(11)
+                .portal("a", "b", new Vec3(0, 0, 1), new Vec3(0, 0, 1), 3, 3)
+                .portal("b", "a", new Vec3(away.x(), 0, 1), new Vec3(0, 0, -1), 3, 3)
+                .portal("c", "d", new Vec3(away.x(), 0, 0.5), new Vec3(0, 0, 1), 9, 9)
+                .portal("d", "c", new Vec3(0, 0, 0.5), new Vec3(0, 0, -1), 9, 9)
+                .level();
+        try (Offscreen offscreen = new Offscreen(160, 90)) {
+            // Between the planes nothing stands, so that both levels show the same.
+            View view = offscreen.view(new Vec3(0.1, 0.1, 3), new Vec3(0, 0, -5));
+            int[] expected = draw(offscreen, cleared(open), view, settings(Output.PLAIN));
+            int[] actual = draw(offscreen, cleared(there), view, settings(Output.PLAIN));
+            int differing = differing(expected, actual);
+            assertTrue(differing <= 20, differing + " of 14400 pixels");
+        }
+    }
+
+    /** Without the solids that reach between z = 0.5 and z = 1. */
+    private static Level cleared(Level level) {
+        var solids = level.solids().stream()
+                .map(solid -> (nephele.engine.level.Solid.Box) solid)
+                .filter(box -> box.centre().z() + box.size().z() / 2 < 0.5
+                        || box.centre().z() - box.size().z() / 2 > 1)
+                .map(box -> (nephele.engine.level.Solid) box)
+                .toList();
+        return new Level(
+                level.name(),
+                level.description(),
+                level.environment(),
+                level.player(),
+                level.cameras(),
+                level.materials(),
+                solids,
+                level.lights(),
+                level.portals(),
+                level.models(),
+                level.bodies(),
+                level.portalGun());
+    }
+
+    /** A sky that is a clear colour, and fog or none: what is behind a portal is cleared like the picture. */
+    @Test
+    void aConstantSkyIsSeenThroughAPortal() {
+        try (Offscreen offscreen = new Offscreen(32, 18)) {
+            Level level = new TestLevel()
+                    .sky(new Sky.Constant(new Vec3(0.2, 0.4, 0.8)))
+                    .ambient(1)
+                    .box(null, new Vec3(0, 0, -1), new Vec3(20, 20, 1))
+                    .portal("a", "b", new Vec3(0, 0, -0.5), new Vec3(0, 0, 1), 9, 9)
+                    .portal("b", "a", new Vec3(0, 90, 0), new Vec3(0, 1, 0), 9, 9)
+                    .level();
+            View view = offscreen.view(new Vec3(0, 0, 1), new Vec3(0, 0, -1));
+            for (PortalTechnique technique : PortalTechnique.values()) {
+                RenderSettings plain = settings(Output.PLAIN).with(QUALITY.withPortalTechnique(technique));
+                int[] pixels = draw(offscreen, level, view, plain);
+                assertTrue(Arrays.stream(pixels).allMatch(pixel -> pixel == 0x3366cc));
+            }
+        }
+    }
+
+    static int differing(int[] a, int[] b) {
+        assertEquals(a.length, b.length);
+        int count = 0;
+        for (int i = 0; i < a.length; i++) {
+            boolean near = Math.abs(Offscreen.red(a[i]) - Offscreen.red(b[i])) <= 1
+                    && Math.abs(Offscreen.green(a[i]) - Offscreen.green(b[i])) <= 1
+                    && Math.abs(Offscreen.blue(a[i]) - Offscreen.blue(b[i])) <= 1;
+            count += near ? 0 : 1;
+        }
+        return count;
+    }
+
+    private static Renderer load(Offscreen offscreen, Level level) {
+        return Renderer.load(offscreen.gl, level, TestAssets.NONE, settings(Output.PLAIN));
+    }
+
+    private static int[] draw(Offscreen offscreen, Level level, View view, RenderSettings settings) {
+        return offscreen.pixels(level, TestAssets.NONE, view, settings);
+    }
+}

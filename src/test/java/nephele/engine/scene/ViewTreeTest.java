@@ -1,0 +1,243 @@
+package nephele.engine.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import nephele.engine.level.Level;
+import nephele.engine.level.PortalShape;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import org.junit.jupiter.api.Test;
+
+/** Which views are chosen, and how exactly their openings are cut. */
+class ViewTreeTest {
+    private static final int WIDTH = 1280;
+    private static final int HEIGHT = 720;
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+
+    private static Portal portal(Vec3 centre, Vec3 normal) {
+        return portal(centre, normal, 2, 2, PortalShape.RECTANGLE);
+    }
+
+    private static Portal portal(Vec3 centre, Vec3 normal, double width, double height, PortalShape shape) {
+        return new Portal("p", centre, Portal.facing(normal, UP), Aperture.of(shape, width, height));
+    }
+
+    /** Two by two they lead to each other. */
+    private static Moment pairs(Portal... portals) {
+        List<Integer> partners = new ArrayList<>();
+        for (int i = 0; i < portals.length; i++) {
+            partners.add(i ^ 1);
+        }
+        Moment moment = Moment.atStart(new Level(
+                "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null));
+        moment.portals(new Portals(List.of(portals), partners));
+        return moment;
+    }
+
+    private static View view(Vec3 eye, Vec3 target) {
+        return View.lookAt(eye, target, UP, new Projection(1, WIDTH / (double) HEIGHT, 0.05, 1000));
+    }
+
+    private static ViewTree grown(View view, Moment moment, int budget) {
+        ViewTree tree = new ViewTree();
+        tree.grow(view, moment, WIDTH, HEIGHT, budget);
+        return tree;
+    }
+
+    private static Moment facing(double apart) {
+        return pairs(
+                portal(new Vec3(0, 0, -apart / 2), new Vec3(0, 0, 1)),
+                portal(new Vec3(0, 0, apart / 2), new Vec3(0, 0, -1)));
+    }
+
+    /** portals.md 5, row 19: a portal's own rear is not seen, from behind nor through itself. */
+    @Test
+    void aPortalIsNotSeenFromBehind() {
+        Moment moment = pairs(portal(Vec3.ZERO, new Vec3(0, 0, 1)), portal(new Vec3(0, 0, -5), new Vec3(0, 0, 1)));
+        assertEquals(
+                1,
+                grown(view(new Vec3(0.2, 0, -3), new Vec3(0, 0, 0)), moment, 50)
+                        .views()
+                        .size());
+        ViewTree front = grown(view(new Vec3(0.2, 0, 3), new Vec3(0, 0, 0)), moment, 50);
+        assertTrue(front.views().size() > 1);
+        for (ViewNode node : front.views()) {
+            if (node.parent() != null) {
+                Portal seen = moment.portals().portal(node.portal());
+                Vec3 eye = node.parent().view().eye();
+                assertTrue(seen.inFront(eye.x(), eye.y(), eye.z()) > 0);
+            }
+        }
+    }
+
+    /** portals.md 5, row 20: what lies wholly behind the plane that a view looks out of is not drawn. */
+    @Test
+    void aPortalBehindTheClipPlaneIsNotSeen() {
+        Portal entry = portal(Vec3.ZERO, new Vec3(0, 0, 1));
+        Portal exit = portal(new Vec3(100, 0, 0), new Vec3(0, 0, 1));
+        // Seen from the entry's virtual eye at (100, 0, -4), facing it, but before the exit's plane and behind it.
+        Portal before = portal(new Vec3(100, 0, 2), new Vec3(0, 0, -1), 0.5, 0.5, PortalShape.RECTANGLE);
+        Portal behind = portal(new Vec3(100, 0, -2), new Vec3(0, 0, -1), 0.5, 0.5, PortalShape.RECTANGLE);
+        Portal elsewhere = portal(new Vec3(0, 500, 0), new Vec3(0, 1, 0.1));
+        View view = view(new Vec3(0, 0, 4), Vec3.ZERO);
+        assertEquals(
+                3,
+                grown(view, pairs(entry, exit, before, elsewhere), 50).views().size());
+        assertEquals(
+                2,
+                grown(view, pairs(entry, exit, behind, elsewhere), 50).views().size());
+    }
+
+    /** portals.md 5, row 21: 64 portals that all see each other. */
+    @Test
+    void theBudgetHoldsWithSixtyFourPortals() {
+        Random random = new Random(21);
+        Portal[] portals = new Portal[64];
+        for (int i = 0; i < portals.length; i++) {
+            double angle = 2 * Math.PI * i / portals.length;
+            Vec3 centre = new Vec3(8 * Math.cos(angle), 0.3 * random.nextDouble(), 8 * Math.sin(angle));
+            portals[i] = portal(centre, new Vec3(-centre.x(), 0, -centre.z()), 0.7, 2, PortalShape.ARCH);
+        }
+        Moment moment = pairs(portals);
+        for (int budget : new int[] {0, 1, 12, 32, 254}) {
+            ViewTree tree = grown(view(new Vec3(0.1, 0, 0), new Vec3(1, 0, 0.2)), moment, budget);
+            assertEquals(budget + 1, tree.views().size());
+            assertTrue(!tree.terminals().isEmpty());
+        }
+    }
+
+    /** Every view that is drawn covers at least as many pixels as any opening that is left over. */
+    @Test
+    void theLargestViewsAreChosen() {
+        for (int budget = 1; budget < 20; budget++) {
+            ViewTree tree = grown(view(new Vec3(0.4, 0.2, 1), new Vec3(0, 0, -2.5)), facing(5), budget);
+            double least =
+                    tree.views().stream().mapToDouble(ViewNode::area).min().orElseThrow();
+            double most =
+                    tree.terminals().stream().mapToDouble(ViewNode::area).max().orElse(0);
+            assertTrue(least >= most, budget + ": " + least + " " + most);
+        }
+    }
+
+    /** The eye 1e-9 m before the plane looks through the whole picture, and stops at the plane when it looks along it. */
+    @Test
+    void anEyeAtThePlaneSeesNothingButTheView() {
+        Moment moment = pairs(
+                portal(Vec3.ZERO, new Vec3(0, 0, 1), 1.2, 2.1, PortalShape.ARCH),
+                portal(new Vec3(50, 0, 0), new Vec3(1, 0, 0), 1.2, 2.1, PortalShape.ARCH));
+        for (double metres : new double[] {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
+            View straight = view(new Vec3(0.1, -0.2, metres), new Vec3(0.1, -0.2, -1));
+            ViewNode seen = grown(straight, moment, 1).views().get(1);
+            double whole = metres > 0.05 ? 0.9 : 1;
+            assertTrue(seen.area() >= whole * WIDTH * HEIGHT * (1 - 1e-9), metres + ": " + seen.area());
+            assertEquals(0.05, seen.view().projection().nearMetres(), metres > 0.05 ? 0.06 : 0);
+        }
+        // Level with the plane, its line cuts the picture in the middle and the near half shows the opening.
+        View along = view(new Vec3(-0.3, 0, 1e-9), new Vec3(1, 0, 1e-9));
+        assertEquals(
+                0.5 * WIDTH * HEIGHT, grown(along, moment, 1).views().get(1).area(), 2);
+    }
+
+    /** The area of an uncut opening by another way: corners projected one by one. */
+    @Test
+    void areasAreThoseOfTheProjectedPolygon() {
+        Random random = new Random(5);
+        for (int i = 0; i < 200; i++) {
+            Portal entry = portal(Vec3.ZERO, new Vec3(0, 0, 1), 1, 1.6, PortalShape.values()[i % 3]);
+            Vec3 eye = new Vec3(2 * random.nextDouble() - 1, random.nextDouble() - 0.5, 3 + random.nextDouble());
+            View view = view(eye, new Vec3(0.1, 0.1, 0));
+            Moment moment = pairs(entry, portal(new Vec3(90, 0, 0), new Vec3(0, 1, 0.2)));
+            assertEquals(
+                    projectedArea(entry, view),
+                    grown(view, moment, 1).views().get(1).area(),
+                    1e-6);
+        }
+    }
+
+    private static double projectedArea(Portal portal, View view) {
+        double twice = 0;
+        int corners = portal.aperture().corners();
+        for (int i = 0; i < corners; i++) {
+            double[] a = pixel(portal, i, view);
+            double[] b = pixel(portal, (i + 1) % corners, view);
+            twice += a[0] * b[1] - a[1] * b[0];
+        }
+        return twice / 2;
+    }
+
+    private static double[] pixel(Portal portal, int corner, View view) {
+        Vec3 p = portal.world(
+                portal.aperture().cornerX(corner), portal.aperture().cornerY(corner), 0);
+        var clip = view.clipFromRelative(new org.joml.Matrix4d())
+                .transform(new org.joml.Vector4d(
+                        p.x() - view.eye().x(),
+                        p.y() - view.eye().y(),
+                        p.z() - view.eye().z(),
+                        1));
+        return new double[] {(clip.x / clip.w + 1) / 2 * WIDTH, (clip.y / clip.w + 1) / 2 * HEIGHT};
+    }
+
+    /** Regions nest, scissors hold them, and near planes do not come nearer. */
+    @Test
+    void whatIsSeenThroughAViewLiesWithinIt() {
+        ViewTree tree = grown(view(new Vec3(0.4, 0.2, 1), new Vec3(0, 0, -2.5)), facing(5), 100);
+        assertTrue(tree.views().size() > 10);
+        for (ViewNode node : tree.views().subList(1, tree.views().size())) {
+            assertTrue(node.area() <= node.parent().area());
+            for (int i = 0; i < node.region().size(); i++) {
+                double x = node.region().x(i) / node.region().w(i);
+                double y = node.region().y(i) / node.region().w(i);
+                assertTrue(node.parent().region().outside(x, y) < 1e-9);
+                double column = (x + 1) / 2 * WIDTH;
+                assertTrue(column >= node.pixels().x()
+                        && column <= node.pixels().x() + node.pixels().width());
+            }
+            assertTrue(node.view().projection().nearMetres()
+                    >= node.parent().view().projection().nearMetres());
+        }
+    }
+
+    /** A portal that opens is as large as its openness says, and one that leads nowhere is no opening. */
+    @Test
+    void anOpeningGrowsAsThePortalOpens() {
+        Moment moment = facing(5);
+        View view = view(new Vec3(0, 0, 1), new Vec3(0, 0, -2.5));
+        double whole = grown(view, moment, 1).views().get(1).area();
+        moment.look(0, 0, 0.5);
+        assertEquals(whole / 4, grown(view, moment, 1).views().get(1).area(), 1e-6 * whole);
+        moment.look(0, 0, 0);
+        assertEquals(1, grown(view, moment, 1).views().size());
+        moment.portals(new Portals(
+                List.of(moment.portals().portal(0), moment.portals().portal(1)),
+                List.of(Portals.CLOSED, Portals.CLOSED)));
+        assertEquals(1, grown(view, moment, 1).views().size());
+    }
+
+    /** The same opening in the frame before, told by where its eye was, also when the player has stepped through. */
+    @Test
+    void historyIsFoundByTheEyesPlaceBeforeThePortal() {
+        Moment moment = facing(5);
+        ViewTree before = grown(view(new Vec3(0.4, 0.2, -2.4), new Vec3(0.4, 0.2, -5)), moment, 6);
+        ViewTree stepped = grown(view(new Vec3(0.4, 0.2, 2.4), new Vec3(0.4, 0.2, -5)), moment, 5);
+        ViewHistory history = new ViewHistory();
+        history.match(stepped, moment.portals());
+        assertSame(null, history.of(stepped.terminals().get(0)));
+        history.remember(before, moment.portals());
+        history.match(stepped, moment.portals());
+        ViewNode terminal = stepped.terminals().get(0);
+        ViewNode match = history.of(terminal);
+        // Eyes 5 m behind one another: the terminal's is at 27.4 m, the last one that was drawn before at 22.6 m.
+        assertEquals(27.4, terminal.parent().view().eye().z(), 1e-9);
+        assertEquals(22.6, match.parent().view().eye().z(), 1e-9);
+        history.forget();
+        history.match(stepped, moment.portals());
+        assertSame(null, history.of(terminal));
+    }
+}
