@@ -1,5 +1,6 @@
 package nephele.app.command;
 
+import nephele.app.draw.ReferenceEye;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.PrintedProgress;
 import nephele.app.terminal.CommandFailure;
@@ -7,8 +8,6 @@ import nephele.app.terminal.Terminal;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.appearance.Decoding;
-import nephele.engine.math.Basis;
-import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
@@ -55,17 +54,6 @@ final class ReferenceOptions {
                 picture.choice().showsIds() ? 1 : usual,
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors());
-        return ReferencePicture.trace(level, pinhole(view), settings, PrintedProgress.ofTrace(terminal.err()));
-    }
-
-    private static Pinhole pinhole(View view) {
-        var projection = view.projection();
-        return new Pinhole(
-                view.eye(),
-                new Basis(view.right(), view.up(), view.back()),
-                projection.tanHalfWidth(),
-                projection.tanHalfHeight(),
-                projection.nearMetres(),
-                projection.farMetres());
+        return ReferencePicture.trace(level, ReferenceEye.of(view), settings, PrintedProgress.ofTrace(terminal.err()));
     }
 }

@@ -51,8 +51,12 @@ public final class IdLevel {
                 level.portalGun());
     }
 
-    /** The 8-bit colour of the solid with this index, or of the body with this index less the number of solids, 0xRRGGBB; black is nothing. */
-    static int colour(int index) {
+    /**
+     * The 8-bit colour of a surface, 0xRRGGBB; black is nothing.
+     *
+     * @param index of a solid, or the number of solids plus the index of a body
+     */
+    public static int colour(int index) {
         return (index + 1) * SPREAD & 0xffffff;
     }
 

@@ -1,6 +1,7 @@
 package nephele.app.prove;
 
 import java.util.List;
+import nephele.app.prove.picture.PortalIdsProof;
 
 /** Every proof, in the order in which `prove` without a name runs them; the only registration. */
 public final class Proofs {
@@ -13,6 +14,7 @@ public final class Proofs {
             new JitMatrixProof(),
             new SaveKillProof(),
             new MutantsProof(),
+            new PortalIdsProof(),
             new RayProof(),
             new RotationProof(),
             new PlacementProof(),

@@ -1,12 +1,14 @@
 package nephele.engine.reference;
 
 import java.util.List;
+import java.util.Map;
 import nephele.engine.level.Body;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.appearance.FaceTexture;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.Skins.Bare;
 import nephele.engine.reference.Skins.Skin;
@@ -14,7 +16,10 @@ import nephele.engine.reference.Skins.Spot;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** What bodies are made of. A texture lies on a box as on a solid around the origin; round bodies show its s and t as such. */
+/**
+ * What bodies are made of. A box has its texture's middle in the middle of each face; a round body a whole number of
+ * repeats around it, and the middle half-way up. The twin of {@code thing.frag}.
+ */
 final class BodySurfaces {
     private final List<Clothed> bodies;
 
@@ -31,7 +36,7 @@ final class BodySurfaces {
         if (!(body instanceof Body.Box box)) {
             return new Clothed(skin, List.of());
         }
-        Solid solid = new Solid.Box(null, null, false, TextureMapping.WORLD, Vec3.ZERO, box.size(), java.util.Map.of());
+        Solid solid = new Solid.Box(null, null, false, TextureMapping.WORLD, Vec3.ZERO, box.size(), Map.of());
         List<BrushFace> faces = Brush.of(solid).faces();
         return new Clothed(
                 skin,
@@ -46,17 +51,33 @@ final class BodySurfaces {
         Vector3d local = piece.local(place);
         Vector3d normal = piece.worldFromBody().transform(piece.form().normal(local));
         Spot spot = body.faces.isEmpty()
-                ? new Spot(0, 0, normal, normal)
-                : spot(body.faces.get(piece.form().face(local)), piece, local);
+                ? aroundSpot(body.skin, (BodyForm.Capsule) piece.form(), piece, local)
+                : faceSpot(body.faces.get(piece.form().face(local)), piece, local);
         return Skins.covered(new Bare(item, place, normal, toEye), body.skin, spot);
     }
 
-    private static Spot spot(FaceTexture texture, BodyPiece piece, Vector3d local) {
+    private static Spot faceSpot(FaceTexture texture, BodyPiece piece, Vector3d local) {
         Vec3 p = Vec3.of(local);
         return new Spot(
-                texture.s(p),
-                texture.t(p),
+                texture.s(p) + 0.5,
+                texture.t(p) + 0.5,
                 piece.worldFromBody().transform(texture.across().toVector()),
                 piece.worldFromBody().transform(texture.up().toVector()));
+    }
+
+    private static Spot aroundSpot(Skin skin, BodyForm.Capsule form, BodyPiece piece, Vector3d local) {
+        double metres = skin.material().textureMetres();
+        double turn = 2 * Math.PI * form.radius();
+        double onAxis = Math.min(Math.max(local.y, -form.halfAxis()), form.halfAxis());
+        double latitude = StrictMath.asin(Math.min(Math.max((local.y - onAxis) / form.radius(), -1), 1));
+        double longitude = StrictMath.atan2(local.x, local.z) / (2 * Math.PI);
+        double repeats = Math.max(1, Math.floor(turn / metres + 0.5));
+        Vec3 n = Vec3.of(form.normal(local));
+        Vec3 across = FaceTexture.across(n);
+        return new Spot(
+                (longitude < 0 ? longitude + 1 : longitude) * repeats,
+                0.5 - (latitude * form.radius() + onAxis) / metres,
+                piece.worldFromBody().transform(across.toVector()),
+                piece.worldFromBody().transform(Directions.cross(n, across).toVector()));
     }
 }

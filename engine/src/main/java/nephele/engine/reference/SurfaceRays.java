@@ -40,8 +40,9 @@ final class SurfaceRays {
         return item < planes.length ? null : pieces[item - planes.length];
     }
 
-    int items() {
-        return planes.length + pieces.length;
+    /** The index of a solid, or the number of solids plus that of a body. */
+    int surface(int item) {
+        return item < planes.length ? item : planes.length + piece(item).body();
     }
 
     /** The first item that the ray enters at a parameter from {@code least} to {@code most}. */

@@ -50,6 +50,11 @@ public final class TracedLevel {
         return new Tracer(this, eye, new EyePath(rays, portals), new ShadowRays(rays, light.lights()));
     }
 
+    /** For one thread. */
+    public SurfaceSight sight(Pinhole eye) {
+        return new SurfaceSight(rays, new EyePath(rays, portals), eye);
+    }
+
     Illumination light() {
         return light;
     }

@@ -32,7 +32,8 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
         return new FaceTexture(across, up, axis(face, across, textureMetres), axis(face, opposite(up), textureMetres));
     }
 
-    private static Vec3 across(Vec3 n) {
+    /** In which unit direction s grows on what looks along {@code n}. */
+    public static Vec3 across(Vec3 n) {
         Vec3 s = Math.abs(n.y()) > HORIZONTAL
                 ? new Vec3(1 - n.x() * n.x(), -n.y() * n.x(), -n.z() * n.x())
                 : Directions.cross(new Vec3(0, 1, 0), n);

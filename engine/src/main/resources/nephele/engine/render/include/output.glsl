@@ -19,10 +19,12 @@ void writeRadiance(vec3 radiance) {
 #endif
 }
 
-#ifdef FOG
 // Radiance of a surface, with what lies between it and the eye. Behind a portal the eye is a virtual one, as far from the
 // surface as the whole way is long.
 void writeRadiance(vec3 radiance, vec3 relativePosition) {
+#ifdef FOG
     writeRadiance(behindFog(radiance, fog, length(relativePosition)));
-}
+#else
+    writeRadiance(radiance);
 #endif
+}

@@ -31,15 +31,16 @@ vec3 textureAcross(vec3 n) {
     return normalize(abs(n.y) > 0.999 ? vec3(1.0, 0.0, 0.0) - n * n.x : cross(vec3(0.0, 1.0, 0.0), n));
 }
 
-// A box has the texture's middle in the middle of each face; a round shape a whole number of repeats around it.
+// A box has the texture's middle in the middle of each face; a round shape a whole number of repeats around it, and its
+// equator or the middle of its side half-way up. As on solids t falls upwards. Twin: reference.BodySurfaces.
 vec2 textureAt(int kind, vec3 n, vec4 size, float textureMetres) {
     if (kind == 0) {
         vec3 across = textureAcross(n);
-        return vec2(dot(inPart, across), dot(inPart, cross(n, across))) / textureMetres + 0.5;
+        return vec2(dot(inPart, across), -dot(inPart, cross(n, across))) / textureMetres + 0.5;
     }
     float around = max(1.0, floor(TURN * size.x / textureMetres + 0.5));
-    float up = (onSurface.y - 0.5) * TURN * size.x + sign(onSurface.y - 0.5) * size.w;
-    return vec2(onSurface.x * around, up / textureMetres + 0.5);
+    float up = (onSurface.y - 0.5) * TURN * size.x + clamp(inPart.y, -size.w, size.w);
+    return vec2(onSurface.x * around, 0.5 - up / textureMetres);
 }
 #endif
 
@@ -81,5 +82,5 @@ void main() {
 #ifdef SKY_AMBIENT
     s.skyVisibility = 1.0;
 #endif
-    writeRadiance(surfaceRadiance(s) + material.emissionMetallic.rgb);
+    writeRadiance(surfaceRadiance(s) + material.emissionMetallic.rgb, relativePosition);
 }

@@ -1,0 +1,76 @@
+package nephele.app.prove.picture;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import nephele.app.prove.Figure;
+import nephele.app.prove.ProofResult;
+
+/**
+ * Pixels of pictures in identity colours, drawn against traced. A pixel is right where it shows a surface that a ray
+ * within one pixel of its middle meets: at an edge either side is, and of what is thinner than a pixel any that is there.
+ */
+final class IdTally {
+    /** What an opening is filled with that the view budget does not reach. */
+    static final int TERMINAL = 0xff00ff;
+
+    private final List<String> failures = new ArrayList<>();
+    private long pixels;
+    private long atEdges;
+    private long terminal;
+    private long wrong;
+    private double largestTerminalShare;
+
+    /** @param what names the picture and how to draw it again */
+    void compare(BufferedImage drawn, SightPicture traced, String what) {
+        int bad = 0;
+        int left = 0;
+        String first = "";
+        for (int i = 0; i < drawn.getWidth() * drawn.getHeight(); i++) {
+            int column = i % drawn.getWidth();
+            int row = i / drawn.getWidth();
+            int colour = drawn.getRGB(column, drawn.getHeight() - 1 - row) & 0xffffff;
+            if (colour == TERMINAL) {
+                left++;
+            } else if (colour != traced.at(column, row)) {
+                atEdges += traced.isPlain(column, row) ? 0 : 1;
+                if (!traced.shows(colour, column, row)) {
+                    first = bad++ == 0 ? example(colour, traced, column, drawn.getHeight() - 1 - row) : first;
+                }
+            }
+        }
+        int all = drawn.getWidth() * drawn.getHeight();
+        pixels += all;
+        wrong += bad;
+        terminal += left;
+        largestTerminalShare = Math.max(largestTerminalShare, (double) left / all);
+        if (bad > 0) {
+            failures.add(String.format(Locale.ROOT, "%s: %d pixels show another surface, first %s", what, bad, first));
+        }
+    }
+
+    private static String example(int colour, SightPicture traced, int column, int rowFromTop) {
+        int rowFromBottom = traced.height() - 1 - rowFromTop;
+        return String.format(
+                Locale.ROOT,
+                "(%d, %d): %06x instead of %06x",
+                column,
+                rowFromTop,
+                colour,
+                traced.at(column, rowFromBottom));
+    }
+
+    ProofResult result(long units) {
+        return new ProofResult(
+                units,
+                failures.size(),
+                List.of(
+                        Figure.sum("pixels", pixels, ""),
+                        Figure.sum("pixels that show another surface", wrong, ""),
+                        Figure.sum("pixels beside an edge that show its other side", atEdges, ""),
+                        Figure.sum("terminal pixels", terminal, ""),
+                        Figure.greatest("largest share of terminal pixels", 100 * largestTerminalShare, "%")),
+                failures);
+    }
+}

@@ -1,0 +1,88 @@
+package nephele.app.prove.picture;
+
+import java.util.stream.IntStream;
+import nephele.app.draw.IdLevel;
+import nephele.app.draw.ReferenceEye;
+import nephele.engine.reference.Pinhole;
+import nephele.engine.reference.SurfaceSight;
+import nephele.engine.reference.TracedLevel;
+import nephele.engine.scene.View;
+
+/**
+ * The surfaces that the exact twin sees, in identity colours, the bottom row first: one ray in the middle of each pixel,
+ * and more where somebody doubts.
+ */
+final class SightPicture {
+    /** Rays along each side of the three by three pixels around a doubted one: first few, then many. */
+    private static final int[] FINER = {15, 127};
+
+    private final TracedLevel level;
+    private final Pinhole eye;
+    private final int width;
+    private final int height;
+    private final int[] rgb;
+
+    SightPicture(TracedLevel level, View view, int width, int height) {
+        this.level = level;
+        this.width = width;
+        this.height = height;
+        eye = ReferenceEye.of(view);
+        rgb = new int[width * height];
+        IntStream.range(0, height).parallel().forEach(this::row);
+    }
+
+    private void row(int row) {
+        SurfaceSight sight = level.sight(eye);
+        for (int column = 0; column < width; column++) {
+            rgb[row * width + column] = colour(sight, column + 0.5, row + 0.5);
+        }
+    }
+
+    private int colour(SurfaceSight sight, double x, double y) {
+        int surface = sight.at(x / width, y / height);
+        return surface == SurfaceSight.NOTHING ? 0 : IdLevel.colour(surface);
+    }
+
+    int height() {
+        return height;
+    }
+
+    /** What is seen in the middle of a pixel. */
+    int at(int column, int row) {
+        return rgb[row * width + column];
+    }
+
+    /** Whether every pixel of the three by three around this one shows the same: no edge is near. */
+    boolean isPlain(int column, int row) {
+        for (int y = Math.max(row - 1, 0); y <= Math.min(row + 1, height - 1); y++) {
+            for (int x = Math.max(column - 1, 0); x <= Math.min(column + 1, width - 1); x++) {
+                if (at(x, y) != at(column, row)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** Whether the surface of a colour is seen within one pixel of a pixel's middle, however little of it. */
+    boolean shows(int colour, int column, int row) {
+        for (int y = Math.max(row - 1, 0); y <= Math.min(row + 1, height - 1); y++) {
+            for (int x = Math.max(column - 1, 0); x <= Math.min(column + 1, width - 1); x++) {
+                if (at(x, y) == colour) {
+                    return true;
+                }
+            }
+        }
+        SurfaceSight sight = level.sight(eye);
+        for (int rays : FINER) {
+            for (int i = 0; i < rays * rays; i++) {
+                double x = column + 0.5 + 2.0 * (i % rays) / (rays - 1) - 1;
+                double y = row + 0.5 + 2.0 * (i / rays) / (rays - 1) - 1;
+                if (colour(sight, x, y) == colour) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+}
