@@ -17,6 +17,9 @@ public final class IdLevel {
     /** Odd, so that no two of 2²⁴ numbers get the same colour; large, so that neighbours differ. */
     private static final int SPREAD = 0x9e3779;
 
+    /** SPREAD times this is 1 modulo 2²⁴. */
+    private static final int UNSPREAD = 0xb382c9;
+
     private static final Vec3 ONE = new Vec3(1, 1, 1);
 
     private IdLevel() {}
@@ -58,6 +61,11 @@ public final class IdLevel {
      */
     public static int colour(int index) {
         return (index + 1) * SPREAD & 0xffffff;
+    }
+
+    /** The surface of a colour; no surface of a level where nothing has that colour. */
+    public static int surface(int colour) {
+        return (colour * UNSPREAD & 0xffffff) - 1;
     }
 
     private static Material flat(String id, int rgb) {

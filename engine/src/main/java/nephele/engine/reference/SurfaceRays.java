@@ -45,6 +45,15 @@ final class SurfaceRays {
         return item < planes.length ? item : planes.length + piece(item).body();
     }
 
+    boolean isSolid(int item) {
+        return item >= 0 && item < planes.length;
+    }
+
+    /** The parameter at which a ray from outside enters a solid; infinity where it does not. */
+    double entry(Ray ray, int solid) {
+        return entry(ray, planes[solid], 0);
+    }
+
     /** The first item that the ray enters at a parameter from {@code least} to {@code most}. */
     boolean nearest(Ray ray, double least, double most, RayHit hit) {
         return index.nearest(

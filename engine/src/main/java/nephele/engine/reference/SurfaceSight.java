@@ -9,6 +9,9 @@ public final class SurfaceSight {
     /** The sky, or what is beyond the far plane. */
     public static final int NOTHING = -1;
 
+    /** What a drawn picture's depths cannot tell apart. */
+    private static final double SAME_METRES = 1e-5;
+
     private final SurfaceRays rays;
     private final EyePath path;
     private final EyePath straight;
@@ -33,6 +36,18 @@ public final class SurfaceSight {
             return NOTHING;
         }
         return rays.surface(path.item());
+    }
+
+    /**
+     * Whether a solid's surface is as near as the one that was seen by the last {@link #at}: of faces that lie in one
+     * place any may be said to be seen.
+     */
+    public boolean coincides(int solid) {
+        return path.item() >= 0
+                && rays.isSolid(solid)
+                && Math.abs(rays.entry(path.ray(), solid) - path.end())
+                                * path.direction().length()
+                        <= SAME_METRES;
     }
 
     /** How far one can go straight on without meeting anything, portals taken as walls; infinite into the open. */

@@ -9,7 +9,8 @@ import nephele.app.prove.ProofResult;
 
 /**
  * Pixels of pictures in identity colours, drawn against traced. A pixel is right where it shows a surface that a ray
- * within one pixel of its middle meets: at an edge either side is, and of what is thinner than a pixel any that is there.
+ * within one pixel of its middle meets: at an edge either side is, of what is
+ * thinner than a pixel any that is there, and of faces that lie in one place any of them.
  */
 final class IdTally {
     /** What an opening is filled with that the view budget does not reach. */

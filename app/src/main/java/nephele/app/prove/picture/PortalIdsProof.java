@@ -35,11 +35,17 @@ public final class PortalIdsProof implements Proof {
 
     /** Of the checkout in the working directory. */
     public PortalIdsProof() {
-        this(SeenLevels.all());
+        this(levels());
     }
 
-    PortalIdsProof(List<String> files) {
+    /** @param files levels by path */
+    public PortalIdsProof(List<String> files) {
         this.files = files;
+    }
+
+    /** All levels and samples of the checkout in the working directory. */
+    public static List<String> levels() {
+        return SeenLevels.all();
     }
 
     @Override

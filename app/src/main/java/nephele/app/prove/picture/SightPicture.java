@@ -64,7 +64,7 @@ final class SightPicture {
         return true;
     }
 
-    /** Whether the surface of a colour is seen within one pixel of a pixel's middle, however little of it. */
+    /** Whether the surface of a colour is seen within one pixel of a pixel's middle, however little of it, or as near. */
     boolean shows(int colour, int column, int row) {
         for (int y = Math.max(row - 1, 0); y <= Math.min(row + 1, height - 1); y++) {
             for (int x = Math.max(column - 1, 0); x <= Math.min(column + 1, width - 1); x++) {
@@ -74,11 +74,12 @@ final class SightPicture {
             }
         }
         SurfaceSight sight = level.sight(eye);
+        int surface = IdLevel.surface(colour);
         for (int rays : FINER) {
             for (int i = 0; i < rays * rays; i++) {
                 double x = column + 0.5 + 2.0 * (i % rays) / (rays - 1) - 1;
                 double y = row + 0.5 + 2.0 * (i / rays) / (rays - 1) - 1;
-                if (colour(sight, x, y) == colour) {
+                if (sight.at(x / width, y / height) == surface || sight.coincides(surface)) {
                     return true;
                 }
             }
