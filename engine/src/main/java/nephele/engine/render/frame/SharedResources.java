@@ -6,10 +6,13 @@ import java.util.HashMap;
 import java.util.Map;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.Brush;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.SkyProbes;
 import nephele.engine.scene.thing.Things;
 
 /** What several passes of one level use; made when the first of them asks, closed with the level. */
@@ -78,9 +81,16 @@ public final class SharedResources implements AutoCloseable {
     public ThingMeshes things(LoadContext context) {
         if (things == null) {
             Things all = Things.of(scene.level(), scene.materials(), context.figure());
-            things = new ThingMeshes(gl, all, surfaceLight(context).anchor());
+            things = new ThingMeshes(gl, all, surfaceLight(context).anchor(), skyProbes());
         }
         return things;
+    }
+
+    private SkyProbes skyProbes() {
+        boolean wanted = LightNeeds.skyShines(scene.level());
+        return wanted
+                ? new SkyProbes(scene.level().solids().stream().map(Brush::of).toList())
+                : null;
     }
 
     /** Defines, uniforms and textures of {@code surface-light.glsl}. */

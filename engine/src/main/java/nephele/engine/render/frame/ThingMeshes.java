@@ -10,6 +10,7 @@ import nephele.engine.render.gl.Uniforms.Whole;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.scene.Moment;
+import nephele.engine.scene.light.SkyProbes;
 import nephele.engine.scene.thing.ThingCopies;
 import nephele.engine.scene.thing.Things;
 import nephele.engine.scene.thing.VisibleThings;
@@ -32,9 +33,9 @@ public final class ThingMeshes implements AutoCloseable {
     private FloatBuffer staging = BufferUtils.createFloatBuffer(1 << 10);
     private long version;
 
-    ThingMeshes(GlContext gl, Things things, Vec3 anchor) {
+    ThingMeshes(GlContext gl, Things things, Vec3 anchor, SkyProbes sky) {
         this.things = things;
-        copies = new ThingCopies(things, anchor);
+        copies = new ThingCopies(things, anchor, sky);
         mesh = new GpuMesh(
                 gl, "things", FORMAT, things.mesh().vertices(), things.mesh().indices());
         instances = BufferTexture.changing(gl, "thing instances");

@@ -2,6 +2,7 @@ package nephele.engine.scene.light;
 
 import java.util.List;
 import nephele.engine.level.Brush;
+import nephele.engine.math.ItemRayTest;
 import nephele.engine.math.Ray;
 import nephele.engine.math.SpatialIndex;
 
@@ -43,6 +44,16 @@ final class Occluders {
                 new Ray(o[0], o[1], o[2], d[0], d[1], d[2]),
                 Double.MAX_VALUE,
                 (ray, item, limit) -> answer(item != except && meetsSolid(planes[item], o, d, limit)));
+    }
+
+    /** For callers that keep their test: whether it hits any solid up to {@code limit}. */
+    boolean anyHit(Ray ray, double limit, ItemRayTest test) {
+        return index.anyHit(ray, limit, test);
+    }
+
+    /** The answer of such a test for one solid. */
+    double hit(int solid, double[] o, double[] d, double limit) {
+        return answer(meetsSolid(planes[solid], o, d, limit));
     }
 
     /** Whether a single solid meets every segment from {@code o} to {@code o + segments[i]}. */

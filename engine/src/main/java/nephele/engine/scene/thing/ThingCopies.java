@@ -6,6 +6,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.scene.Moment;
 import nephele.engine.scene.Moment.Posture;
+import nephele.engine.scene.light.SkyProbes;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
@@ -15,10 +16,10 @@ import org.joml.Vector3d;
  *
  * <p>An instance takes {@link #FLOATS}: orientation x y z w; centre relative to the anchor, rounded, and its material;
  * what rounding left of the centre, and the shape's kind; half sides and half axis; two planes that cut it – unit normal
- * and the centre's distance before it.
+ * and the centre's distance before it; the shares of the sky that are seen towards +x, +y, +z, and towards −x, −y, −z.
  */
 public final class ThingCopies {
-    public static final int FLOATS = 24;
+    public static final int FLOATS = 32;
 
     private static final int BALL = 4;
     /** Of the ball around the middle of a head that holds all of it, and a near plane more. */
@@ -31,6 +32,10 @@ public final class ThingCopies {
 
     private final Things things;
     private final Vec3 anchor;
+    private final SkyProbes sky;
+    private final float[] skyOfBodies;
+    private final float[] seen = new float[SkyProbes.VALUES];
+    private final boolean[] moved;
     private final ThingPlaces places = new ThingPlaces();
     private final int[] groupStart;
     private final double[] lastPoses;
@@ -49,12 +54,20 @@ public final class ThingCopies {
     private double lastSeconds;
     private long version;
 
-    /** @param anchor world position that packed centres are relative to */
-    public ThingCopies(Things things, Vec3 anchor) {
+    /**
+     * @param anchor world position that packed centres are relative to
+     * @param sky {@code null} where no light of the sky has to be found
+     */
+    public ThingCopies(Things things, Vec3 anchor, SkyProbes sky) {
+        this.sky = sky;
         this.things = things;
         this.anchor = anchor;
         groupStart = new int[things.groups().size() + 1];
         lastPoses = new double[7 * things.shapes().size()];
+        skyOfBodies = new float[SkyProbes.VALUES * things.shapes().size()];
+        moved = new boolean[things.shapes().size()];
+        Arrays.fill(lastPoses, Double.NaN);
+        Arrays.fill(seen, 1);
     }
 
     /**
@@ -87,7 +100,8 @@ public final class ThingCopies {
         for (int body = 0; body < things.shapes().size(); body++) {
             moment.centre(body, centre);
             moment.orientation(body, turn);
-            changed |= differs(7 * body, centre.x, centre.y, centre.z);
+            moved[body] = differs(7 * body, centre.x, centre.y, centre.z);
+            changed |= moved[body];
             changed |= differs(7 * body + 3, turn.x, turn.y, turn.z);
             changed |= differs(7 * body + 4, turn.y, turn.z, turn.w);
         }
@@ -119,6 +133,11 @@ public final class ThingCopies {
         oneShape[0] = things.shapes().get(body);
         places.spread(moment.portals(), oneShape);
         for (int copy = 0; copy < places.copies(); copy++) {
+            if (copy == 0) {
+                seeSkyOf(body);
+            } else {
+                seeSky(copy);
+            }
             pack(ThingPlaces.slot(copy, 0), oneShape[0], things.materialOf()[body]);
         }
     }
@@ -136,9 +155,29 @@ public final class ThingCopies {
         }
         places.spread(moment.portals(), figureShapes);
         for (int copy = 0; copy < places.copies(); copy++) {
+            seeSky(copy);
             for (int part = 0; part < figureShapes.length; part++) {
                 pack(ThingPlaces.slot(copy, part), figureShapes[part], things.figureMaterial());
             }
+        }
+    }
+
+    /** What a body sees of the sky changes only with its place. */
+    private void seeSkyOf(int body) {
+        int at = SkyProbes.VALUES * body;
+        if (sky != null && moved[body]) {
+            seeSky(0);
+            System.arraycopy(seen, 0, skyOfBodies, at, SkyProbes.VALUES);
+        } else if (sky != null) {
+            System.arraycopy(skyOfBodies, at, seen, 0, SkyProbes.VALUES);
+        }
+    }
+
+    /** From a place before every portal: the copy's centre may lie in a wall. */
+    private void seeSky(int copy) {
+        if (sky != null) {
+            places.openPlace(copy, centre);
+            sky.at(centre.x, centre.y, centre.z, seen, 0);
         }
     }
 
@@ -165,6 +204,8 @@ public final class ThingCopies {
         put(at + 12, (float) half.x(), (float) half.y(), (float) half.z(), (float) shape.halfAxisMetres());
         putPlane(at + 16, slot, 0);
         putPlane(at + 20, slot, 1);
+        put(at + 24, seen[0], seen[1], seen[2], 0);
+        put(at + 28, seen[3], seen[4], seen[5], 0);
     }
 
     private void putPlane(int at, int slot, int plane) {

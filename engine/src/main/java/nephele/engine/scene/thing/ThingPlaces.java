@@ -26,6 +26,8 @@ final class ThingPlaces {
     /** Touching is not reaching through. */
     private static final double SLACK_METRES = 1e-6;
 
+    private static final double OFF_METRES = 0.2;
+
     /** Orientation x y z w, centre, anchor, and for each own plane its normal and the centre's distance before it. */
     private static final int CENTRE = 4;
 
@@ -176,6 +178,21 @@ final class ThingPlaces {
     Quaterniond orientation(int slot, Quaterniond out) {
         int i = slot * STRIDE;
         return out.set(at[i], at[i + 1], at[i + 2], at[i + 3]);
+    }
+
+    /** A place before every portal that the copy reaches through: the anchor of its first part, a little off them. */
+    Vector3d openPlace(int copy, Vector3d out) {
+        int part = 0;
+        while (part + 1 < parts && !shown[slot(copy, part)]) {
+            part++;
+        }
+        int i = slot(copy, part) * STRIDE + ANCHOR;
+        out.set(at[i], at[i + 1], at[i + 2]);
+        if (planes[slot(copy, part)] > 0) {
+            int plane = slot(copy, part) * STRIDE + PLANES;
+            out.add(OFF_METRES * at[plane], OFF_METRES * at[plane + 1], OFF_METRES * at[plane + 2]);
+        }
+        return out;
     }
 
     int planes(int slot) {

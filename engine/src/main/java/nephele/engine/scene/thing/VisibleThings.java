@@ -16,6 +16,7 @@ public final class VisibleThings {
 
     private final Things things;
     private final ThingCopies copies;
+    private final Frustum whole = Frustum.reusable(4);
     private int[] groups = new int[64];
     private int[] firsts = new int[64];
     private int[] counts = new int[64];
@@ -25,6 +26,26 @@ public final class VisibleThings {
     public VisibleThings(Things things, ThingCopies copies) {
         this.things = things;
         this.copies = copies;
+    }
+
+    /** In the whole of a view's picture; {@code pictureHeight} in pixels. */
+    public void find(View view, int pictureHeight) {
+        double right = view.projection().tanHalfWidth();
+        double up = view.projection().tanHalfHeight();
+        whole.restart(view.eye());
+        keep(view.back(), right, view.right(), 1);
+        keep(view.back(), right, view.right(), -1);
+        keep(view.back(), up, view.up(), 1);
+        keep(view.back(), up, view.up(), -1);
+        find(view, whole, pictureHeight);
+    }
+
+    private void keep(Vec3 back, double tangent, Vec3 aside, double side) {
+        whole.keep(
+                side * aside.x() - tangent * back.x(),
+                side * aside.y() - tangent * back.y(),
+                side * aside.z() - tangent * back.z(),
+                0);
     }
 
     /** @param pictureHeight pixels */

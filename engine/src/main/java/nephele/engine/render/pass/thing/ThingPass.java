@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import nephele.engine.level.Level;
-import nephele.engine.math.Frustum;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.MaterialBlocks;
@@ -27,7 +26,6 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.thing.VisibleThings;
-import org.joml.Matrix4d;
 
 /** What moves: one call for each run of things that look alike and are seen. */
 public final class ThingPass implements Pass {
@@ -44,7 +42,6 @@ public final class ThingPass implements Pass {
     private final Map<ThingVariant, GlProgram<ThingUniforms>> programs = new HashMap<>();
     private final List<GlProgram<ThingUniforms>> programOfGroup = new ArrayList<>();
     private final float[] eye = new float[6];
-    private final Matrix4d clipFromRelative = new Matrix4d();
     private ThingMeshes meshes;
     private VisibleThings visible;
     private MaterialBlocks materials;
@@ -104,9 +101,7 @@ public final class ThingPass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         meshes.update(frame.moment());
-        Frustum frustum = Frustum.of(
-                frame.view().clipFromRelative(clipFromRelative), frame.view().eye());
-        visible.find(frame.view(), frustum, frame.surface().height());
+        see(frame);
         if (visible.runs() == 0) {
             return;
         }
@@ -123,13 +118,12 @@ public final class ThingPass implements Pass {
         }
     }
 
-    private Frustum frustum(FrameContext frame) {
-        boolean throughPortal = frame.node() != null && frame.node().parent() != null;
-        return throughPortal
-                ? frame.node().frustum()
-                : Frustum.of(
-                        frame.view().clipFromRelative(clipFromRelative),
-                        frame.view().eye());
+    private void see(FrameContext frame) {
+        if (frame.node() != null && frame.node().parent() != null) {
+            visible.find(frame.view(), frame.node().frustum(), frame.surface().height());
+        } else {
+            visible.find(frame.view(), frame.surface().height());
+        }
     }
 
     private void drawRun(int run) {

@@ -80,7 +80,7 @@ void main() {
     s.anchorPosition = anchorPosition;
 #endif
 #ifdef SKY_AMBIENT
-    s.skyVisibility = 1.0;
+    s.skyVisibility = skySeen(instance, s.normal);
 #endif
     writeRadiance(surfaceRadiance(s) + material.emissionMetallic.rgb, relativePosition);
 }

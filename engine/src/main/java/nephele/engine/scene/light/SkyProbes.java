@@ -1,0 +1,160 @@
+package nephele.engine.scene.light;
+
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.math.ItemRayTest;
+import nephele.engine.math.Ray;
+
+/**
+ * How much of the sky a thing sees in each direction, wherever it goes: the light map's counterpart for what moves. The
+ * visible share of the cosine-weighted hemisphere around each axis is found at points of a lattice when a thing first
+ * comes near, and mixed between those points that the place can see. A function of the place alone.
+ */
+public final class SkyProbes {
+    /** Values of a place: +x, +y, +z, −x, −y, −z. */
+    public static final int VALUES = 6;
+
+    private static final double SPACING_METRES = 0.5;
+    /** Levels lie on whole and half metres; no point of the lattice should lie in their faces. */
+    private static final double OFFSET_METRES = 0.137;
+
+    private static final int DIRECTIONS = 96;
+    private static final float INSIDE = -1;
+
+    private final Occluders occluders;
+    private final double[][] directions = new double[DIRECTIONS][];
+    private final double[] from = new double[3];
+    private final double[] way = new double[3];
+    private final ItemRayTest meets;
+    private long[] keys = new long[256];
+    private float[] known = new float[256 * VALUES];
+    private int size;
+
+    public SkyProbes(List<Brush> brushes) {
+        occluders = new Occluders(brushes);
+        meets = (ray, item, limit) -> occluders.hit(item, from, way, limit);
+        for (int i = 0; i < DIRECTIONS; i++) {
+            // Evenly over the sphere (Vogel 1979).
+            double y = 1 - (2 * i + 1.0) / DIRECTIONS;
+            double radius = Math.sqrt(1 - y * y);
+            double angle = i * Math.PI * (3 - Math.sqrt(5));
+            directions[i] = new double[] {radius * Math.cos(angle), y, radius * Math.sin(angle)};
+        }
+        Arrays.fill(keys, Long.MIN_VALUE);
+    }
+
+    /** Writes the shares of the sky around a place, each 0 to 1, from {@code out[at]} on. */
+    public void at(double x, double y, double z, float[] out, int at) {
+        // A place in a solid sees no point of the lattice; the nearest that are free have to do.
+        if (!mix(x, y, z, Sight.CLEAR, out, at)) {
+            mix(x, y, z, Sight.ANY, out, at);
+        }
+    }
+
+    private enum Sight {
+        CLEAR,
+        ANY
+    }
+
+    /** @return whether any point of the lattice around the place counts */
+    private boolean mix(double x, double y, double z, Sight sight, float[] out, int at) {
+        double weights = 0;
+        double cellX = (x - OFFSET_METRES) / SPACING_METRES;
+        double cellY = (y - OFFSET_METRES) / SPACING_METRES;
+        double cellZ = (z - OFFSET_METRES) / SPACING_METRES;
+        Arrays.fill(out, at, at + VALUES, 0);
+        for (int corner = 0; corner < 8; corner++) {
+            double i = Math.floor(cellX) + (corner & 1);
+            double j = Math.floor(cellY) + (corner >> 1 & 1);
+            double k = Math.floor(cellZ) + (corner >> 2);
+            double weight = (1 - Math.abs(cellX - i)) * (1 - Math.abs(cellY - j)) * (1 - Math.abs(cellZ - k));
+            int slot = slot((int) i, (int) j, (int) k);
+            if (known[slot] == INSIDE || weight < 1e-3) {
+                continue;
+            }
+            if (sight == Sight.CLEAR && !sees(x, y, z, i, j, k)) {
+                continue;
+            }
+            weights += weight;
+            for (int value = 0; value < VALUES; value++) {
+                out[at + value] += (float) (weight * known[slot + value]);
+            }
+        }
+        for (int value = 0; value < VALUES && weights > 0; value++) {
+            out[at + value] /= (float) weights;
+        }
+        return weights > 0;
+    }
+
+    private boolean sees(double x, double y, double z, double i, double j, double k) {
+        from[0] = x;
+        from[1] = y;
+        from[2] = z;
+        way[0] = i * SPACING_METRES + OFFSET_METRES - x;
+        way[1] = j * SPACING_METRES + OFFSET_METRES - y;
+        way[2] = k * SPACING_METRES + OFFSET_METRES - z;
+        return !occluders.anyHit(new Ray(x, y, z, way[0], way[1], way[2]), 1, meets);
+    }
+
+    /** Where the values of a lattice point begin in {@link #known}; finds them when they are asked for first. */
+    private int slot(int i, int j, int k) {
+        long key = (i & 0x1fffffL) << 42 | (j & 0x1fffffL) << 21 | k & 0x1fffffL;
+        int place = place(key);
+        if (keys[place] != key) {
+            if (2 * ++size > keys.length) {
+                grow();
+                place = place(key);
+            }
+            keys[place] = key;
+            find(i, j, k, VALUES * place);
+        }
+        return VALUES * place;
+    }
+
+    private int place(long key) {
+        int place = (int) (key * 0x9e3779b97f4a7c15L >>> 40) & keys.length - 1;
+        while (keys[place] != key && keys[place] != Long.MIN_VALUE) {
+            place = place + 1 & keys.length - 1;
+        }
+        return place;
+    }
+
+    private void grow() {
+        long[] oldKeys = keys;
+        float[] old = known;
+        keys = new long[2 * oldKeys.length];
+        known = new float[2 * old.length];
+        Arrays.fill(keys, Long.MIN_VALUE);
+        for (int i = 0; i < oldKeys.length; i++) {
+            if (oldKeys[i] != Long.MIN_VALUE) {
+                int place = place(oldKeys[i]);
+                keys[place] = oldKeys[i];
+                System.arraycopy(old, VALUES * i, known, VALUES * place, VALUES);
+            }
+        }
+    }
+
+    private void find(int i, int j, int k, int at) {
+        double[] p = {
+            i * SPACING_METRES + OFFSET_METRES, j * SPACING_METRES + OFFSET_METRES, k * SPACING_METRES + OFFSET_METRES
+        };
+        if (occluders.isInside(p, -1)) {
+            known[at] = INSIDE;
+            return;
+        }
+        double[] seen = new double[VALUES];
+        double[] all = new double[VALUES];
+        for (double[] d : directions) {
+            double visible = occluders.isOccluded(p, d, -1) ? 0 : 1;
+            for (int axis = 0; axis < 3; axis++) {
+                int value = d[axis] >= 0 ? axis : axis + 3;
+                all[value] += Math.abs(d[axis]);
+                seen[value] += visible * Math.abs(d[axis]);
+            }
+        }
+        for (int value = 0; value < VALUES; value++) {
+            known[at + value] = (float) (seen[value] / all[value]);
+        }
+    }
+}
