@@ -44,6 +44,20 @@ public final class DoorwayRooms {
         PORTALS
     }
 
+    /** Where the cube begins. */
+    public enum Cube {
+        /** On the floor, out of the way. */
+        ASIDE(new Vec3(-1.6, CUBE / 2, -1)),
+        /** Before the eye, to be caught. */
+        IN_SIGHT(new Vec3(BESIDE_LINE, 1.5, BEHIND_DOOR - 1.2));
+
+        private final Vec3 centre;
+
+        Cube(Vec3 centre) {
+            this.centre = centre;
+        }
+    }
+
     private final int doors;
     private final Doors kind;
     private final List<Solid> solids = new ArrayList<>();
@@ -57,18 +71,17 @@ public final class DoorwayRooms {
         }
     }
 
-    /** {@code doors} + 1 rooms; the player stands in the first one and looks at its door, a cube before the feet. */
+    /** {@code doors} + 1 rooms; the player stands in the first one and looks at its door. */
     public static Level level(int doors, Doors kind) {
+        return level(doors, kind, Cube.ASIDE);
+    }
+
+    /** The same with the cube elsewhere. */
+    public static Level level(int doors, Doors kind, Cube cubePlace) {
         var rooms = new DoorwayRooms(doors, kind);
         var environment = new Environment(null, null, new Vec3(1, 1, 1), 0, ToneCurve.CLIP, null, List.of());
-        var cube = new Body.Box(
-                "cube",
-                new Vec3(BESIDE_LINE, CUBE / 2, BEHIND_DOOR - 1.2),
-                new Vec3(CUBE, CUBE, CUBE),
-                5,
-                "paint-7",
-                0.6,
-                0);
+        var size = new Vec3(CUBE, CUBE, CUBE);
+        var cube = new Body.Box("cube", cubePlace.centre, size, 5, "paint-7", 0.6, 0);
         return new Level(
                 "doorways",
                 "",
@@ -174,16 +187,22 @@ public final class DoorwayRooms {
                 PortalShape.RECTANGLE));
     }
 
+    /** Where a point of a room is in the level with portals, by where it is in the one with open doors. */
+    static Vec3 twin(Vec3 open, int room) {
+        return apart(room, new Vec3(open.x(), open.y(), open.z() + PITCH_METRES * room));
+    }
+
     /** From a room's own space, where its back door is at z = 0 and its front door ahead of it, to the level's. */
     private Vec3 placed(int room, Vec3 p) {
-        if (kind == Doors.OPEN) {
-            return new Vec3(p.x(), p.y(), p.z() - PITCH_METRES * room);
-        }
+        return kind == Doors.OPEN ? new Vec3(p.x(), p.y(), p.z() - PITCH_METRES * room) : apart(room, p);
+    }
+
+    private static Vec3 apart(int room, Vec3 p) {
         Vec3 turned = turned(room, p);
         return new Vec3(turned.x() + APART * room, turned.y(), turned.z());
     }
 
-    private Vec3 turned(int room, Vec3 v) {
+    private static Vec3 turned(int room, Vec3 v) {
         return switch (room % 4) {
             case 0 -> v;
             case 1 -> new Vec3(v.z(), v.y(), -v.x());

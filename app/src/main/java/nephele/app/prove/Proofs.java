@@ -21,6 +21,7 @@ public final class Proofs {
             new RetriangulationProof(),
             new SeparationProof(),
             new BodiesProof(),
+            new DoorwayWalkProof(320, 180),
             new SoakProof());
 
     private Proofs() {}

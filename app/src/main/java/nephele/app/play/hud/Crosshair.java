@@ -23,7 +23,7 @@ final class Crosshair {
     private static final double RISE = 0.35 * EM;
 
     private static final double APART = 2;
-    private static final double CROSS_EM = 17;
+    private static final double CROSS_EM = 12;
     private static final double CROSS_WIDTH = 0.5 * CROSS_EM;
     private static final double CROSS_GAP = 7;
     private static final double REFUSED_ALPHA = 0.45;
@@ -60,7 +60,7 @@ final class Crosshair {
     }
 
     private static void cross(OverlayCanvas canvas, double left, double y) {
-        edged(canvas, left, y + 0.35 * CROSS_EM, CROSS_EM, Palette.INK, "X");
+        edged(canvas, left, y + 0.35 * CROSS_EM, CROSS_EM, Palette.QUIET_INK, "X");
     }
 
     private static void edged(
