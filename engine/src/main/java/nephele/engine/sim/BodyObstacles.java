@@ -27,6 +27,7 @@ final class BodyObstacles {
     /** A list entry is body × this + 1 + the portal through which its image comes; + 0 for the body itself. */
     private static final int IMAGES = SeamedWorld.MOST_PORTALS + 1;
 
+    private static final int NO_BODIES = Integer.MAX_VALUE;
     private static final double MARGIN_METRES = 0.05;
     private static final int POSE = 7;
 
@@ -42,6 +43,8 @@ final class BodyObstacles {
     private int[] joined = new int[0];
     private CollisionWorld solids;
     private CollisionWorld world;
+    /** The number of the first body among the solids of the world that was given last. */
+    private int firstBody = NO_BODIES;
 
     BodyObstacles(BodyTable table) {
         this.table = table;
@@ -62,6 +65,7 @@ final class BodyObstacles {
     /** The solids of a mask, with every body that the shape may meet on its way. */
     CollisionWorld around(long mask, RoundedHull shape, Vector3dc place, Vector3dc way) {
         CollisionWorld without = seamed.around(mask);
+        firstBody = NO_BODIES;
         if (bodies.size() == 0) {
             return without;
         }
@@ -71,7 +75,11 @@ final class BodyObstacles {
                 want(body, mask, shape, place, way);
             }
         }
-        return wanted.size() == 0 ? without : joined(without);
+        if (wanted.size() == 0) {
+            return without;
+        }
+        firstBody = without.size();
+        return joined(without);
     }
 
     private void want(int body, long mask, RoundedHull shape, Vector3dc place, Vector3dc way) {
@@ -171,12 +179,12 @@ final class BodyObstacles {
 
     /** Whether a solid of the last world is a body. */
     boolean isBody(int collider) {
-        return solids != null && collider >= solids.size();
+        return collider >= firstBody;
     }
 
     /** The velocity, in the player's space, of a body of the last world where it was met. */
     Vector3d velocity(int collider, Vector3dc point, Vector3d out) {
-        int entry = joined[collider - solids.size()];
+        int entry = joined[collider - firstBody];
         int body = entry / IMAGES;
         int through = entry % IMAGES - 1;
         Vector3d arm = new Vector3d(point);
