@@ -59,7 +59,7 @@ class SolutionsReplayTest {
                                 .filter(action -> !actions.contains(action))
                                 .toList()))
                 .toList();
-        return new Replay(replay.level(), replay.ticksPerSecond(), replay.assists(), replay.start(), rest);
+        return new Replay(replay.level(), replay.settings(), replay.start(), rest);
     }
 
     @ParameterizedTest

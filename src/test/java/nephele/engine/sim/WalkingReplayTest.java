@@ -52,7 +52,8 @@ class WalkingReplayTest {
         Replay recorded = replay();
         List<String> last = new ArrayList<>();
         for (int rate : new int[] {30, 60, 240}) {
-            Replay changed = new Replay(recorded.level(), rate, List.of(), null, recorded.inputs());
+            Replay changed =
+                    new Replay(recorded.level(), SimSettings.DEFAULT.withTicksPerSecond(rate), null, recorded.inputs());
             List<String> lines = hashes(changed, Integer.MAX_VALUE);
             last.add(lines.get(0));
         }

@@ -57,6 +57,15 @@ final class PlayCommand implements Command {
             })
     private List<String> assists;
 
+    @Option(
+            names = "--upright-rate",
+            paramLabel = "DEG_PER_SECOND|instant",
+            description = {
+                "How fast the view turns upright after a portal has left it leaning: 10 or more, or instant",
+                "(default: 360). Stored with --record; a replay brings its own."
+            })
+    private String uprightRate;
+
     @Option(names = "--replay", paramLabel = "FILE", description = "Show a replay, at the rate that the file says.")
     private String replay;
 
@@ -123,9 +132,12 @@ final class PlayCommand implements Command {
         if (ticksPerSecond != null && record == null) {
             throw CommandFailure.usage("--ticks-per-second belongs to --record; a replay brings its own rate");
         }
+        if (replay != null && uprightRate != null) {
+            throw CommandFailure.usage("--upright-rate and --replay exclude each other: a replay brings its own");
+        }
         int rate = ticksPerSecond == null ? SimSettings.DEFAULT.ticksPerSecond() : ticksPerSecond;
         try {
-            return new SimSettings(rate, AssistNames.parse(assists));
+            return new SimSettings(rate, AssistNames.parse(assists), UprightRate.parse(uprightRate));
         } catch (IllegalArgumentException outOfRange) {
             throw CommandFailure.usage("--ticks-per-second: " + outOfRange.getMessage());
         }

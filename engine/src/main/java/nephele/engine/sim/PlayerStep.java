@@ -32,7 +32,8 @@ final class PlayerStep {
     private final Vector3d way = new Vector3d();
     private final Vector3d head = new Vector3d();
 
-    PlayerStep(BodyTable bodies, double seconds) {
+    PlayerStep(BodyTable bodies, SimSettings settings) {
+        double seconds = 1.0 / settings.ticksPerSecond();
         this.seconds = seconds;
         mover = new Mover(new BodyObstacles(bodies));
         walk = new GroundWalk(mover);
@@ -40,7 +41,7 @@ final class PlayerStep {
         flight = new AirFlight(mover, walk, passing);
         groundDamping = Damping.of(PlayerBody.GROUND_RATE_PER_SECOND, seconds);
         eyeDamping = Damping.of(PlayerBody.EYE_RATE_PER_SECOND, seconds);
-        uprighting = new Uprighting(mover, recovery, seconds);
+        uprighting = new Uprighting(mover, recovery, settings);
     }
 
     /** @param around the bodies that are in the way, but for one that is held */

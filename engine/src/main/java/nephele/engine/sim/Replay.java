@@ -17,6 +17,11 @@ public record Replay(
         @Written(absent = "120", min = SimSettings.LEAST_TICKS_PER_SECOND, max = SimSettings.MOST_TICKS_PER_SECOND)
                 int ticksPerSecond,
         @Written List<Assist> assists,
+        @Written(
+                        absent = "360",
+                        min = SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND,
+                        max = SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND)
+                int uprightDegreesPerSecond,
         @Written PlayerStart start,
         @Written(required = true, most = 400_000) List<Run> inputs) {
     private static final RecordFile<Replay> FILE = RecordFile.of("replay", 1, Replay.class);
@@ -50,9 +55,13 @@ public record Replay(
         }
     }
 
+    public Replay(String level, SimSettings settings, PlayerStart start, List<Run> inputs) {
+        this(level, settings.ticksPerSecond(), settings.assists(), settings.uprightDegreesPerSecond(), start, inputs);
+    }
+
     /** What a level without a replay gets: standing at its start. */
     public static Replay standing(String level, int ticks) {
-        return new Replay(level, 120, List.of(), null, List.of(Run.of(PlayerInput.NONE, ticks)));
+        return new Replay(level, SimSettings.DEFAULT, null, List.of(Run.of(PlayerInput.NONE, ticks)));
     }
 
     /**
@@ -69,7 +78,7 @@ public record Replay(
     }
 
     public SimSettings settings() {
-        return new SimSettings(ticksPerSecond, assists);
+        return new SimSettings(ticksPerSecond, assists, uprightDegreesPerSecond);
     }
 
     public long ticks() {

@@ -59,6 +59,6 @@ public final class ReplayRecorder {
     /** What has been recorded so far. */
     public Replay replay() {
         flush();
-        return new Replay(level, settings.ticksPerSecond(), settings.assists(), start, List.copyOf(runs));
+        return new Replay(level, settings, start, List.copyOf(runs));
     }
 }

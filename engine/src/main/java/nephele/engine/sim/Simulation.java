@@ -47,7 +47,7 @@ public final class Simulation {
         double seconds = 1.0 / settings.ticksPerSecond();
         spaces = new Spaces(statics);
         start = new SimState(0, 1, 0, standing(level.start()), level.begin(spaces));
-        playerStep = new PlayerStep(level.bodies(), seconds);
+        playerStep = new PlayerStep(level.bodies(), settings);
         bodiesTick = new BodiesTick(level.bodies(), spaces, seconds, faults);
         assists = new Assists(settings);
         hands = new Hands(level, spaces, seconds);

@@ -6,7 +6,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * Turns a player that came out of a portal leaning: the view at once and steadily, the body about its centre as far as
+ * Turns a player that came out of a portal leaning: the view at once and steadily, at a rate that the player may choose, the body about its centre as far as
  * there is room, never into a solid. In an aperture it waits where turning would make it strike the rim.
  */
 final class Uprighting {
@@ -19,13 +19,17 @@ final class Uprighting {
     private final Mover mover;
     private final Recovery recovery;
     private final double radians;
+    private final double viewRadians;
     private final Vector3d way = new Vector3d();
     private final Vector3d raised = new Vector3d();
 
-    Uprighting(Mover mover, Recovery recovery, double seconds) {
+    Uprighting(Mover mover, Recovery recovery, SimSettings settings) {
         this.mover = mover;
         this.recovery = recovery;
+        double seconds = 1.0 / settings.ticksPerSecond();
         radians = RADIANS_PER_SECOND * seconds;
+        boolean isAsBody = settings.uprightDegreesPerSecond() == SimSettings.DEFAULT_UPRIGHT_DEGREES_PER_SECOND;
+        viewRadians = isAsBody ? radians : Math.toRadians(settings.uprightDegreesPerSecond()) * seconds;
     }
 
     void turn(PlayerMotion player) {
@@ -34,7 +38,7 @@ final class Uprighting {
             return;
         }
         Heading heading = player.look().heading();
-        player.look(new Look(heading, tilt.viewNearer(radians)));
+        player.look(new Look(heading, tilt.viewNearer(viewRadians)));
         int left = (int) Math.ceil(radians / MOST_RADIANS);
         double angle = radians / left;
         while (left > 0 && turnBody(player, heading, angle)) {

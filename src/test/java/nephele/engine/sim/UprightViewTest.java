@@ -1,0 +1,156 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Rotations;
+import nephele.engine.math.Vec3;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** Portals.md section 5, row 26: out of a ceiling and through turned portals the view eases upright and never flips. */
+final class UprightViewTest {
+    private static final double TICK = 1.0 / 120;
+    /** A heading is a whole thousandth of a degree, and pitch ends a tenth of one before the vertical. */
+    private static final double ROUNDING = Math.toRadians(0.11);
+
+    /** From a wall into the ceiling, from a floor into a wall, and the other way round. */
+    private static List<Lab> turns(SimSettings settings) {
+        Vec3 wall = new Vec3(0, 1.05, -8);
+        Vec3 floor = new Vec3(0, 0, -3);
+        Vec3 ceiling = new Vec3(3, 6, 3);
+        Vec3 side = new Vec3(8, 1.05, 3);
+        return List.of(
+                Lab.hall()
+                        .pair(wall, new Vec3(0, 0, 1), ceiling, new Vec3(0, -1, 0))
+                        .startAt(0, 0, -6.5, 0, 0)
+                        .with(settings),
+                Lab.hall()
+                        .pair(floor, new Vec3(0, 1, 0), side, new Vec3(-1, 0, 0))
+                        .startAt(0, 0, -1.6, 0, -30)
+                        .with(settings),
+                Lab.hall()
+                        .pair(floor, new Vec3(0, 1, 0), ceiling, new Vec3(0, -1, 0))
+                        .startAt(0, 0, -1.6, 20, -60)
+                        .with(settings));
+    }
+
+    private static SimSettings rate(int degreesPerSecond) {
+        return SimSettings.DEFAULT.withUprightDegreesPerSecond(degreesPerSecond);
+    }
+
+    private static Quaterniond turn(Basis view) {
+        return Rotations.ofAxes(view.right(), view.up(), view.back());
+    }
+
+    private static double angle(Basis a, Basis b) {
+        Quaterniond d = turn(a).conjugate().mul(turn(b));
+        return 2 * StrictMath.atan2(Math.sqrt(d.x * d.x + d.y * d.y + d.z * d.z), Math.abs(d.w));
+    }
+
+    /** No tick turns the view by more than the rate says, the one of the crossing included. */
+    @Test
+    void theViewEases() {
+        for (int degrees : new int[] {45, 360, 900}) {
+            for (Lab lab : turns(rate(degrees))) {
+                boolean crossed = false;
+                for (int tick = 0; tick < 400; tick++) {
+                    SimState before = lab.state();
+                    SimState after = lab.tick(crossed ? PlayerInput.NONE : PlayerInput.FORWARD)
+                            .state();
+                    crossed |= after.around().trace().playerCrossed().length() > 0;
+                    double turned = angle(
+                            PlayerPose.between(before, after, 0).later(),
+                            PlayerPose.between(before, after, 1).later());
+                    assertTrue(turned <= Math.toRadians(degrees) * TICK + ROUNDING, "turned by " + turned);
+                }
+                assertTrue(crossed);
+            }
+        }
+    }
+
+    /** The faster the rate, the sooner it is level; in the end it is, for every rate. */
+    @Test
+    void theRateSaysHowLongItTakes() {
+        for (int kind = 0; kind < 3; kind++) {
+            int slow = ticksLeaning(turns(rate(90)).get(kind));
+            int usual = ticksLeaning(turns(rate(360)).get(kind));
+            int instant = ticksLeaning(
+                    turns(rate(SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND)).get(kind));
+            assertTrue(instant <= 1, instant + " ticks");
+            assertTrue(usual >= instant && slow >= usual, slow + ", " + usual + ", " + instant);
+            if (usual > 4) {
+                assertEquals(4.0, (double) slow / usual, 0.8);
+            }
+        }
+    }
+
+    private static int ticksLeaning(Lab lab) {
+        int leaning = 0;
+        boolean crossed = false;
+        for (int tick = 0; tick < 700; tick++) {
+            SimState after =
+                    lab.tick(crossed ? PlayerInput.NONE : PlayerInput.FORWARD).state();
+            crossed |= after.around().trace().playerCrossed().length() > 0;
+            leaning += after.player().tilt().isViewLevel() ? 0 : 1;
+        }
+        assertTrue(lab.player().tilt().isViewLevel(), "level in the end");
+        return leaning;
+    }
+
+    /** Whoever steers while the view turns goes where it looks, or, looking straight down, where its picture's top is. */
+    @Test
+    void inputFollowsTheView() {
+        int steered = 0;
+        for (Lab lab : turns(rate(90))) {
+            lab.hold(PlayerInput.FORWARD, 0.2);
+            while (lab.player().tilt().isViewLevel() && lab.state().tick() < 240) {
+                lab.tick(PlayerInput.FORWARD);
+            }
+            for (int tick = 0; tick < 20 && !lab.player().isGrounded(); tick++) {
+                Vec3 before = lab.player().velocity();
+                Basis view = PlayerEye.view(lab.player());
+                Vec3 after = lab.tick(PlayerInput.FORWARD).player().velocity();
+                boolean crossed = lab.state().around().trace().playerCrossed().length() > 0;
+                Vector3d gained = after.toVector().sub(before.toVector());
+                gained.y = 0;
+                Vector3d ahead = view.back().toVector().negate().add(view.up().toVector());
+                assertTrue(crossed || gained.length() < 1e-9 || gained.dot(ahead) > -1e-9, gained + " and " + ahead);
+                steered += !crossed && gained.length() > 1e-3 ? 1 : 0;
+            }
+        }
+        assertTrue(steered > 10, steered + " ticks with an effect");
+    }
+
+    /** Straight up and down: at the steepest pitch the mouse turns the view as far as it says and no farther. */
+    @Test
+    void nothingFlipsAtTheVertical() {
+        for (Lab lab : turns(rate(360))) {
+            lab.hold(PlayerInput.FORWARD, 0.5);
+            for (int tick = 0; tick < 300; tick++) {
+                int up = tick % 60 < 30 ? 9000 : -9000;
+                SimState before = lab.state();
+                SimState after = lab.tick(PlayerInput.FORWARD.turning(500, up)).state();
+                double turned = angle(
+                        PlayerPose.between(before, after, 0).later(),
+                        PlayerPose.between(before, after, 1).later());
+                assertTrue(turned <= Math.toRadians(360 * TICK + 9.5) + ROUNDING, "turned by " + turned);
+            }
+        }
+    }
+
+    /** What is said of a rate is written down, and of the usual one nothing: old replays stay as they are. */
+    @Test
+    void aReplayKeepsTheRate() {
+        var recorder = new ReplayRecorder("lab.json", rate(45), null).record(PlayerInput.FORWARD);
+        String text = recorder.replay().write();
+        assertTrue(text.contains("\"uprightDegreesPerSecond\": 45"), text);
+        byte[] utf8 = text.getBytes(java.nio.charset.StandardCharsets.UTF_8);
+        assertEquals(45, Replay.read("lab.json", utf8).settings().uprightDegreesPerSecond());
+        String usual = Replay.standing("lab.json", 3).write();
+        assertTrue(!usual.contains("upright"), usual);
+    }
+}
