@@ -51,6 +51,13 @@ class RenderFeaturesTest {
                 new TestLevel().sky(skies().get(Sky.Gradient.class)).level());
         causes.put(
                 "sky.skybox", new TestLevel().sky(skies().get(Sky.Skybox.class)).level());
+        causes.put("thing", new TestLevel().cube(null, Vec3.ZERO, 1).level());
+        causes.put(
+                "shadow.things",
+                new TestLevel()
+                        .castingSun(new Vec3(0, 1, 0), 1)
+                        .cube(null, Vec3.ZERO, 1)
+                        .level());
         return causes;
     }
 

@@ -3,6 +3,7 @@ package nephele.engine.render;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Fog;
@@ -30,6 +31,7 @@ final class TestLevel {
     private final List<Solid> solids = new ArrayList<>();
     private final List<Light> lights = new ArrayList<>();
     private final List<PortalSpec> portals = new ArrayList<>();
+    private final List<Body> bodies = new ArrayList<>();
 
     TestLevel sun(Vec3 towards, double irradiance) {
         sun = new Sun(towards, grey(irradiance), false);
@@ -109,6 +111,16 @@ final class TestLevel {
         return portal(new PortalSpec(id, linkedTo, centre, normal, up, width, height, PortalShape.RECTANGLE));
     }
 
+    /** A cube that may move. */
+    TestLevel cube(String material, Vec3 centre, double side) {
+        return body(new Body.Box("body" + bodies.size(), centre, grey(side), 10, material, 0.6, 0));
+    }
+
+    TestLevel body(Body body) {
+        bodies.add(body);
+        return this;
+    }
+
     TestLevel portal(PortalSpec portal) {
         portals.add(portal);
         return this;
@@ -132,7 +144,7 @@ final class TestLevel {
                 List.copyOf(lights),
                 List.copyOf(portals),
                 List.of(),
-                List.of(),
+                List.copyOf(bodies),
                 null);
     }
 

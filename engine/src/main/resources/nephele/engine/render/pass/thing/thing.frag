@@ -31,7 +31,7 @@ vec3 textureAcross(vec3 n) {
     return normalize(abs(n.y) > 0.999 ? vec3(1.0, 0.0, 0.0) - n * n.x : cross(vec3(0.0, 1.0, 0.0), n));
 }
 
-// A box has the texture's middle in the middle of each face; a round shape a whole number of repeats around it, and its
+// As the oracle has it (reference.BodySurfaces): t grows downwards. A box has the texture's middle in the middle of each face; a round shape a whole number of repeats around it, and its
 // equator or the middle of its side half-way up. As on solids t falls upwards. Twin: reference.BodySurfaces.
 vec2 textureAt(int kind, vec3 n, vec4 size, float textureMetres) {
     if (kind == 0) {
