@@ -9,7 +9,6 @@ import nephele.app.bench.Stopwatch;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.PrintedProgress;
 import nephele.engine.render.Capture;
-import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -123,8 +122,8 @@ public final class OffscreenWalk {
 
     private Renderer renderer(GlContext gl, Preparation.Prepared prepared) {
         var output = request.quality().output(prepared.opened().level());
-        var quality = request.quality().on(gl.limits().software());
-        var settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
+        var settings =
+                request.quality().settings(output, gl.limits().software()).with(FigurePresence.POSSIBLE);
         return AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 

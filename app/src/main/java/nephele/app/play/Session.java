@@ -4,7 +4,6 @@ import java.util.Optional;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.window.Input;
 import nephele.engine.level.Level;
-import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.thing.FigurePresence;
@@ -32,8 +31,8 @@ final class Session implements AutoCloseable {
     static Session load(GlContext gl, PlayRequest request, Preparation preparation, Input input) {
         var prepared = preparation.get();
         var output = request.quality().output(prepared.opened().level());
-        var quality = request.quality().on(gl.limits().software());
-        var settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
+        var settings =
+                request.quality().settings(output, gl.limits().software()).with(FigurePresence.POSSIBLE);
         var renderer = AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
         return new Session(request, prepared, renderer, input);
     }

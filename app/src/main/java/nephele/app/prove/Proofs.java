@@ -22,6 +22,7 @@ public final class Proofs {
             new SeparationProof(),
             new BodiesProof(),
             new DoorwayWalkProof(320, 180),
+            new EyeCrossingsProof(),
             new SoakProof());
 
     private Proofs() {}

@@ -95,6 +95,11 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
     }
 
+    /** Views that were drawn, without the picture itself. */
+    int drawn() {
+        return tree == null ? 0 : tree.views().size() - 1;
+    }
+
     void forget() {
         previous.forget();
     }

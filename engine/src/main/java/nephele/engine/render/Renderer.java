@@ -212,6 +212,11 @@ public final class Renderer implements AutoCloseable {
         return linear.readFloats();
     }
 
+    /** Views through portals that the last frame drew. */
+    public int viewsDrawn() {
+        return portals == null ? 0 : portals.drawn();
+    }
+
     /** Draw calls of the last frame. */
     public long draws() {
         return gl.state().draws();
