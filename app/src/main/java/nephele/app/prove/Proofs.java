@@ -2,6 +2,7 @@ package nephele.app.prove;
 
 import java.util.List;
 import nephele.app.prove.picture.PortalIdsProof;
+import nephele.app.prove.picture.PortalLightProof;
 
 /** Every proof, in the order in which `prove` without a name runs them; the only registration. */
 public final class Proofs {
@@ -15,6 +16,7 @@ public final class Proofs {
             new SaveKillProof(),
             new MutantsProof(),
             new PortalIdsProof(),
+            new PortalLightProof(),
             new RayProof(),
             new RotationProof(),
             new PlacementProof(),

@@ -8,9 +8,10 @@ import nephele.app.prove.Figure;
 import nephele.app.prove.ProofResult;
 
 /**
- * Pixels of pictures in identity colours, drawn against traced. A pixel is right where it shows a surface that a ray
- * within one pixel of its middle meets: at an edge either side is, of what is
- * thinner than a pixel any that is there, and of faces that lie in one place any of them.
+ * Pixels of pictures in identity colours, drawn against traced. A pixel is wrong where the twin sees one surface in all
+ * of the three by three pixels around it and the drawn one is another, unless some ray within one pixel meets that:
+ * things thinner than a pixel may be hit or missed, and of faces that lie in one place any may show. Beside an edge a
+ * pixel is not judged, but counted where it shows what is not there: a crack, or a portal a pixel too wide.
  */
 final class IdTally {
     /** What an opening is filled with that the view budget does not reach. */
@@ -19,6 +20,7 @@ final class IdTally {
     private final List<String> failures = new ArrayList<>();
     private long pixels;
     private long atEdges;
+    private long beyondEdges;
     private long terminal;
     private long wrong;
     private double largestTerminalShare;
@@ -35,8 +37,11 @@ final class IdTally {
             if (colour == TERMINAL) {
                 left++;
             } else if (colour != traced.at(column, row)) {
-                atEdges += traced.isPlain(column, row) ? 0 : 1;
-                if (!traced.shows(colour, column, row)) {
+                boolean isEdge = !traced.isPlain(column, row);
+                boolean isThere = traced.shows(colour, column, row);
+                atEdges += isEdge ? 1 : 0;
+                beyondEdges += isEdge && !isThere ? 1 : 0;
+                if (!isEdge && !isThere) {
                     first = bad++ == 0 ? example(colour, traced, column, drawn.getHeight() - 1 - row) : first;
                 }
             }
@@ -69,7 +74,8 @@ final class IdTally {
                 List.of(
                         Figure.sum("pixels", pixels, ""),
                         Figure.sum("pixels that show another surface", wrong, ""),
-                        Figure.sum("pixels beside an edge that show its other side", atEdges, ""),
+                        Figure.sum("pixels beside an edge that show something else than in their middle", atEdges, ""),
+                        Figure.sum("of those, what no ray within a pixel meets", beyondEdges, ""),
                         Figure.sum("terminal pixels", terminal, ""),
                         Figure.greatest("largest share of terminal pixels", 100 * largestTerminalShare, "%")),
                 failures);
