@@ -45,7 +45,7 @@ class ThingGlTest {
         return count;
     }
 
-    /** A box body looks like the solid of its shape, to the pixel; so does one that has been moved there. */
+    /** A box body looks like the solid of its shape; so does one that has been moved there. */
     @Test
     void aBodyCoversWhatItsShapeCovers() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -55,7 +55,7 @@ class ThingGlTest {
                     draw(offscreen, white().box("white", at, TestLevel.grey(1)).level(), view);
             int[] body = draw(offscreen, white().cube("white", at, 1).level(), view);
             assertTrue(covered(solid) > 200);
-            assertArrayEquals(solid, body);
+            assertEquals(0, unlike(solid, body));
             Level elsewhere = white().cube("white", new Vec3(50, 0, 0), 1).level();
             try (Renderer renderer = Renderer.load(offscreen.gl, elsewhere, TestAssets.NONE, settings(Output.PLAIN))) {
                 Moment moment = Moment.atStart(elsewhere);
@@ -82,7 +82,7 @@ class ThingGlTest {
                             .portal("b", "a", Vec3.ZERO, new Vec3(0, 0, -1), 3, 3)
                             .level();
                     int[] actual = draw(offscreen, level, view);
-                    assertTrue(covered(expected) > 200);
+                    assertTrue(covered(expected) > 200, "the cube is seen: " + covered(expected));
                     assertEquals(0, unlike(expected, actual), "pixels from " + eye + " of a cube at " + ahead);
                 }
             }
@@ -124,6 +124,7 @@ class ThingGlTest {
                 int image = covered(draw(offscreen, level, offscreen.view(new Vec3(40, 0, 2), new Vec3(40, 0, 0))));
                 Level free = white().cube("white", new Vec3(0, 0, ahead), 1).level();
                 int whole = covered(draw(offscreen, free, offscreen.view(new Vec3(2, 0, 0), new Vec3(0, 0, 0))));
+                assertTrue(whole > 200, "the cube is seen: " + whole);
                 assertEquals(whole, host + image, 0.04 * whole, "halves " + host + " and " + image);
                 assertEquals((0.5 + ahead) * whole, host, 0.06 * whole, "cut at the plane");
             }

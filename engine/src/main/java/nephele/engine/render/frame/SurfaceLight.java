@@ -106,7 +106,7 @@ public final class SurfaceLight implements AutoCloseable {
 
     /** World position that positions in light shaders are relative to. */
     public Vec3 anchor() {
-        return scene.solids().origin();
+        return scene.solids().isEmpty() ? Vec3.ZERO : scene.solids().origin();
     }
 
     /** What the shadows of things need. */

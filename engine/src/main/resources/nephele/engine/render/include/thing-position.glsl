@@ -30,12 +30,17 @@ ThingVertex thingVertex() {
     return v;
 }
 
-// Leaves what lies before the planes that cut a part, and up to `margin` behind them.
-void clipToOwnPlanes(ThingVertex v, float margin) {
 #ifdef PORTALS
-    vec4 first = instanceTexel(v.instance, 4);
-    vec4 second = instanceTexel(v.instance, 5);
-    gl_ClipDistance[1] = dot(first.xyz, v.fromCentre) + first.w + margin;
-    gl_ClipDistance[2] = dot(second.xyz, v.fromCentre) + second.w + margin;
+float clippedByOwnPlane(ThingVertex v, vec4 plane, vec3 eyeFromCentre, float margin) {
+    float eyeBefore = dot(plane.xyz, eyeFromCentre) + plane.w;
+    return dot(plane.xyz, v.fromCentre) + plane.w + (eyeBefore > 1e-3 ? margin : 0.0);
+}
+#endif
+
+// Leaves what lies before the planes that cut a part; up to `margin` behind those that the eye is before.
+void clipToOwnPlanes(ThingVertex v, vec3 eyeFromCentre, float margin) {
+#ifdef PORTALS
+    gl_ClipDistance[1] = clippedByOwnPlane(v, instanceTexel(v.instance, 4), eyeFromCentre, margin);
+    gl_ClipDistance[2] = clippedByOwnPlane(v, instanceTexel(v.instance, 5), eyeFromCentre, margin);
 #endif
 }

@@ -8,5 +8,5 @@ void main() {
 #ifdef PORTALS
     gl_ClipDistance[0] = 1.0;
 #endif
-    clipToOwnPlanes(v, 0.0);
+    clipToOwnPlanes(v, vec3(0.0), 0.0);
 }

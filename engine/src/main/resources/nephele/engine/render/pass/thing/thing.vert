@@ -28,7 +28,7 @@ void main() {
     float margin = seamPerMetre * gl_Position.w;
     clipToView(relativePosition);
     gl_ClipDistance[0] += margin;
-    clipToOwnPlanes(v, margin);
+    clipToOwnPlanes(v, v.fromCentre - relativePosition, margin);
 #endif
     anchorPosition = v.centreHigh + v.fromCentre;
     instance = v.instance;
