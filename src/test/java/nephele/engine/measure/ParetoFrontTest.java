@@ -31,7 +31,7 @@ class ParetoFrontTest {
     /** A tenth less error is no reason to pay more where only whole steps count; nor is it one against being cheaper. */
     @Test
     void errorsWithinAStepAreEqual() {
-        var front = exact(0.5, 1, 1, 2, 0.9, 3, 0.4);
+        var front = exact(0.5, 1, 1, 2, 0.9, 3, 0.3);
         assertTrue(front.holds(0) && front.holds(2));
         assertEquals(OptionalInt.of(0), front.dominating(1));
     }
@@ -42,9 +42,18 @@ class ParetoFrontTest {
         var cheap = new Choice(new Interval(0.9, 1, 1.1), 5);
         var dear = new Choice(new Interval(1.05, 1.2, 1.3), 5);
         var better = new Choice(new Interval(1.05, 1.2, 1.3), 4);
-        assertTrue(new ParetoFront(List.of(cheap, dear), 0).holds(1));
-        assertEquals(OptionalInt.of(1), new ParetoFront(List.of(dear, better), 0).dominating(0));
-        assertTrue(new ParetoFront(List.of(cheap, better), 0).holds(0));
+        assertTrue(new ParetoFront(List.of(cheap, dear), 0, 0).holds(1));
+        assertEquals(OptionalInt.of(1), new ParetoFront(List.of(dear, better), 0, 0).dominating(0));
+        assertTrue(new ParetoFront(List.of(cheap, better), 0, 0).holds(0));
+    }
+
+    /** Of many comparisons some would find a difference that is none: so small a one claims nothing. */
+    @Test
+    void costsWithinAStepAreEqual() {
+        var almost = List.of(Choice.exact(0.98, 1), Choice.exact(1, 1), Choice.exact(1.1, 1));
+        var front = new ParetoFront(almost, 0, 0.03);
+        assertTrue(front.holds(1));
+        assertEquals(OptionalInt.of(0), front.dominating(2));
     }
 
     @Test
@@ -53,7 +62,7 @@ class ParetoFrontTest {
         var choices = IntStream.range(0, 200)
                 .mapToObj(i -> Choice.exact(random.nextInt(30), random.nextInt(30)))
                 .toList();
-        var front = new ParetoFront(choices, 0);
+        var front = new ParetoFront(choices, 0, 0);
         for (int i = 0; i < choices.size(); i++) {
             front.dominating(i).ifPresent(by -> assertTrue(front.holds(by)));
         }
@@ -69,6 +78,7 @@ class ParetoFrontTest {
                 IntStream.range(0, costsAndErrors.length / 2)
                         .mapToObj(i -> Choice.exact(costsAndErrors[2 * i], costsAndErrors[2 * i + 1]))
                         .toList(),
-                errorStep);
+                errorStep,
+                0);
     }
 }

@@ -42,7 +42,10 @@ final class TradeCommand implements Command {
             description = "Whose pictures are compared (default: the game's second level).")
     private String level;
 
-    @Option(names = "--camera", paramLabel = "ID", description = "One of the level's cameras (default: the first).")
+    @Option(
+            names = "--camera",
+            paramLabel = "ID",
+            description = "One of the level's cameras (default: the one that shows most of portals).")
     private String camera;
 
     @Option(
@@ -88,7 +91,7 @@ final class TradeCommand implements Command {
         var request = request();
         checkFolder();
         var run = new TradeRun(request, terminal.err());
-        var found = run.run();
+        var found = run.measure();
         Report.write(found, circumstances(request, run), out);
         terminal.out().println(out.resolve("index.html"));
         return ExitCode.DONE;
@@ -145,7 +148,7 @@ final class TradeCommand implements Command {
                         : run.opened().level().name(),
                 request.level(),
                 extent.width() + "×" + extent.height() + " pixels, oracle of " + extent.samples() + " rays a pixel, "
-                        + (request.camera() == null ? "first camera" : "camera " + request.camera()),
+                        + run.camera(),
                 Surroundings.machine(),
                 run.graphics(),
                 Surroundings.commit(),

@@ -10,5 +10,5 @@ package nephele.app.trade;
  */
 public record ErrorMetric(String name, String unit, double step, double enough) {
     /** Of pictures of radiance. What is wrong by a tenth of the range on a fiftieth of the picture is called visible. */
-    public static final ErrorMetric PICTURE = new ErrorMetric("mean HDR-FLIP", "", 2e-4, 2e-3);
+    public static final ErrorMetric PICTURE = new ErrorMetric("mean HDR-FLIP", "", 5e-4, 2e-3);
 }

@@ -10,10 +10,15 @@ import nephele.engine.measure.ParetoFront;
 
 /** What a subject's measurements say. */
 public record Findings(Trade trade, List<SettingFindings> settings, int rounds) {
+    /** Costs that differ by less, as a share, are not called different: other work shifts even equal ones so far. */
+    private static final double COST_STEP = 0.03;
+
     public static Findings of(Trade trade, SubjectState state) {
         var bootstrap = PairedBootstrap.standard();
         int count = trade.settings().size();
         List<Interval> ratios = new ArrayList<>();
+        double usualCost = trade.cost().scale()
+                * bootstrap.median(column(state, trade.usual(), Cost::cpuNanos)).estimate();
         double[] usual = column(state, trade.usual(), Cost::cpuNanos);
         for (int i = 0; i < count; i++) {
             ratios.add(bootstrap.ratio(usual, column(state, i, Cost::cpuNanos)));
@@ -23,15 +28,14 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
                         .mapToObj(i -> new ParetoFront.Choice(
                                 ratios.get(i), state.judged().get(i).error()))
                         .toList(),
-                trade.error().step());
+                trade.error().step(),
+                COST_STEP);
         List<SettingFindings> settings = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             var judged = state.judged().get(i);
             settings.add(new SettingFindings(
                     trade.settings().get(i),
-                    scaled(
-                            bootstrap.median(column(state, i, Cost::cpuNanos)),
-                            trade.cost().scale()),
+                    scaled(ratios.get(i), usualCost),
                     bootstrap.median(column(state, i, Cost::wallNanos)),
                     ratios.get(i),
                     bootstrap.median(column(state, i, Cost::bytes)).estimate()
@@ -58,14 +62,35 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
         return settings.get(trade.usual());
     }
 
-    /** The cheapest setting on the front among those that err by no more than is enough above the best. */
+    /**
+     * Among those on the front that err by no more than is enough above the best: the usual one unless another is cheaper
+     * beyond doubt, else the most accurate of those that are not dearer than the cheapest beyond doubt.
+     */
     public SettingFindings recommended() {
-        double best = best().error();
-        return settings.stream()
-                .filter(SettingFindings::isOnFront)
-                .filter(setting -> setting.error() <= best + trade.error().enough())
-                .reduce((a, b) -> b.ratio().estimate() < a.ratio().estimate() ? b : a)
+        double most = best().error() + trade.error().enough();
+        List<SettingFindings> candidates = settings.stream()
+                .filter(setting -> setting.isOnFront() && setting.error() <= most)
+                .toList();
+        SettingFindings cheapest = candidates.stream()
+                .reduce((a, b) -> b.ratio().high() < a.ratio().high() ? b : a)
                 .orElseThrow();
+        List<SettingFindings> cheap = candidates.stream()
+                .filter(setting -> isNoDearer(setting, cheapest))
+                .toList();
+        return cheap.contains(usual())
+                ? usual()
+                : cheap.stream().reduce(Findings::moreAccurate).orElseThrow();
+    }
+
+    /** Whether nothing speaks for the first being dearer than the second. */
+    public static boolean isNoDearer(SettingFindings a, SettingFindings b) {
+        return a.ratio().low() * (1 - COST_STEP) <= b.ratio().high();
+    }
+
+    private static SettingFindings moreAccurate(SettingFindings a, SettingFindings b) {
+        boolean better = b.error() < a.error()
+                || b.error() == a.error() && b.cost().estimate() < a.cost().estimate();
+        return better ? b : a;
     }
 
     /** The setting with the least error; it is on the front. */

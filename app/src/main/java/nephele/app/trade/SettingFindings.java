@@ -7,7 +7,7 @@ import nephele.engine.measure.Interval;
 /**
  * What is known of a setting.
  *
- * @param cost in the subject's unit, CPU
+ * @param cost in the subject's unit, CPU: the usual setting's median times {@code ratio}
  * @param wallNanos of one run
  * @param ratio to the subject's usual setting, CPU, from rounds
  * @param bytes allocated for one of what is counted

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.DoubleConsumer;
 import nephele.app.levels.AssetComplaint;
+import nephele.app.levels.LevelName;
 import nephele.app.levels.PrintedProgress;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
@@ -30,7 +31,7 @@ import nephele.engine.scene.View;
  */
 public final class TradeSite implements AutoCloseable {
     private final LevelFile.Opened opened;
-    private final View view;
+    private final TradeView seen;
     private final Extent extent;
     private final Path folder;
     private final PrintStream tell;
@@ -48,9 +49,9 @@ public final class TradeSite implements AutoCloseable {
     }
 
     /** @param folder for what is kept between runs */
-    public TradeSite(LevelFile.Opened opened, View view, Extent extent, Path folder, PrintStream tell) {
+    public TradeSite(LevelFile.Opened opened, TradeView seen, Extent extent, Path folder, PrintStream tell) {
         this.opened = opened;
-        this.view = view;
+        this.seen = seen;
         this.extent = extent;
         this.folder = folder;
         this.tell = tell;
@@ -61,7 +62,15 @@ public final class TradeSite implements AutoCloseable {
     }
 
     public View view() {
-        return view;
+        return seen.view();
+    }
+
+    /** The same context in another level, from where that shows most of portals. */
+    public TradeSite in(String level) {
+        var other = new LevelName(level).open();
+        var site = new TradeSite(other, TradeView.of(other, null, extent.aspect()), extent, folder, tell);
+        site.gl = gl();
+        return site;
     }
 
     public Extent extent() {
@@ -74,6 +83,11 @@ public final class TradeSite implements AutoCloseable {
             gl = GlContext.offscreen();
         }
         return gl;
+    }
+
+    /** What draws; empty where nothing was drawn. */
+    public String graphics() {
+        return gl == null ? "" : gl.limits().renderer();
     }
 
     public Scene scene(Level level) {
@@ -103,6 +117,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     private Pinhole pinhole() {
+        View view = seen.view();
         var projection = view.projection();
         return new Pinhole(
                 view.eye(),
@@ -115,7 +130,7 @@ public final class TradeSite implements AutoCloseable {
 
     /** Of everything that the oracle's picture depends on but the engine's code. */
     private String oracleKey() {
-        return Long.toHexString(hash(LevelJson.write(opened.level()) + view + extent));
+        return Long.toHexString(hash(LevelJson.write(opened.level()) + seen.view() + extent));
     }
 
     /** Of a text, for names and keys. */

@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 public final class ParetoFront {
     private final List<Choice> choices;
     private final double errorStep;
+    private final double costStep;
 
     /** Smaller is better in both. */
     public record Choice(Interval cost, double error) {
@@ -27,10 +28,14 @@ public final class ParetoFront {
         }
     }
 
-    /** @param errorStep errors that differ by no more than this count as equal */
-    public ParetoFront(List<Choice> choices, double errorStep) {
+    /**
+     * @param errorStep errors that differ by no more than this count as equal
+     * @param costStep so do costs whose intervals are apart by no more than this share
+     */
+    public ParetoFront(List<Choice> choices, double errorStep, double costStep) {
         this.choices = List.copyOf(choices);
         this.errorStep = errorStep;
+        this.costStep = costStep;
     }
 
     public boolean holds(int index) {
@@ -45,7 +50,7 @@ public final class ParetoFront {
     }
 
     private boolean dominates(Choice a, Choice b) {
-        boolean surelyCheaper = a.cost.high() < b.cost.low();
+        boolean surelyCheaper = a.cost.high() < b.cost.low() * (1 - costStep);
         boolean seemsNoDearer = a.cost.estimate() <= b.cost.estimate();
         return surelyCheaper && a.error <= b.error + errorStep || seemsNoDearer && a.error < b.error - errorStep;
     }

@@ -24,15 +24,23 @@ final class Advice {
     /** Which setting, and why. */
     String choice() {
         var best = findings.best();
+        var cheapest = findings.cheapest();
         String begin = "Choose " + name(chosen) + ": ";
-        if (chosen == best && chosen == findings.cheapest()) {
-            return begin + (isAlone() ? "it costs least and none errs less." : "none costs less and none errs less.");
+        if (isNoWorse(chosen, best) && Findings.isNoDearer(chosen, cheapest)) {
+            return begin + "nothing is certainly cheaper, and nothing errs less.";
         }
-        if (chosen == best) {
-            return begin + "none errs less, and what is cheaper is worse by more than " + error(enough()) + ".";
+        if (isNoWorse(chosen, best)) {
+            return begin + "nothing errs less, and what is cheaper errs by more than " + threshold() + " more.";
         }
-        return begin + "its error of " + error(chosen.error()) + " is within " + error(enough()) + " of the best ("
-                + name(best) + ", " + error(best.error()) + "), for " + saving(chosen, best) + ".";
+        return begin + "its error of " + error(chosen.error()) + " is within " + threshold() + " of the best ("
+                + name(best) + ", " + error(best.error()) + "), and "
+                + (Findings.isNoDearer(best, chosen)
+                        ? "nothing is certainly cheaper."
+                        : "it costs " + saving(chosen, best) + ".");
+    }
+
+    private boolean isNoWorse(SettingFindings a, SettingFindings b) {
+        return a.error() <= b.error() + findings.trade().error().step();
     }
 
     /** All that should be known besides. */
@@ -52,9 +60,12 @@ final class Advice {
                 .mapToDouble(SettingFindings::error)
                 .max()
                 .orElseThrow();
-        if (worst - findings.best().error() <= enough()) {
-            remarks.add("The knob hardly shows here: between the worst and the best setting lies "
-                    + error(worst - findings.best().error()) + ".");
+        double apart = worst - findings.best().error();
+        if (apart == 0) {
+            remarks.add("The knob does not show here: every setting errs the same.");
+        } else if (apart <= enough()) {
+            remarks.add(
+                    "The knob hardly shows here: between the worst and the best setting lies " + error(apart) + ".");
         }
         if (findings.best().hasPicture() && findings.best().error() > enough()) {
             remarks.add("An error of " + error(findings.best().error())
@@ -74,12 +85,17 @@ final class Advice {
         }
         names.values().stream()
                 .filter(alike -> alike.size() > 1)
-                .forEach(alike -> remarks.add(String.join(" and ", alike) + " give the very same picture here."));
+                .forEach(alike -> remarks.add(listed(alike) + " give the very same picture here."));
+    }
+
+    private static String listed(List<String> names) {
+        int last = names.size() - 1;
+        return String.join(", ", names.subList(0, last)) + " and " + names.get(last);
     }
 
     private void cheaper(List<String> remarks) {
         var cheapest = findings.cheapest();
-        if (cheapest != chosen) {
+        if (cheapest != chosen && !Findings.isNoDearer(chosen, cheapest)) {
             remarks.add("Where time is short: " + name(cheapest) + " is had for " + saving(cheapest, chosen)
                     + " and errs " + error(cheapest.error()) + " instead of " + error(chosen.error()) + ".");
         }
@@ -126,10 +142,6 @@ final class Advice {
         }
     }
 
-    private boolean isAlone() {
-        return findings.settings().stream().filter(SettingFindings::isOnFront).count() == 1;
-    }
-
     private static String saving(SettingFindings cheap, SettingFindings dear) {
         double share = cheap.ratio().estimate() / dear.ratio().estimate();
         return share > 0.995 ? "the same cost" : Numbers.percent(1 - share) + " less";
@@ -137,6 +149,10 @@ final class Advice {
 
     private double enough() {
         return findings.trade().error().enough();
+    }
+
+    private String threshold() {
+        return Numbers.chosen(enough(), findings.trade().error().unit());
     }
 
     private String error(double value) {

@@ -41,8 +41,8 @@ final class CostErrorPlot {
                 .mapToDouble(SettingFindings::error)
                 .max()
                 .orElseThrow();
-        cost = Axis.of(least, most, LEFT, WIDTH - RIGHT);
-        error = Axis.of(0, worst, HEIGHT - BOTTOM, TOP);
+        cost = Axis.ofCosts(least, most, LEFT, WIDTH - RIGHT);
+        error = Axis.ofErrors(worst, HEIGHT - BOTTOM, TOP);
     }
 
     /** @param style see {@link Svg#document} */
@@ -67,8 +67,7 @@ final class CostErrorPlot {
         svg.line("axis", LEFT, HEIGHT - BOTTOM, WIDTH - RIGHT, HEIGHT - BOTTOM);
         svg.line("axis", LEFT, TOP, LEFT, HEIGHT - BOTTOM);
         var trade = findings.trade();
-        String costWords =
-                trade.cost().name() + ", " + trade.cost().unit() + (cost.isLogarithmic() ? " (logarithmic)" : "");
+        String costWords = trade.cost().name() + ", " + trade.cost().unit() + costScale();
         svg.text("label", (LEFT + WIDTH - RIGHT) / 2, HEIGHT - 12, "middle", costWords + " →");
         String unit = trade.error().unit();
         svg.upwardText(
@@ -76,6 +75,10 @@ final class CostErrorPlot {
                 18,
                 (TOP + HEIGHT - BOTTOM) / 2,
                 trade.error().name() + (unit.isEmpty() ? "" : ", " + unit) + " →");
+    }
+
+    private String costScale() {
+        return cost.isLogarithmic() ? " (logarithmic)" : cost.low() > 0 ? " (not from zero)" : "";
     }
 
     private void front() {

@@ -32,7 +32,8 @@ final class HtmlPage {
     private static String facts(Circumstances made, List<Findings> all) {
         int least = all.stream().mapToInt(Findings::rounds).min().orElse(0);
         return "<p class=\"facts\"><b>" + text(made.levelFile()) + "</b>, " + text(made.picture()) + " · "
-                + text(made.machine()) + " · " + text(made.graphics()) + " · commit <b>" + text(made.commit())
+                + text(made.machine()) + " · " + (made.graphics().isEmpty() ? "" : text(made.graphics()) + " · ")
+                + "commit <b>" + text(made.commit())
                 + "</b> · "
                 + text(made.date()) + " · " + least + " rounds, each setting twice a round</p>\n";
     }

@@ -10,12 +10,14 @@ import nephele.engine.measure.Interval;
 final class Numbers {
     private static final MathContext THREE_DIGITS = new MathContext(3, RoundingMode.HALF_EVEN);
     private static final double SMALLEST_PLAIN = 1e-4;
+    /** Rounding. */
+    private static final double NOTHING = 1e-9;
 
     private Numbers() {}
 
     /** Three significant digits; tiny ones with a power of ten. */
     static String of(double value) {
-        if (value == 0) {
+        if (Math.abs(value) < NOTHING) {
             return "0";
         }
         if (Math.abs(value) < SMALLEST_PLAIN) {
@@ -27,6 +29,12 @@ final class Numbers {
 
     static String of(double value, String unit) {
         return unit.isEmpty() ? of(value) : of(value) + "\u00a0" + unit;
+    }
+
+    /** A figure that somebody chose, without the digits that only measurements have. */
+    static String chosen(double value, String unit) {
+        String plain = BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
+        return unit.isEmpty() ? plain : plain + "\u00a0" + unit;
     }
 
     /** Whole per cent. */

@@ -15,7 +15,10 @@ import nephele.app.trade.Trade;
  * round, which is why ratios within rounds are compared and not times.
  */
 final class PairedTiming {
-    private static final double WARM_UP_SECONDS_PER_SETTING = 0.3;
+    /** Twice as long a setting runs before anything counts, but no longer than {@link #MOST_WARM_UP_NANOS}. */
+    private static final double WARM_UP_SLICES = 5;
+
+    private static final double MOST_WARM_UP_NANOS = 0.3e9;
 
     private final Experiment experiment;
     private final int settings;
@@ -34,11 +37,12 @@ final class PairedTiming {
     /** Lets compilers and caches settle, and learns how many runs fill a slice. */
     void warmUp() {
         runs = new int[settings];
+        double warm = Math.min(WARM_UP_SLICES * sliceNanos, MOST_WARM_UP_NANOS);
         for (int pass = 0; pass < 2; pass++) {
             for (int setting = 0; setting < settings; setting++) {
                 long start = System.nanoTime();
                 int done = 0;
-                while (done == 0 || System.nanoTime() - start < 1e9 * WARM_UP_SECONDS_PER_SETTING) {
+                while (done == 0 || System.nanoTime() - start < warm) {
                     experiment.run(setting);
                     done++;
                 }

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.app.draw.Viewpoints;
 import nephele.app.levels.LevelName;
 import nephele.app.prove.Surroundings;
 import nephele.app.trade.Experiment;
@@ -15,6 +14,7 @@ import nephele.app.trade.SubjectState;
 import nephele.app.trade.SubjectState.Judged;
 import nephele.app.trade.Trade;
 import nephele.app.trade.TradeSite;
+import nephele.app.trade.TradeView;
 import nephele.app.trade.report.Pictures;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelJson;
@@ -27,6 +27,7 @@ public final class TradeRun {
     private final PrintStream tell;
     private final Pictures pictures;
     private final LevelFile.Opened opened;
+    private final TradeView seen;
     private String graphics = "";
 
     public TradeRun(TradeRequest request, PrintStream tell) {
@@ -34,10 +35,16 @@ public final class TradeRun {
         this.tell = tell;
         pictures = new Pictures(request.folder());
         opened = new LevelName(request.level()).open();
+        seen = TradeView.of(opened, request.camera(), request.extent().aspect());
     }
 
     public LevelFile.Opened opened() {
         return opened;
+    }
+
+    /** From where the level was judged, in words. */
+    public String camera() {
+        return seen.camera();
     }
 
     /** What drew the pictures. */
@@ -46,7 +53,7 @@ public final class TradeRun {
     }
 
     /** What all subjects found, in order. */
-    public List<Findings> run() throws IOException {
+    public List<Findings> measure() throws IOException {
         Path partial = request.folder().resolve(PARTIAL);
         Files.createDirectories(partial);
         List<Findings> found = new ArrayList<>();
@@ -54,23 +61,19 @@ public final class TradeRun {
             for (Trade trade : request.trades()) {
                 found.add(Findings.of(trade, measured(trade, site, partial)));
             }
-            graphics = site.gl().limits().renderer();
+            graphics = site.graphics();
         }
         return found;
     }
 
     private TradeSite site(Path partial) {
-        double aspect = request.extent().aspect();
-        var viewpoint = request.camera() == null
-                ? Viewpoints.standard(opened.level(), opened.file(), aspect)
-                : Viewpoints.named(opened.level(), opened.file(), request.camera(), aspect);
-        return new TradeSite(opened, viewpoint.view(0), request.extent(), partial, tell);
+        return new TradeSite(opened, seen, request.extent(), partial, tell);
     }
 
     /** Everything that figures depend on besides the subject: what was found under another key does not count. */
     private String key() {
         return "commit " + CodeState.key() + "; level "
-                + Long.toHexString(TradeSite.hash(LevelJson.write(opened.level()))) + "; camera " + request.camera()
+                + Long.toHexString(TradeSite.hash(LevelJson.write(opened.level()))) + "; " + seen.camera()
                 + "; " + request.extent() + "; slice " + request.sliceSeconds() + "; " + Surroundings.machine();
     }
 

@@ -19,12 +19,14 @@ public final class Trades {
     public static final List<Trade> ALL = List.of(
             PortalSubjects.TECHNIQUE,
             PortalSubjects.BUDGET,
+            PortalSubjects.BUDGET_BETWEEN_FACING,
             PortalSubjects.RESOLUTION,
             ShadowSubject.TRADE,
             SamplesSubject.TRADE,
             AnisotropySubject.TRADE,
             OutputSubject.TRADE,
             CullingSubject.TRADE,
+            CullingSubject.OF_MANY,
             PlacementSubject.TRADE,
             TraversalSubject.TRADE,
             TickRateSubject.TRADE);

@@ -21,5 +21,14 @@ public final class CullingSubject {
                     PictureSetting.of(KEY, "sphere", "one after the other"),
                     PictureSetting.of(KEY, "hierarchy", "all presets")));
 
+    public static final Trade OF_MANY = Elsewhere.of(
+            TRADE,
+            "cullingBoxes",
+            new Trade.Text(
+                    "Leaving out some of ten thousand",
+                    "The same among ten thousand boxes, most of them out of view.",
+                    "the oracle: rays through the level, many a pixel"),
+            "levels/bench/boxes-10000.json");
+
     private CullingSubject() {}
 }

@@ -29,7 +29,7 @@ public final class OutputSubject {
             List.of(),
             SETTINGS.stream().map(PictureSetting::setting).toList(),
             0,
-            new ErrorMetric("mean FLIP as displayed", "", 2e-4, 2e-3),
+            new ErrorMetric("mean FLIP as displayed", "", 5e-4, 2e-3),
             List.of("relMSE", "mean bias %", "FLIP of the worst 1 %"),
             CostMetric.FRAME,
             site -> new PictureExperiment(site, SETTINGS, Compared.DISPLAY));

@@ -43,6 +43,16 @@ public final class PortalSubjects {
                     .map(views -> PictureSetting.of(BUDGET_FIELD, views, budgetNote(views)))
                     .toList());
 
+    public static final Trade BUDGET_BETWEEN_FACING = Elsewhere.of(
+            BUDGET,
+            "viewBudgetFacing",
+            new Trade.Text(
+                    "Views between facing portals",
+                    "The same knob where it matters most: in the sample of two portals that face each other, which"
+                            + " repeat until a view is smaller than a pixel.",
+                    ORACLE),
+            "levels/samples/facing-portals.json");
+
     public static final Trade RESOLUTION = PictureTrade.of(
             RESOLUTION_FIELD,
             new Trade.Text(

@@ -1,0 +1,80 @@
+package nephele.app.command;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** `nephele trade` from the command line, with OpenGL: GlContext.offscreen. */
+class TradeGlTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void reportsPicturesOfALevel() throws IOException {
+        Path out = folder.resolve("report");
+        var run = Captured.run(
+                "trade",
+                "portalTechnique",
+                "--quick",
+                "--rounds",
+                "1",
+                "--size",
+                "32x18",
+                "--spp",
+                "1",
+                "--level",
+                "levels/samples/portals.json",
+                "--out",
+                out.toString());
+        assertEquals("", run.exitCode() == 0 ? "" : run.err());
+        assertEquals(out.resolve("index.html") + "\n", run.out());
+        String page = Files.readString(out.resolve("index.html"));
+        assertTrue(page.contains("data:image/jpeg;base64,") && page.contains("copy_area"));
+        var lines = Files.readAllLines(out.resolve("trade.csv"));
+        assertEquals(5, lines.size());
+        // All techniques show the same picture: the same error to the last digit.
+        assertEquals(
+                1,
+                lines.stream()
+                        .skip(1)
+                        .map(line -> line.split(",")[7])
+                        .distinct()
+                        .count());
+        assertTrue(Files.size(out.resolve("pictures/portalTechnique-exact.png")) > 0);
+    }
+
+    @Test
+    void explainsWhatItCannotDo() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "");
+        Object[][] wrong = {
+            {2, "there is no subject `nonsense`", "trade nonsense --out " + folder},
+            {2, "--out DIR", "trade shadow"},
+            {2, "--rounds is a whole number from 1", "trade --rounds 0 --out " + folder},
+            {2, "--spp is a whole number from 1", "trade --spp 0 --out " + folder},
+            {3, "can't be made: ", "trade shadow --out " + file.resolve("in")},
+            {1, "none.json: $: ", "trade shadow --level none.json --out " + folder},
+            {
+                1,
+                "there is no camera `no`",
+                "trade shadow --camera no --level levels/samples/portals.json --out " + folder
+            },
+        };
+        for (Object[] each : wrong) {
+            var run = Captured.run(((String) each[2]).split(" "));
+            assertEquals(each[0], run.exitCode(), each[2] + ": " + run.err());
+            assertTrue(run.err().contains((String) each[1]), each[2] + ": " + run.err());
+        }
+    }
+
+    @Test
+    void listsSubjectsAndSettings() {
+        var run = Captured.run("trade", "--list", "shadow");
+        assertEquals(0, run.exitCode());
+        assertTrue(run.out().startsWith("shadow: Sun shadow\n  off  no shadows at all\n  256\n"), run.out());
+    }
+}
