@@ -15,7 +15,7 @@ final class RimLook {
     /** The third pattern is for portals that nobody shot. */
     private static final int OF_LEVEL = 2;
 
-    private static final double GHOST_OPACITY = 0.8;
+    private static final double GHOST_OPACITY = 0.92;
 
     Vec3 eye;
     Portal portal;
