@@ -147,6 +147,10 @@ class ThingGlTest {
             int[] empty = with(renderer, offscreen, before, level, null);
             int[] seen = with(renderer, offscreen, before, level, figure);
             int middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
+            View backwards = offscreen.view(new Vec3(0, 1.65, 0.2), new Vec3(0, 1.65, -1));
+            int[] bare = with(renderer, offscreen, backwards, level, null);
+            assertEquals(
+                    bare[middle], with(renderer, offscreen, backwards, level, figure)[middle], "the helmet's back");
             assertNotEquals(empty[middle], seen[middle], "the visor");
         }
     }
