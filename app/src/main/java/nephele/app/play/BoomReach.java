@@ -104,11 +104,12 @@ final class BoomReach {
         for (int i = 0; i < found.size(); i++) {
             separation.measure(POINT, sample.x, sample.y, sample.z, world.collider(found.get(i)));
             double metres = Math.max(0, separation.metres());
-            if (metres < SIGHT_METRES) {
-                double ahead = metres > 0 ? -metres * alongNormal() : 0;
+            double ahead = metres > 0 ? -metres * alongNormal() : 0;
+            // What the player faces lies behind the eye as the boom goes.
+            if (metres < SIGHT_METRES && alongMetres + ahead >= 0) {
                 double beside = Math.sqrt(Math.max(0, metres * metres - ahead * ahead));
                 double fading = Math.max(0, metres / SIGHT_METRES - 0.5) * 2 * fullMetres;
-                freeMetres = Math.min(freeMetres, limit(Math.max(0, alongMetres + ahead), beside) + fading);
+                freeMetres = Math.min(freeMetres, limit(alongMetres + ahead, beside) + fading);
             }
         }
     }
