@@ -21,8 +21,13 @@ public record FramePlan(List<Step> steps) {
     }
 
     public static FramePlan forLevel(Level level, Output output, FigurePresence figure) {
+        return forLevel(level, output, figure, RenderFeatures.ALL);
+    }
+
+    /** As if no other feature were registered than these. */
+    static FramePlan forLevel(Level level, Output output, FigurePresence figure, List<RenderFeature> features) {
         List<Step> steps = new ArrayList<>();
-        for (RenderFeature feature : RenderFeatures.ALL) {
+        for (RenderFeature feature : features) {
             List<Required> required = new ArrayList<>(feature.requiredBy().apply(level));
             if (feature == ToneMapPass.FEATURE && output == Output.HDR && required.isEmpty()) {
                 required.add(ToneMapPass.FOR_OUTPUT_HDR);

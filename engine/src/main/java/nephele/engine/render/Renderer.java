@@ -10,6 +10,7 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Target;
@@ -64,9 +65,14 @@ public final class Renderer implements AutoCloseable {
 
     /** As {@link #load(GlContext, Level, AssetSource, RenderSettings)}, from a scene that was derived elsewhere. */
     public static Renderer load(GlContext gl, Scene scene, RenderSettings settings) {
+        return load(gl, scene, settings, RenderFeatures.ALL);
+    }
+
+    /** As if no other feature were registered than these. */
+    static Renderer load(GlContext gl, Scene scene, RenderSettings settings, List<RenderFeature> features) {
         Renderer renderer = new Renderer(gl, scene, settings);
         try {
-            renderer.buildPasses();
+            renderer.buildPasses(features);
             return renderer;
         } catch (RuntimeException e) {
             renderer.close();
@@ -74,10 +80,10 @@ public final class Renderer implements AutoCloseable {
         }
     }
 
-    private void buildPasses() {
+    private void buildPasses(List<RenderFeature> features) {
         LoadContext context =
                 new LoadContext(gl, scene, settings.output(), settings.quality(), settings.figure(), shared);
-        for (FramePlan.Step step : FramePlan.forLevel(scene.level(), settings.output(), settings.figure())
+        for (FramePlan.Step step : FramePlan.forLevel(scene.level(), settings.output(), settings.figure(), features)
                 .steps()) {
             for (Required required : step.required()) {
                 Pass pass = required.build().apply(gl);

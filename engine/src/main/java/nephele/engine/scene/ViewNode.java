@@ -7,6 +7,7 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portal;
+import org.joml.Vector3d;
 
 /**
  * One view of a frame's {@link ViewTree}: the picture itself, or what is seen through a portal in another view. Reused
@@ -24,6 +25,9 @@ public final class ViewNode {
     private final PicturePolygon region = new PicturePolygon();
     private final PixelRectangle pixels = new PixelRectangle();
     private final Frustum frustum = Frustum.reusable(EIGHT.length + 2);
+    private final Vector3d moved = new Vector3d();
+    private Portal lookedOut;
+    private Plane exitPlane;
     private View view;
     private ViewNode parent;
     private int portal;
@@ -146,17 +150,34 @@ public final class ViewNode {
         View before = parent.view;
         Projection projection = before.projection();
         double near = Math.max(projection.nearMetres(), NEAR_SHARE * region.nearest());
-        Vec3 n = exit.normal();
-        Vec3 c = exit.centre();
         view = new View(
                 id,
-                passage.point(before.eye()),
-                passage.direction(before.right()),
-                passage.direction(before.up()),
-                passage.direction(before.back()),
+                point(passage, before.eye()),
+                direction(passage, before.right()),
+                direction(passage, before.up()),
+                direction(passage, before.back()),
                 new Projection(projection.verticalFovRadians(), projection.aspect(), near, projection.farMetres()),
-                new Plane(n.x(), n.y(), n.z(), n.x() * c.x() + n.y() * c.y() + n.z() * c.z()));
+                planeOf(exit));
         narrow(picture);
+    }
+
+    private Vec3 point(Passage passage, Vec3 p) {
+        return Vec3.of(passage.point(moved.set(p.x(), p.y(), p.z())));
+    }
+
+    private Vec3 direction(Passage passage, Vec3 v) {
+        return Vec3.of(passage.direction(moved.set(v.x(), v.y(), v.z())));
+    }
+
+    /** Kept while the same portal is looked out of, as it is in most frames. */
+    private Plane planeOf(Portal portal) {
+        if (lookedOut != portal) {
+            Vec3 n = portal.normal();
+            Vec3 c = portal.centre();
+            exitPlane = new Plane(n.x(), n.y(), n.z(), n.x() * c.x() + n.y() * c.y() + n.z() * c.z());
+            lookedOut = portal;
+        }
+        return exitPlane;
     }
 
     private void narrow(PixelRectangle picture) {

@@ -2,8 +2,11 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
+import java.nio.FloatBuffer;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import org.lwjgl.BufferUtils;
 
 /**
  * One frame as hand-written OpenGL would draw it: recorded from what the engine submitted, then run as a flat list of
@@ -14,9 +17,11 @@ public final class BareFrame implements AutoCloseable {
     private final List<Runnable> calls;
     private final List<GlHandle> handles;
     private final DrawState state;
+    private final List<String> words;
 
-    private BareFrame(List<Runnable> calls, List<GlHandle> handles, DrawState state) {
+    private BareFrame(List<Runnable> calls, List<String> words, List<GlHandle> handles, DrawState state) {
         this.calls = calls;
+        this.words = words;
         this.handles = handles;
         this.state = state;
     }
@@ -31,7 +36,13 @@ public final class BareFrame implements AutoCloseable {
         } finally {
             gl.state().listen(null);
         }
-        return new BareFrame(List.copyOf(recorder.calls), List.copyOf(recorder.handles), gl.state());
+        return new BareFrame(
+                List.copyOf(recorder.calls), List.copyOf(recorder.words), List.copyOf(recorder.handles), gl.state());
+    }
+
+    /** Every change of state and every submission of the frame that was recorded, in order. */
+    public List<String> words() {
+        return words;
     }
 
     public void draw() {
@@ -50,6 +61,7 @@ public final class BareFrame implements AutoCloseable {
     private static final class Recorder implements DrawListener {
         private final GlContext gl;
         private final List<Runnable> calls = new ArrayList<>();
+        private final List<String> words = new ArrayList<>();
         private final List<GlHandle> handles = new ArrayList<>();
         private BoundState last = BoundState.NOTHING;
 
@@ -60,6 +72,7 @@ public final class BareFrame implements AutoCloseable {
         @Override
         public void cleared(float[] colour) {
             bindAll();
+            words.add("clear " + Arrays.toString(colour));
             if (colour == null) {
                 calls.add(() -> glClear(GL_DEPTH_BUFFER_BIT));
             } else {
@@ -73,6 +86,7 @@ public final class BareFrame implements AutoCloseable {
         @Override
         public void drawn(int[] firsts, int[] counts) {
             bindAll();
+            words.add("draw " + Arrays.toString(firsts) + " " + Arrays.toString(counts));
             int engineIndices = glGetInteger(GL_ELEMENT_ARRAY_BUFFER_BINDING);
             GlHandle own =
                     new GlHandle(gl, GlKind.BUFFER, "bare twin's indices", glGenBuffers(), id -> glDeleteBuffers(id));
@@ -110,14 +124,27 @@ public final class BareFrame implements AutoCloseable {
         }
 
         @Override
+        public void uploaded(int buffer, float[] values) {
+            FloatBuffer copy =
+                    BufferUtils.createFloatBuffer(values.length).put(values).flip();
+            words.add("upload " + buffer + " " + Arrays.hashCode(values));
+            calls.add(() -> {
+                glBindBuffer(GL_ARRAY_BUFFER, buffer);
+                glBufferData(GL_ARRAY_BUFFER, copy, GL_STREAM_DRAW);
+            });
+        }
+
+        @Override
         public void drawnUnindexed(int first, int count) {
             bindAll();
+            words.add("draw unindexed " + first + " " + count);
             calls.add(() -> glDrawArrays(GL_TRIANGLES, first, count));
         }
 
         @Override
         public void drawnFullScreen() {
             bindAll();
+            words.add("draw full screen");
             calls.add(() -> glDrawArrays(GL_TRIANGLES, 0, 3));
         }
 
@@ -129,7 +156,7 @@ public final class BareFrame implements AutoCloseable {
 
         private void bindAll() {
             BoundState now = BoundState.read();
-            now.changesFrom(last, calls);
+            now.changesFrom(last, calls, words);
             last = now;
         }
     }

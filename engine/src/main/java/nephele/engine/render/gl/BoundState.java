@@ -14,6 +14,19 @@ record BoundState(List<Step> steps) {
 
     private static final int UNIFORM_BINDINGS = 8;
 
+    private static final int[] SWITCHES = {
+        GL_DEPTH_TEST,
+        GL_BLEND,
+        GL_CULL_FACE,
+        GL_POLYGON_OFFSET_FILL,
+        GL_SCISSOR_TEST,
+        GL_STENCIL_TEST,
+        GL_DEPTH_CLAMP,
+        GL_CLIP_DISTANCE0,
+        GL_CLIP_DISTANCE0 + 1,
+        GL_CLIP_DISTANCE0 + 2
+    };
+
     /** Equal keys and values need not be set again. */
     private record Step(String key, List<Number> value, Runnable set) {}
 
@@ -33,13 +46,14 @@ record BoundState(List<Step> steps) {
         return new BoundState(steps);
     }
 
-    /** Appends what must be called when {@code before} is what is set. */
-    void changesFrom(BoundState before, List<Runnable> calls) {
+    /** Appends what must be called when {@code before} is what is set, and what that is, in words. */
+    void changesFrom(BoundState before, List<Runnable> calls, List<String> words) {
         for (Step step : steps) {
             boolean same =
                     before.steps.stream().anyMatch(old -> old.key.equals(step.key) && old.value.equals(step.value));
             if (!same) {
                 calls.add(step.set);
+                words.add(step.key + " " + step.value);
             }
         }
     }
@@ -50,6 +64,16 @@ record BoundState(List<Step> steps) {
 
     private static void readFramebuffer(List<Step> steps) {
         int framebuffer = glGetInteger(GL_FRAMEBUFFER_BINDING);
+        int[] scissor = new int[4];
+        glGetIntegerv(GL_SCISSOR_BOX, scissor);
+        add(
+                steps,
+                "scissor",
+                () -> glScissor(scissor[0], scissor[1], scissor[2], scissor[3]),
+                scissor[0],
+                scissor[1],
+                scissor[2],
+                scissor[3]);
         int[] viewport = new int[4];
         glGetIntegerv(GL_VIEWPORT, viewport);
         add(steps, "framebuffer", () -> glBindFramebuffer(GL_FRAMEBUFFER, framebuffer), framebuffer);
@@ -57,7 +81,7 @@ record BoundState(List<Step> steps) {
     }
 
     private static void readSwitches(List<Step> steps) {
-        for (int capability : new int[] {GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_POLYGON_OFFSET_FILL}) {
+        for (int capability : SWITCHES) {
             boolean on = glIsEnabled(capability);
             add(
                     steps,
@@ -71,6 +95,7 @@ record BoundState(List<Step> steps) {
         add(steps, "depth mask", () -> glDepthMask(depthMask), depthMask ? 1 : 0);
         boolean colour = colourMask();
         add(steps, "colour mask", () -> glColorMask(colour, colour, colour, colour), colour ? 1 : 0);
+        readOpenings(steps);
         int source = glGetInteger(GL_BLEND_SRC_RGB);
         int destination = glGetInteger(GL_BLEND_DST_RGB);
         add(
@@ -79,6 +104,24 @@ record BoundState(List<Step> steps) {
                 () -> glBlendFuncSeparate(source, destination, GL_ZERO, GL_ONE),
                 source,
                 destination);
+    }
+
+    /** What openings of portals are drawn with besides. */
+    private static void readOpenings(List<Step> steps) {
+        int reference = glGetInteger(GL_STENCIL_REF);
+        int whereDrawn = glGetInteger(GL_STENCIL_PASS_DEPTH_PASS);
+        int function = glGetInteger(GL_STENCIL_FUNC);
+        Runnable stencil = () -> {
+            glStencilFunc(function, reference, 0xff);
+            glStencilOp(GL_KEEP, GL_KEEP, whereDrawn);
+        };
+        add(steps, "stencil", stencil, function, reference, whereDrawn);
+        float factor = glGetFloat(GL_POLYGON_OFFSET_FACTOR);
+        float units = glGetFloat(GL_POLYGON_OFFSET_UNITS);
+        add(steps, "polygon offset", () -> glPolygonOffset(factor, units), factor, units);
+        float[] range = new float[2];
+        glGetFloatv(GL_DEPTH_RANGE, range);
+        add(steps, "depth range", () -> glDepthRange(range[0], range[1]), range[0], range[1]);
     }
 
     private static boolean colourMask() {

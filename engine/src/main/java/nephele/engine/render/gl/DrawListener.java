@@ -8,6 +8,9 @@ interface DrawListener {
     /** Indexed triangles are about to be drawn with what is bound. */
     void drawn(int[] firsts, int[] counts);
 
+    /** The content of a buffer of vertices has been replaced. */
+    void uploaded(int buffer, float[] values);
+
     /** Triangles without indices are about to be drawn with what is bound. */
     void drawnUnindexed(int first, int count);
 

@@ -3,6 +3,7 @@ package nephele.engine.render.gl;
 import static org.lwjgl.opengl.GL41C.*;
 
 import java.nio.FloatBuffer;
+import java.util.Arrays;
 import org.lwjgl.system.MemoryUtil;
 
 /** Triangles whose vertices change every frame: replaced as a whole, then drawn run by run. */
@@ -32,6 +33,9 @@ public final class PolygonStream implements AutoCloseable {
         gl.state().vertexArray(vertexArray.id());
         glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
         glBufferData(GL_ARRAY_BUFFER, copy, GL_STREAM_DRAW);
+        if (gl.state().listener() != null) {
+            gl.state().listener().uploaded(vertices.id(), Arrays.copyOf(values, floats));
+        }
     }
 
     /** Draws {@code count} vertices from the {@code first}, three a triangle. */

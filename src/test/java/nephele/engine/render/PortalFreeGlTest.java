@@ -1,0 +1,83 @@
+package nephele.engine.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.gl.BareFrame;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.View;
+import org.junit.jupiter.api.Test;
+
+/** What portals cost where there are none: not one call; and what is recorded of a frame with portals. */
+class PortalFreeGlTest {
+    private static TestLevel boxes() {
+        return new TestLevel()
+                .sun(new Vec3(0.3, 1, 0.5), 2)
+                .ambient(0.2)
+                .sky(new Sky.Gradient(TestLevel.grey(0.1), TestLevel.grey(0.6), TestLevel.grey(0.3)))
+                .material("red", new Vec3(0.9, 0.2, 0.1))
+                .box("red", new Vec3(0, -1, -2), new Vec3(9, 1, 9))
+                .box(null, new Vec3(0, 0, -3), new Vec3(1, 1, 1));
+    }
+
+    private static List<String> words(Level level, List<RenderFeature> features, Output output) {
+        try (Offscreen offscreen = new Offscreen(32, 18);
+                Renderer renderer = Renderer.load(
+                        offscreen.gl, Scene.of(level, TestAssets.NONE), RenderSettings.of(output), features)) {
+            View view = offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3));
+            try (BareFrame frame = BareFrame.record(offscreen.gl, () -> renderer.draw(view, offscreen.picture))) {
+                return frame.words();
+            }
+        }
+    }
+
+    /** A level without portals makes the same calls as with no portal feature registered. */
+    @Test
+    void aLevelWithoutPortalsMakesTheSameCalls() {
+        List<RenderFeature> without = RenderFeatures.ALL.stream()
+                .filter(feature -> !feature.name().startsWith("portal"))
+                .toList();
+        assertTrue(without.size() <= RenderFeatures.ALL.size() - 2);
+        for (Output output : Output.values()) {
+            List<String> with = words(boxes().level(), RenderFeatures.ALL, output);
+            assertTrue(with.size() > 10);
+            assertEquals(words(boxes().level(), without, output), with);
+        }
+        Level portals = boxes().portal("a", "b", new Vec3(0, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
+                .portal("b", "a", new Vec3(3, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
+                .level();
+        assertTrue(words(portals, RenderFeatures.ALL, Output.PLAIN).size()
+                > words(boxes().level(), RenderFeatures.ALL, Output.PLAIN).size());
+    }
+
+    /** `bench --bare`: the recorded frame draws the same picture, portals included. */
+    @Test
+    void theBareTwinDrawsPortalsToo() {
+        Level level = boxes().portal("a", "b", new Vec3(0, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
+                .portal("b", "a", new Vec3(2, 0.5, 1), new Vec3(0, 0, -1), 1, 1)
+                .level();
+        RenderSettings settings = RenderSettings.of(Output.PLAIN).with(RenderSettings.Decoration.OFF);
+        try (Offscreen offscreen = new Offscreen(64, 36);
+                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+            List<View> views = List.of(
+                    offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3)),
+                    offscreen.view(new Vec3(0.4, 0.7, 0), new Vec3(0, 0.4, -3)));
+            try (BareTwin twin = new BareTwin(offscreen.gl, renderer, views, offscreen.picture)) {
+                for (int i = 0; i < views.size(); i++) {
+                    twin.draw(i);
+                    int[] bare = offscreen.pixels();
+                    renderer.draw(views.get(i), offscreen.picture);
+                    assertArrayEquals(offscreen.pixels(), bare);
+                    assertTrue(renderer.viewsDrawn() > 0);
+                }
+            }
+        }
+    }
+}
