@@ -3,6 +3,7 @@ package nephele.app.prove;
 import java.util.List;
 import nephele.app.prove.picture.PortalIdsProof;
 import nephele.app.prove.picture.PortalLightProof;
+import nephele.app.prove.picture.ShadowEdgesProof;
 
 /** Every proof, in the order in which `prove` without a name runs them; the only registration. */
 public final class Proofs {
@@ -17,6 +18,7 @@ public final class Proofs {
             new MutantsProof(),
             new PortalIdsProof(),
             new PortalLightProof(),
+            new ShadowEdgesProof(),
             new RayProof(),
             new RotationProof(),
             new PlacementProof(),

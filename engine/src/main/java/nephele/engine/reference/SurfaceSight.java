@@ -1,5 +1,6 @@
 package nephele.engine.reference;
 
+import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
@@ -11,6 +12,9 @@ public final class SurfaceSight {
 
     /** What a drawn picture's depths cannot tell apart. */
     private static final double SAME_METRES = 1e-5;
+
+    /** Share of the way to a light that its rays leave out at the surface. */
+    private static final double LIFT = 1e-7;
 
     private final SurfaceRays rays;
     private final EyePath path;
@@ -48,6 +52,30 @@ public final class SurfaceSight {
                 && Math.abs(rays.entry(path.ray(), solid) - path.end())
                                 * path.direction().length()
                         <= SAME_METRES;
+    }
+
+    /** Where the ray of the last {@link #at} that met something ended. */
+    public Vec3 place() {
+        return path.ray().at(path.end());
+    }
+
+    /**
+     * Whether light arrives where the last {@link #at} ended, from a place shifted by a little: what shades is as the
+     * level has it, the thing itself does not.
+     *
+     * @param way to the light from the place that is not shifted
+     * @param limit share of the way that counts; infinite for the sun
+     */
+    public boolean isLit(Vec3 shift, Vec3 way, double limit) {
+        Vec3 p = place();
+        Ray ray = new Ray(
+                p.x() + shift.x() + LIFT * way.x(),
+                p.y() + shift.y() + LIFT * way.y(),
+                p.z() + shift.z() + LIFT * way.z(),
+                way.x() - (limit == 1 ? shift.x() : 0),
+                way.y() - (limit == 1 ? shift.y() : 0),
+                way.z() - (limit == 1 ? shift.z() : 0));
+        return rays.blocker(ray, limit, path.item()) < 0;
     }
 
     /** How far one can go straight on without meeting anything, portals taken as walls; infinite into the open. */

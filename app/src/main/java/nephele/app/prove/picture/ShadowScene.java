@@ -1,0 +1,141 @@
+package nephele.app.prove.picture;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Material;
+import nephele.engine.level.Solid;
+import nephele.engine.level.Sun;
+import nephele.engine.level.TextureMapping;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.scene.light.LampShadows;
+import nephele.engine.scene.light.ShadowCasters;
+import nephele.engine.scene.light.ShadowFrame;
+
+/**
+ * White walls of 10 cm that meet in joints, on a floor and partly under a roof, with posts and a board; lit by a sun of
+ * any height, grazing a wall now and then, or by a lamp. By number.
+ */
+final class ShadowScene {
+    private static final double THICK = 0.1;
+    private static final Vec3 ONE = new Vec3(1, 1, 1);
+
+    private final List<Solid> solids = new ArrayList<>();
+    private final Vec3 towardsSun;
+    private final Vec3 lamp;
+    private final double half;
+
+    ShadowScene(long number) {
+        var random = new SplittableRandom(number);
+        half = 2 + 2 * random.nextDouble();
+        double high = 2 + random.nextDouble();
+        box(0, -THICK / 2, 0, 2 * half + 4, THICK, 2 * half + 4);
+        box(-half, high / 2, 0, THICK, high, 2 * half + THICK);
+        box(0, high / 2, -half, 2 * half - THICK, high, THICK);
+        box(half * (random.nextDouble() - 0.5), high / 2, -half / 2, THICK, high, half - THICK);
+        box(-half / 2, high + THICK / 2, -half / 2, half + THICK, THICK, half + THICK);
+        for (int i = 0; i < 3; i++) {
+            double tall = 0.3 + 1.5 * random.nextDouble();
+            box(half * random.nextDouble(), tall / 2, half * (random.nextDouble() - 0.3), 0.2, tall, 0.2);
+        }
+        boolean isSunny = random.nextInt(3) > 0;
+        double yaw = random.nextInt(2) == 0 ? Math.PI / 2 * random.nextInt(4) + 0.05 : 7 * random.nextDouble();
+        Vec3 way = new Vec3(StrictMath.cos(yaw), 0.05 + 1.5 * random.nextDouble(), StrictMath.sin(yaw));
+        towardsSun = isSunny ? way : null;
+        lamp = isSunny
+                ? null
+                : new Vec3(half * (random.nextDouble() - 0.3), 0.5 + random.nextDouble(), half * random.nextDouble());
+    }
+
+    private void box(double x, double y, double z, double width, double height, double depth) {
+        solids.add(new Solid.Box(
+                "box-" + solids.size(),
+                "white",
+                false,
+                TextureMapping.WORLD,
+                new Vec3(x, y, z),
+                new Vec3(width, height, depth),
+                Map.of()));
+    }
+
+    enum Shadows {
+        CAST,
+        LEFT_OUT
+    }
+
+    Level level(Shadows shadows) {
+        boolean casts = shadows == Shadows.CAST;
+        Sun sun = towardsSun == null ? null : new Sun(towardsSun, ONE, casts);
+        List<Light> lights =
+                lamp == null ? List.of() : List.of(new Light.Point("lamp", lamp, new Vec3(5, 5, 5), 30, casts));
+        var environment = new Environment(sun, null, Vec3.ZERO, 0, ToneCurve.CLIP, null, List.of());
+        var white = new Material("white", ONE, null, null, null, null, Vec3.ZERO, 1);
+        return new Level(
+                "shadows",
+                "",
+                environment,
+                null,
+                List.of(),
+                List.of(white),
+                solids,
+                lights,
+                List.of(),
+                List.of(),
+                List.of(),
+                null);
+    }
+
+    /** The way from a place to the light, of unit length to the sun. */
+    Vec3 wayToLight(Vec3 place) {
+        if (lamp == null) {
+            double length = towardsSun.toVector().length();
+            return new Vec3(towardsSun.x() / length, towardsSun.y() / length, towardsSun.z() / length);
+        }
+        return new Vec3(lamp.x() - place.x(), lamp.y() - place.y(), lamp.z() - place.z());
+    }
+
+    /** Share of {@link #wayToLight} on which something may shade. */
+    double limit() {
+        return lamp == null ? Double.POSITIVE_INFINITY : 1;
+    }
+
+    /** Side of the texel of the depth map that a place falls into. */
+    double texelMetres(Vec3 place) {
+        if (lamp != null) {
+            Vec3 way = wayToLight(place);
+            double depth = Math.max(Math.abs(way.x()), Math.max(Math.abs(way.y()), Math.abs(way.z())));
+            return 2 * depth / LampShadows.LARGEST_SIDE;
+        }
+        return sunTexel;
+    }
+
+    private double sunTexel;
+
+    /** Knows the sun's map as the engine fits it. */
+    ShadowScene fitted(Quality quality) {
+        if (lamp == null) {
+            List<Brush> brushes = solids.stream().map(Brush::of).toList();
+            List<Vec3> corners = ShadowCasters.of(brushes, towardsSun).stream()
+                    .flatMap(brush -> brush.shape().vertices().stream())
+                    .toList();
+            sunTexel = ShadowFrame.fit(corners, towardsSun, Vec3.ZERO, quality.shadowTexels())
+                    .texelMetres();
+        }
+        return this;
+    }
+
+    /** A place to look from, over the open corner, and what at. */
+    Vec3[] camera(int number) {
+        var random = new SplittableRandom(31 * number + Math.round(1000 * half));
+        Vec3 eye = new Vec3(half * random.nextDouble(), 0.3 + 1.6 * random.nextDouble(), half * random.nextDouble());
+        Vec3 target = new Vec3(-half * random.nextDouble(), 1.5 * random.nextDouble(), -half * random.nextDouble());
+        return new Vec3[] {eye, target};
+    }
+}
