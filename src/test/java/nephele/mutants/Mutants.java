@@ -46,7 +46,7 @@ final class Mutants {
                     DEPTH,
                     "nearer surfaces do not hide farther ones",
                     ENGINE + "render/gl/DrawState.java",
-                    "glDepthMask(newDepth == Depth.LESS_AND_WRITE || depthOnly);",
+                    "glDepthMask(newDepth.depthWritten);",
                     "glDepthMask(false);",
                     "OcclusionGlTest"),
             new Mutant(

@@ -4,7 +4,6 @@ import java.util.function.Consumer;
 
 /** What is read and checked but is not shown yet, so that nobody looks for it in the picture. */
 final class FutureRules {
-    private static final String SIMULATED = "is simulated, but not drawn by this version yet";
     private static final String NOT_DRAWN = "is not drawn by this version yet";
 
     static final LevelRule NOT_YET = (level, assets, report) -> {
