@@ -53,8 +53,8 @@ final class Mutants {
                     DEPTH,
                     "what lies on the far plane is dropped",
                     ENGINE + "render/gl/DrawState.java",
-                    "newDepth == Depth.LESS_OR_EQUAL ? GL_LEQUAL : GL_LESS",
-                    "newDepth == Depth.LESS_OR_EQUAL ? GL_LESS : GL_LESS",
+                    "LESS_OR_EQUAL(GL_LEQUAL, false, true)",
+                    "LESS_OR_EQUAL(GL_LESS, false, true)",
                     "OcclusionGlTest"),
             new Mutant(
                     DEPTH,
