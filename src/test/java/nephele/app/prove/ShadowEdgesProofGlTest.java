@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import nephele.app.prove.picture.ShadowEdgesProof;
 import org.junit.jupiter.api.Test;
 
 /** The same code as `prove shadow-edges`, for a few pictures under sun and lamp. */

@@ -1,9 +1,6 @@
 package nephele.app.prove;
 
 import java.util.List;
-import nephele.app.prove.picture.PortalIdsProof;
-import nephele.app.prove.picture.PortalLightProof;
-import nephele.app.prove.picture.ShadowEdgesProof;
 
 /** Every proof, in the order in which `prove` without a name runs them; the only registration. */
 public final class Proofs {

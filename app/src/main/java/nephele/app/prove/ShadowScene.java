@@ -1,4 +1,4 @@
-package nephele.app.prove.picture;
+package nephele.app.prove;
 
 import java.util.ArrayList;
 import java.util.List;

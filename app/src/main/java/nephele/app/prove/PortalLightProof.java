@@ -1,12 +1,10 @@
-package nephele.app.prove.picture;
+package nephele.app.prove;
 
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import nephele.app.draw.ReferenceEye;
 import nephele.app.levels.LevelName;
-import nephele.app.prove.Proof;
-import nephele.app.prove.ProofResult;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.measure.LinearPicture;

@@ -1,10 +1,8 @@
-package nephele.app.prove.picture;
+package nephele.app.prove;
 
 import java.util.List;
 import nephele.app.draw.IdLevel;
 import nephele.app.levels.LevelName;
-import nephele.app.prove.Proof;
-import nephele.app.prove.ProofResult;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.appearance.Decoding;

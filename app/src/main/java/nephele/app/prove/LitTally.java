@@ -1,10 +1,8 @@
-package nephele.app.prove.picture;
+package nephele.app.prove;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import nephele.app.prove.Figure;
-import nephele.app.prove.ProofResult;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
 

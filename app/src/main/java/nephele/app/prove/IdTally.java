@@ -1,11 +1,9 @@
-package nephele.app.prove.picture;
+package nephele.app.prove;
 
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import nephele.app.prove.Figure;
-import nephele.app.prove.ProofResult;
 
 /**
  * Pixels of pictures in identity colours, drawn against traced. A pixel is wrong where the twin sees one surface in all

@@ -1,14 +1,11 @@
-package nephele.app.prove.picture;
+package nephele.app.prove;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import nephele.app.draw.ReferenceEye;
 import nephele.app.draw.Viewpoints;
-import nephele.app.prove.Figure;
-import nephele.app.prove.Proof;
-import nephele.app.prove.ProofResult;
-import nephele.app.prove.picture.ShadowScene.Shadows;
+import nephele.app.prove.ShadowScene.Shadows;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.level.appearance.Decoding;

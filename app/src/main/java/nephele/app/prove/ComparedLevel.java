@@ -1,4 +1,4 @@
-package nephele.app.prove.picture;
+package nephele.app.prove;
 
 import java.util.List;
 import java.util.Locale;
