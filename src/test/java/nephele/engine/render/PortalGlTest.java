@@ -201,19 +201,7 @@ class PortalGlTest {
                         || box.centre().z() - box.size().z() / 2 > 1)
                 .map(box -> (nephele.engine.level.Solid) box)
                 .toList();
-        return new Level(
-                level.name(),
-                level.description(),
-                level.environment(),
-                level.player(),
-                level.cameras(),
-                level.materials(),
-                solids,
-                level.lights(),
-                level.portals(),
-                level.models(),
-                level.bodies(),
-                level.portalGun());
+        return level.with(level.materials(), solids);
     }
 
     /** A sky that is a clear colour, and fog or none: what is behind a portal is cleared like the picture. */

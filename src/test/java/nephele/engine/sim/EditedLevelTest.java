@@ -48,16 +48,6 @@ final class EditedLevelTest {
         }
     }
 
-    private static Lab twoPortals() {
-        return Lab.hall()
-                .gun()
-                .cube(new Vec3(3, EDGE / 2, 3), EDGE, 10)
-                .startAt(0, 0, 0, 0, -5)
-                .press(Action.FIRE_FIRST)
-                .turn(90, 0)
-                .press(Action.FIRE_SECOND);
-    }
-
     private static Lab withCubeAt(Lab lab, double beforeTheWall) {
         Bodies bodies = lab.state().around().bodies();
         Vec3 still = Vec3.ZERO;
@@ -68,19 +58,7 @@ final class EditedLevelTest {
     }
 
     private static Simulation edited(Level level, List<Solid> solids) {
-        var changed = new Level(
-                level.name(),
-                level.description(),
-                level.environment(),
-                level.player(),
-                level.cameras(),
-                level.materials(),
-                solids,
-                level.lights(),
-                level.portals(),
-                level.models(),
-                level.bodies(),
-                level.portalGun());
+        var changed = level.with(level.materials(), solids);
         return new Simulation(changed, SimSettings.DEFAULT);
     }
 
@@ -101,7 +79,7 @@ final class EditedLevelTest {
     @ParameterizedTest
     @EnumSource
     void thePortalClosesAndTheOtherStaysWithoutAPartner(Edit edit) {
-        Lab lab = twoPortals();
+        Lab lab = Lab.twoPortals(EDGE);
         Simulation edited = edited(lab, edit);
         SimState state = lab.simulation().continuedIn(edited, lab.state());
         Portals portals = state.around().portals();
@@ -122,7 +100,7 @@ final class EditedLevelTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.002, 0.1, 0.2})
     void aCubeInItIsPutOnItsCentresSide(double before) {
-        Lab lab = withCubeAt(twoPortals(), before);
+        Lab lab = withCubeAt(Lab.twoPortals(EDGE), before);
         assertEquals(WALL + before, lab.body(0).z(), 1e-3);
         Simulation edited = edited(lab, Edit.NOT_PORTALABLE);
         SimState state = lab.simulation().continuedIn(edited, lab.state());
@@ -136,7 +114,7 @@ final class EditedLevelTest {
     @ParameterizedTest
     @ValueSource(doubles = {0.01, 0.15, 0.29})
     void aPlayerInItIsPutOnItsCentresSide(double before) {
-        Lab lab = twoPortals();
+        Lab lab = Lab.twoPortals(EDGE);
         lab.set(lab.state().withPlayer(lab.player().withFeet(new Vec3(0, 0, WALL + before))));
         SimState state = lab.simulation().continuedIn(edited(lab, Edit.NOT_PORTALABLE), lab.state());
         assertEquals(WALL + 0.3, state.player().feet().z(), 2e-3);
@@ -146,7 +124,7 @@ final class EditedLevelTest {
     /** The solid in front leaves the cube no way out: the level stays as it was. */
     @Test
     void withoutRoomTheEditIsRefused() {
-        Lab lab = withCubeAt(twoPortals(), 0.05);
+        Lab lab = withCubeAt(Lab.twoPortals(EDGE), 0.05);
         List<Solid> solids = new ArrayList<>(lab.level().solids());
         Edit.NOT_PORTALABLE.of(solids);
         double front = WALL + 0.05 + EDGE / 2 + 0.005;
@@ -161,7 +139,7 @@ final class EditedLevelTest {
     /** Half of the aperture is enough, and so is a thing that now stands against it. */
     @Test
     void whatOnlyPartlyHoldsCloses() {
-        Lab lab = twoPortals();
+        Lab lab = Lab.twoPortals(EDGE);
         List<Solid> cut = new ArrayList<>(lab.level().solids());
         cut.add(((Solid.Box) Lab.hall()
                 .box(0.5, 0, WALL, 3, 2, WALL + 0.005, false)
@@ -184,7 +162,7 @@ final class EditedLevelTest {
     /** What is held along a line through the portal is lost with it, and kept where the edit is elsewhere. */
     @Test
     void theLineToWhatIsHeldGoesWithThePortal() {
-        Lab lab = twoPortals();
+        Lab lab = Lab.twoPortals(EDGE);
         var holding =
                 new Holding(0, CrossingWord.EMPTY.then(0, lab.state().around().portals()), 0);
         SimState held = lab.state().with(lab.state().around().with(holding));
@@ -215,7 +193,7 @@ final class EditedLevelTest {
 
     @Test
     void otherBodiesAreAnotherGame() {
-        Lab lab = twoPortals();
+        Lab lab = Lab.twoPortals(EDGE);
         Simulation other = new Simulation(Lab.hall().gun().level(), SimSettings.DEFAULT);
         assertThrows(IllegalArgumentException.class, () -> lab.simulation().continuedIn(other, lab.state()));
     }

@@ -38,6 +38,16 @@ final class Lab {
                 .box(-9, -1, 8, 9, 7, 9);
     }
 
+    /** The first portal in the wall ahead, the second in the wall to the left, both down to the floor; a cube aside. */
+    static Lab twoPortals(double cubeEdge) {
+        return hall().gun()
+                .cube(new Vec3(3, cubeEdge / 2, 3), cubeEdge, 10)
+                .startAt(0, 0, 0, 0, -5)
+                .press(Action.FIRE_FIRST)
+                .turn(90, 0)
+                .press(Action.FIRE_SECOND);
+    }
+
     /** By its lower and upper corner. */
     Lab box(double x0, double y0, double z0, double x1, double y1, double z1) {
         return box(x0, y0, z0, x1, y1, z1, true);

@@ -26,17 +26,6 @@ final class OccupantsTest {
     private SimLevel level;
     private Spaces spaces;
 
-    /** The first portal in the wall ahead, the second in the wall to the left, both down to the floor. */
-    private static Lab twoPortals() {
-        return Lab.hall()
-                .gun()
-                .cube(new Vec3(3, EDGE / 2, 3), EDGE, 10)
-                .startAt(0, 0, 0, 0, -5)
-                .press(Action.FIRE_FIRST)
-                .turn(90, 0)
-                .press(Action.FIRE_SECOND);
-    }
-
     private static Lab withCubeAt(Lab lab, Vec3 centre) {
         Bodies bodies = lab.state().around().bodies();
         Vec3 still = Vec3.ZERO;
@@ -49,7 +38,7 @@ final class OccupantsTest {
     void aCubeInAMovedPortalIsPutOnTheCentresSide() {
         for (double before : new double[] {0.002, 0.1, 0.2}) {
             for (Action shot : new Action[] {Action.FIRE_FIRST, Action.FIRE_SECOND}) {
-                Lab lab = withCubeAt(twoPortals(), new Vec3(0, EDGE / 2, -8 + before))
+                Lab lab = withCubeAt(Lab.twoPortals(EDGE), new Vec3(0, EDGE / 2, -8 + before))
                         .hold(PlayerInput.NONE, 0.3);
                 assertEquals(-8 + before, lab.body(0).z(), 1e-3);
                 lab.turn(90, 0).tick(PlayerInput.NONE.holding(shot));

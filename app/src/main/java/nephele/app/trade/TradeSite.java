@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.DoubleConsumer;
+import nephele.app.draw.ReferenceEye;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
 import nephele.app.levels.PrintedProgress;
@@ -13,10 +14,8 @@ import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelJson;
 import nephele.engine.level.appearance.Decoding;
-import nephele.engine.math.Basis;
 import nephele.engine.math.BitHash;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
@@ -113,19 +112,7 @@ public final class TradeSite implements AutoCloseable {
         var level = AssetComplaint.named(opened, () -> TracedLevel.of(opened.level(), opened.assets(), Decoding.SRGB));
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
-        return ReferencePicture.trace(level, pinhole(), settings, progress);
-    }
-
-    private Pinhole pinhole() {
-        View view = seen.view();
-        var projection = view.projection();
-        return new Pinhole(
-                view.eye(),
-                new Basis(view.right(), view.up(), view.back()),
-                projection.tanHalfWidth(),
-                projection.tanHalfHeight(),
-                projection.nearMetres(),
-                projection.farMetres());
+        return ReferencePicture.trace(level, ReferenceEye.of(seen.view()), settings, progress);
     }
 
     /** Of everything that the oracle's picture depends on but the engine's code. */

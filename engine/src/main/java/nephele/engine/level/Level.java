@@ -18,4 +18,38 @@ public record Level(
         @Written(most = 1000) List<PortalSpec> portals,
         @Written List<ModelPlacement> models,
         @Written List<Body> bodies,
-        @Written PortalGun portalGun) {}
+        @Written PortalGun portalGun) {
+    /** The same under other light: {@code environment} and {@code lights}. */
+    public Level with(Environment changed, List<Light> otherLights) {
+        return new Level(
+                name,
+                description,
+                changed,
+                player,
+                cameras,
+                materials,
+                solids,
+                otherLights,
+                portals,
+                models,
+                bodies,
+                portalGun);
+    }
+
+    /** The same with other solids, made of other materials. */
+    public Level with(List<Material> otherMaterials, List<Solid> otherSolids) {
+        return new Level(
+                name,
+                description,
+                environment,
+                player,
+                cameras,
+                otherMaterials,
+                otherSolids,
+                lights,
+                portals,
+                models,
+                bodies,
+                portalGun);
+    }
+}

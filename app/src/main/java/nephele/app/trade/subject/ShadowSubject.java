@@ -54,19 +54,9 @@ public final class ShadowSubject {
                 light.toneCurve(),
                 light.fog(),
                 light.clouds());
-        return new Level(
-                level.name(),
-                level.description(),
+        return level.with(
                 environment,
-                level.player(),
-                level.cameras(),
-                level.materials(),
-                level.solids(),
-                level.lights().stream().map(ShadowSubject::unshadowed).toList(),
-                level.portals(),
-                level.models(),
-                level.bodies(),
-                level.portalGun());
+                level.lights().stream().map(ShadowSubject::unshadowed).toList());
     }
 
     private static Light unshadowed(Light light) {
