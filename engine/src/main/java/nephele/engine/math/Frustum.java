@@ -2,7 +2,6 @@ package nephele.engine.math;
 
 import java.util.Arrays;
 import org.joml.Matrix4dc;
-import org.joml.Vector4d;
 
 /**
  * The half spaces that a view can see, relative to its eye. Conservative: a box that clipping would leave a part of is
@@ -43,24 +42,27 @@ public final class Frustum {
      * @param clipFromRelative projection · rotation, for positions relative to {@code eye}
      */
     public static Frustum of(Matrix4dc clipFromRelative, Vec3 eye) {
+        Frustum frustum = reusable(6);
+        frustum.restart(eye.x(), eye.y(), eye.z());
+        frustum.keepAll(clipFromRelative);
+        return frustum;
+    }
+
+    /** Also cuts away, from a {@link #reusable} frustum, what a matrix as in {@link #of} projects out of the picture. */
+    public void keepAll(Matrix4dc clipFromRelative) {
         Matrix4dc m = clipFromRelative;
-        double[] planes = new double[6 * STRIDE];
-        int count = 0;
+        double scale = Math.abs(m.getRowColumn(3, 0)) + Math.abs(m.getRowColumn(3, 1));
+        scale += Math.abs(m.getRowColumn(3, 2)) + Math.abs(m.getRowColumn(3, 3));
         for (int row = 0; row < 3; row++) {
             for (int sign = 1; sign >= -1; sign -= 2) {
                 double a = m.getRowColumn(3, 0) + sign * m.getRowColumn(row, 0);
                 double b = m.getRowColumn(3, 1) + sign * m.getRowColumn(row, 1);
                 double c = m.getRowColumn(3, 2) + sign * m.getRowColumn(row, 2);
-                double scale = Math.abs(m.getRowColumn(3, 0)) + Math.abs(m.getRowColumn(3, 1));
-                scale += Math.abs(m.getRowColumn(3, 2)) + Math.abs(m.getRowColumn(3, 3));
-                if (Math.abs(a) + Math.abs(b) + Math.abs(c) <= NULL_NORMAL * scale) {
-                    continue;
+                if (Math.abs(a) + Math.abs(b) + Math.abs(c) > NULL_NORMAL * scale) {
+                    keep(a, b, c, m.getRowColumn(3, 3) + sign * m.getRowColumn(row, 3));
                 }
-                double d = m.getRowColumn(3, 3) + sign * m.getRowColumn(row, 3);
-                put(planes, count++, new Vector4d(a, b, c, d), eye);
             }
         }
-        return new Frustum(planes, count, eye.x(), eye.y(), eye.z());
     }
 
     /** Without bounds. */
@@ -76,9 +78,9 @@ public final class Frustum {
     /** Also cuts away what lies behind {@code plane}, given in the world. */
     public Frustum inFrontOf(Plane plane) {
         double[] more = Arrays.copyOf(planes, (count + 1) * STRIDE);
-        double distance = plane.signedDistance(eyeX, eyeY, eyeZ);
-        put(more, count, new Vector4d(plane.nx(), plane.ny(), plane.nz(), distance), new Vec3(eyeX, eyeY, eyeZ));
-        return new Frustum(more, count + 1, eyeX, eyeY, eyeZ);
+        Frustum cut = new Frustum(more, count, eyeX, eyeY, eyeZ);
+        cut.keepInFrontOf(plane);
+        return cut;
     }
 
     /** One that is filled anew for every frame, with at most so many half spaces. */
@@ -86,12 +88,12 @@ public final class Frustum {
         return new Frustum(new double[mostPlanes * STRIDE], 0, 0, 0, 0);
     }
 
-    /** Makes a {@link #reusable} frustum see everything around {@code eye}. */
-    public void restart(Vec3 eye) {
+    /** Makes a {@link #reusable} frustum see everything around an eye. */
+    public void restart(double newEyeX, double newEyeY, double newEyeZ) {
         count = 0;
-        eyeX = eye.x();
-        eyeY = eye.y();
-        eyeZ = eye.z();
+        eyeX = newEyeX;
+        eyeY = newEyeY;
+        eyeZ = newEyeZ;
     }
 
     /** Also cuts away, from a {@link #reusable} frustum, where a·x + b·y + c·z + d is negative, x relative to the eye. */
@@ -99,9 +101,9 @@ public final class Frustum {
         put(planes, count++ * STRIDE, a, b, c, d, Math.max(Math.abs(eyeX), Math.max(Math.abs(eyeY), Math.abs(eyeZ))));
     }
 
-    private static void put(double[] planes, int index, Vector4d plane, Vec3 eye) {
-        double farthest = Math.max(Math.abs(eye.x()), Math.max(Math.abs(eye.y()), Math.abs(eye.z())));
-        put(planes, index * STRIDE, plane.x, plane.y, plane.z, plane.w, farthest);
+    /** Also cuts away, from a {@link #reusable} frustum, what lies behind {@code plane}, given in the world. */
+    public void keepInFrontOf(Plane plane) {
+        keep(plane.nx(), plane.ny(), plane.nz(), plane.signedDistance(eyeX, eyeY, eyeZ));
     }
 
     private static void put(double[] planes, int at, double a, double b, double c, double d, double farthest) {

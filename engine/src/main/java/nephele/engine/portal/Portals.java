@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalSpec;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
 
 /**
  * The portals that exist at a time, and which leads where. A value: whoever shoots makes another. Portals are named by
@@ -17,16 +19,24 @@ public final class Portals {
     private final List<Portal> portals;
     private final List<Integer> partners;
     private final Passage[] passages;
+    private final Plane[] planes;
 
     /** @param partners for each portal the index of its partner, or {@link #CLOSED} */
     public Portals(List<Portal> portals, List<Integer> partners) {
         this.portals = List.copyOf(portals);
         this.partners = List.copyOf(partners);
         passages = new Passage[portals.size()];
+        planes = portals.stream().map(Portals::planeOf).toArray(Plane[]::new);
         for (int i = 0; i < passages.length; i++) {
             int partner = partners.get(i);
             passages[i] = partner == CLOSED ? null : Passage.between(portals.get(i), portals.get(partner));
         }
+    }
+
+    private static Plane planeOf(Portal portal) {
+        Vec3 n = portal.normal();
+        Vec3 c = portal.centre();
+        return new Plane(n.x(), n.y(), n.z(), n.x() * c.x() + n.y() * c.y() + n.z() * c.z());
     }
 
     /** Those that a level starts with, in its order. */
@@ -52,6 +62,11 @@ public final class Portals {
     /** Where a portal leads, or {@link #CLOSED}. */
     public int partner(int index) {
         return partners.get(index);
+    }
+
+    /** In which a portal lies, its front outside. */
+    public Plane plane(int index) {
+        return planes[index];
     }
 
     public boolean isOpen(int index) {

@@ -38,6 +38,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     /** By depth: a view is drawn to its end after those that are seen in it. */
     private final List<VisibleSet> visible = new ArrayList<>();
 
+    private final List<FrameContext> contexts = new ArrayList<>();
     private ViewTree tree;
     private RenderTarget frameBuffer;
 
@@ -193,7 +194,12 @@ final class PortalViews implements NestedViews, AutoCloseable {
 
     private void drawPasses(ViewNode node, Moment moment, RenderTarget surface, RenderTarget picture) {
         VisibleSet seen = scene.solids().isEmpty() ? null : see(node);
-        FrameContext context = new FrameContext(node.view(), moment, surface, picture, seen, node, this);
+        while (contexts.size() <= node.depth()) {
+            contexts.add(new FrameContext(this));
+        }
+        FrameContext context = contexts.get(node.depth());
+        context.into(moment, surface, picture);
+        context.see(node.view(), node, seen);
         for (int i = 0; i < passes.size(); i++) {
             passes.get(i).draw(context);
         }

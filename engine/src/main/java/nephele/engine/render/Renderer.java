@@ -39,6 +39,7 @@ public final class Renderer implements AutoCloseable {
     /** {@code null} in a level where portals cannot be. */
     private PortalViews portals;
 
+    private FrameContext frame;
     private RenderTarget linear;
     /** So many passes come before the first one that reads the surface's pixels. */
     private int surfacePasses;
@@ -97,6 +98,7 @@ public final class Renderer implements AutoCloseable {
         if (ViewTree.mayGrow(scene.level())) {
             portals = portalViews();
         }
+        frame = new FrameContext(portals);
         while (surfacePasses < passes.size()
                 && !passes.get(surfacePasses).reads().contains(Target.SURFACE)) {
             surfacePasses++;
@@ -167,22 +169,24 @@ public final class Renderer implements AutoCloseable {
             settings.culling().find(visible, view);
         }
         shared.frameUniforms().upload(view, exposure());
-        drawPasses(new FrameContext(view, moment, drawn, picture, visible, root, portals), surface, listener);
+        frame.into(moment, surfacePasses == 0 ? surface : drawn, picture);
+        frame.see(view, root, visible);
+        drawPasses(surface, listener);
     }
 
-    private void drawPasses(FrameContext frame, RenderTarget surface, StepListener listener) {
-        FrameContext resolved = frame.surface() == surface ? frame : frame.withSurface(surface);
+    private void drawPasses(RenderTarget surface, StepListener listener) {
         for (int i = 0; i < passes.size(); i++) {
-            passes.get(i).draw(i < surfacePasses ? frame : resolved);
+            passes.get(i).draw(frame);
             if (i + 1 == surfacePasses) {
                 multisampling.resolve(surface);
-                remember(frame, surface);
+                frame.into(surface);
+                remember(surface);
             }
             listener.submitted(i + 1);
         }
     }
 
-    private void remember(FrameContext frame, RenderTarget surface) {
+    private void remember(RenderTarget surface) {
         if (portals != null) {
             portals.end(frame.moment(), surface, surfaceFormat(frame.picture()));
         }

@@ -21,8 +21,7 @@ final class OpeningCutter {
      */
     static void cut(View view, Portal portal, double openness, PicturePolygon opening) {
         opening.clear();
-        Vec3 eye = view.eye();
-        if (!(portal.inFront(eye.x(), eye.y(), eye.z()) > 0) || !(openness > 0)) {
+        if (!(portal.inFront(view.eyeX(), view.eyeY(), view.eyeZ()) > 0) || !(openness > 0)) {
             return;
         }
         Aperture aperture = portal.aperture();
@@ -33,27 +32,25 @@ final class OpeningCutter {
             double across = openness * aperture.cornerX(i);
             double upward = openness * aperture.cornerY(i);
             double x = corner(
-                    portal.centre().x() - eye.x(),
+                    portal.centre().x() - view.eyeX(),
                     portal.frame().right().x(),
                     portal.frame().up().x(),
                     across,
                     upward);
             double y = corner(
-                    portal.centre().y() - eye.y(),
+                    portal.centre().y() - view.eyeY(),
                     portal.frame().right().y(),
                     portal.frame().up().y(),
                     across,
                     upward);
             double z = corner(
-                    portal.centre().z() - eye.z(),
+                    portal.centre().z() - view.eyeZ(),
                     portal.frame().right().z(),
                     portal.frame().up().z(),
                     across,
                     upward);
             opening.add(
-                    dot(view.right(), x, y, z) / tanAcross,
-                    dot(view.up(), x, y, z) / tanUp,
-                    -dot(view.back(), x, y, z));
+                    view.alongRight(x, y, z) / tanAcross, view.alongUp(x, y, z) / tanUp, -view.alongBack(x, y, z));
         }
         if (view.clip() != null) {
             if (reachBefore(view.clip(), portal, openness) <= IN_PLANE_METRES) {
@@ -83,12 +80,11 @@ final class OpeningCutter {
 
     /** The plane does not pass through the eye, so in the picture's coordinates it has a fourth term. */
     private static void keepBefore(View view, Plane plane, PicturePolygon opening) {
-        Vec3 eye = view.eye();
         Projection projection = view.projection();
         opening.keep(
-                dot(view.right(), plane.nx(), plane.ny(), plane.nz()) * projection.tanHalfWidth(),
-                dot(view.up(), plane.nx(), plane.ny(), plane.nz()) * projection.tanHalfHeight(),
-                -dot(view.back(), plane.nx(), plane.ny(), plane.nz()),
-                plane.signedDistance(eye));
+                view.alongRight(plane.nx(), plane.ny(), plane.nz()) * projection.tanHalfWidth(),
+                view.alongUp(plane.nx(), plane.ny(), plane.nz()) * projection.tanHalfHeight(),
+                -view.alongBack(plane.nx(), plane.ny(), plane.nz()),
+                plane.signedDistance(view.eyeX(), view.eyeY(), view.eyeZ()));
     }
 }

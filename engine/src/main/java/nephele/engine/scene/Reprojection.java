@@ -1,30 +1,25 @@
 package nephele.engine.scene;
 
-import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
 
 /** Where what one view sees at a place is in another view's picture, both homogeneous; reused. */
 public final class Reprojection {
     /** Three rows of factors on x, y, w and 1. */
     private final double[] rows = new double[12];
 
+    private final Vector3d axis = new Vector3d();
+
     public void between(View from, View to) {
-        row(0, from, to, to.right(), 1 / to.projection().tanHalfWidth());
-        row(4, from, to, to.up(), 1 / to.projection().tanHalfHeight());
-        row(8, from, to, to.back(), -1);
+        row(0, from, to, to.direction(1 / to.projection().tanHalfWidth(), 0, 0, axis));
+        row(4, from, to, to.direction(0, 1 / to.projection().tanHalfHeight(), 0, axis));
+        row(8, from, to, to.direction(0, 0, -1, axis));
     }
 
-    private void row(int at, View from, View to, Vec3 axis, double scale) {
-        rows[at] = scale * from.projection().tanHalfWidth() * dot(axis, from.right());
-        rows[at + 1] = scale * from.projection().tanHalfHeight() * dot(axis, from.up());
-        rows[at + 2] = -scale * dot(axis, from.back());
-        rows[at + 3] = scale
-                * (axis.x() * (from.eye().x() - to.eye().x())
-                        + axis.y() * (from.eye().y() - to.eye().y())
-                        + axis.z() * (from.eye().z() - to.eye().z()));
-    }
-
-    private static double dot(Vec3 a, Vec3 b) {
-        return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+    private void row(int at, View from, View to, Vector3d along) {
+        rows[at] = from.projection().tanHalfWidth() * from.alongRight(along.x, along.y, along.z);
+        rows[at + 1] = from.projection().tanHalfHeight() * from.alongUp(along.x, along.y, along.z);
+        rows[at + 2] = -from.alongBack(along.x, along.y, along.z);
+        rows[at + 3] = along.dot(from.eyeX() - to.eyeX(), from.eyeY() - to.eyeY(), from.eyeZ() - to.eyeZ());
     }
 
     public double x(double x, double y, double w) {

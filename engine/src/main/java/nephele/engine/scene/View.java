@@ -4,23 +4,127 @@ import nephele.engine.level.Camera;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Passage;
 import org.joml.Matrix4d;
+import org.joml.Vector3d;
 
 /**
  * From where and how the scene is seen. Right, up and back are orthonormal world directions (right-handed: the view
- * looks along −back).
- *
- * @param id distinguishes views of one frame; history is kept by it
- * @param eye world metres
- * @param clip only what is in front of it is seen, as behind a portal; {@code null} for everything
+ * looks along −back). A value to everybody but the {@link ViewNode} that fills its own anew for every frame.
  */
-public record View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection, Plane clip) {
+public final class View {
     /** The player's or the author's own view, as opposed to one through a portal. */
     public static final int MAIN = 0;
+
+    private final Vector3d eye = new Vector3d();
+    private final Vector3d right = new Vector3d();
+    private final Vector3d up = new Vector3d();
+    private final Vector3d back = new Vector3d();
+    private int id;
+    private Projection projection;
+    private Plane clip;
+
+    private View() {}
+
+    /**
+     * @param id distinguishes views of one frame
+     * @param eye world metres
+     * @param clip only what is in front of it is seen, as behind a portal; {@code null} for everything
+     */
+    public View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection, Plane clip) {
+        this.id = id;
+        this.projection = projection;
+        this.clip = clip;
+        put(eye, this.eye);
+        put(right, this.right);
+        put(up, this.up);
+        put(back, this.back);
+    }
 
     /** Through no portal. */
     public View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection) {
         this(id, eye, right, up, back, projection, null);
+    }
+
+    private static void put(Vec3 from, Vector3d to) {
+        to.set(from.x(), from.y(), from.z());
+    }
+
+    /** One that is filled anew for every frame. */
+    static View reusable() {
+        return new View();
+    }
+
+    /** Becomes what {@code before} sees through a passage, cut by the plane that it looks out of. */
+    void carry(int newId, View before, Passage passage, Projection newProjection, Plane newClip) {
+        id = newId;
+        projection = newProjection;
+        clip = newClip;
+        passage.point(eye.set(before.eye));
+        passage.direction(right.set(before.right));
+        passage.direction(up.set(before.up));
+        passage.direction(back.set(before.back));
+    }
+
+    public int id() {
+        return id;
+    }
+
+    /** World metres. */
+    public Vec3 eye() {
+        return Vec3.of(eye);
+    }
+
+    public Vec3 right() {
+        return Vec3.of(right);
+    }
+
+    public Vec3 up() {
+        return Vec3.of(up);
+    }
+
+    public Vec3 back() {
+        return Vec3.of(back);
+    }
+
+    public Projection projection() {
+        return projection;
+    }
+
+    /** Only what is in front of it is seen, as behind a portal; {@code null} for everything. */
+    public Plane clip() {
+        return clip;
+    }
+
+    public double eyeX() {
+        return eye.x;
+    }
+
+    public double eyeY() {
+        return eye.y;
+    }
+
+    public double eyeZ() {
+        return eye.z;
+    }
+
+    /** The part of a world direction that points to the right. */
+    public double alongRight(double x, double y, double z) {
+        return right.dot(x, y, z);
+    }
+
+    public double alongUp(double x, double y, double z) {
+        return up.dot(x, y, z);
+    }
+
+    /** Towards the eye, away from what is looked at. */
+    public double alongBack(double x, double y, double z) {
+        return back.dot(x, y, z);
+    }
+
+    /** The world direction of so much to the right, up and back. @return {@code out} */
+    public Vector3d direction(double toTheRight, double upwards, double backwards, Vector3d out) {
+        return out.zero().fma(toTheRight, right).fma(upwards, up).fma(backwards, back);
     }
 
     /**
@@ -59,18 +163,18 @@ public record View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection 
         double a = projection.depthScale();
         double b = projection.depthOffset();
         return destination.set(
-                sx * right.x(),
-                sy * up.x(),
-                a * back.x(),
-                -back.x(),
-                sx * right.y(),
-                sy * up.y(),
-                a * back.y(),
-                -back.y(),
-                sx * right.z(),
-                sy * up.z(),
-                a * back.z(),
-                -back.z(),
+                sx * right.x,
+                sy * up.x,
+                a * back.x,
+                -back.x,
+                sx * right.y,
+                sy * up.y,
+                a * back.y,
+                -back.y,
+                sx * right.z,
+                sy * up.z,
+                a * back.z,
+                -back.z,
                 0,
                 0,
                 b,

@@ -2,7 +2,6 @@ package nephele.engine.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
@@ -60,8 +59,8 @@ public final class ViewHistory {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 1; i < before.views().size(); i++) {
             ViewNode shown = before.views().get(i);
-            double away = squareDistance(
-                    shown.parent().view().eye(), terminal.parent().view().eye());
+            double away =
+                    squareDistance(shown.parent().view(), terminal.parent().view());
             double share = shown.portal() == portal ? coveredShare(shown, terminal) : 0;
             if (share > bestShare || share == bestShare && away < least) {
                 best = shown;
@@ -81,10 +80,10 @@ public final class ViewHistory {
         return then == now || then.centre().equals(now.centre()) && then.frame().equals(now.frame());
     }
 
-    private static double squareDistance(Vec3 a, Vec3 b) {
-        double x = a.x() - b.x();
-        double y = a.y() - b.y();
-        double z = a.z() - b.z();
+    private static double squareDistance(View a, View b) {
+        double x = a.eyeX() - b.eyeX();
+        double y = a.eyeY() - b.eyeY();
+        double z = a.eyeZ() - b.eyeZ();
         return x * x + y * y + z * z;
     }
 

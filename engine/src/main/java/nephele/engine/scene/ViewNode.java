@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Plane;
-import nephele.engine.math.Vec3;
 import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portal;
 import org.joml.Vector3d;
@@ -25,9 +24,8 @@ public final class ViewNode {
     private final PicturePolygon region = new PicturePolygon();
     private final PixelRectangle pixels = new PixelRectangle();
     private final Frustum frustum = Frustum.reusable(EIGHT.length + 2);
-    private final Vector3d moved = new Vector3d();
-    private Portal lookedOut;
-    private Plane exitPlane;
+    private final Vector3d direction = new Vector3d();
+    private final View own = View.reusable();
     private View view;
     private ViewNode parent;
     private int portal;
@@ -144,44 +142,18 @@ public final class ViewNode {
         }
     }
 
-    /** Makes this a view of its own, from behind the portal where {@code passage} leads to. */
-    void open(int id, Passage passage, Portal exit, PixelRectangle picture) {
+    /** Makes this a view of its own, from behind the plane where {@code passage} leads to. */
+    void open(int id, Passage passage, Plane exit, Projections projections, PixelRectangle picture) {
         terminal = false;
         View before = parent.view;
-        Projection projection = before.projection();
-        double near = Math.max(projection.nearMetres(), NEAR_SHARE * region.nearest());
-        view = new View(
-                id,
-                point(passage, before.eye()),
-                direction(passage, before.right()),
-                direction(passage, before.up()),
-                direction(passage, before.back()),
-                new Projection(projection.verticalFovRadians(), projection.aspect(), near, projection.farMetres()),
-                planeOf(exit));
+        Projection projection = projections.pushed(before.projection(), NEAR_SHARE * region.nearest());
+        own.carry(id, before, passage, projection, exit);
+        view = own;
         narrow(picture);
     }
 
-    private Vec3 point(Passage passage, Vec3 p) {
-        return Vec3.of(passage.point(moved.set(p.x(), p.y(), p.z())));
-    }
-
-    private Vec3 direction(Passage passage, Vec3 v) {
-        return Vec3.of(passage.direction(moved.set(v.x(), v.y(), v.z())));
-    }
-
-    /** Kept while the same portal is looked out of, as it is in most frames. */
-    private Plane planeOf(Portal portal) {
-        if (lookedOut != portal) {
-            Vec3 n = portal.normal();
-            Vec3 c = portal.centre();
-            exitPlane = new Plane(n.x(), n.y(), n.z(), n.x() * c.x() + n.y() * c.y() + n.z() * c.z());
-            lookedOut = portal;
-        }
-        return exitPlane;
-    }
-
     private void narrow(PixelRectangle picture) {
-        frustum.restart(view.eye());
+        frustum.restart(view.eyeX(), view.eyeY(), view.eyeZ());
         Projection projection = view.projection();
         double acrossScale = 1 / projection.tanHalfWidth();
         double upScale = 1 / projection.tanHalfHeight();
@@ -191,7 +163,7 @@ public final class ViewNode {
             keepInView(-d[0] * acrossScale, -d[1] * upScale, -reach, 0);
         }
         Plane clip = view.clip();
-        frustum.keep(clip.nx(), clip.ny(), clip.nz(), clip.signedDistance(view.eye()));
+        frustum.keep(clip.nx(), clip.ny(), clip.nz(), clip.signedDistance(view.eyeX(), view.eyeY(), view.eyeZ()));
         if (projection.farMetres() < Double.POSITIVE_INFINITY) {
             keepInView(0, 0, 1, projection.farMetres());
         }
@@ -199,13 +171,7 @@ public final class ViewNode {
 
     /** Keeps a·right + b·up + c·back + d not negative. */
     private void keepInView(double a, double b, double c, double d) {
-        Vec3 r = view.right();
-        Vec3 u = view.up();
-        Vec3 k = view.back();
-        frustum.keep(
-                a * r.x() + b * u.x() + c * k.x(),
-                a * r.y() + b * u.y() + c * k.y(),
-                a * r.z() + b * u.z() + c * k.z(),
-                d);
+        view.direction(a, b, c, direction);
+        frustum.keep(direction.x, direction.y, direction.z, d);
     }
 }

@@ -22,6 +22,7 @@ public final class ViewTree {
     private final List<ViewNode> views = new ArrayList<>();
     private final List<ViewNode> terminals = new ArrayList<>();
     private final PixelRectangle picture = new PixelRectangle();
+    private final Projections projections = new Projections();
     private int used;
 
     /** Whether a level has portals, or lets the player open some. */
@@ -36,6 +37,7 @@ public final class ViewTree {
         views.clear();
         terminals.clear();
         picture.whole(width, height);
+        projections.begin(main.projection());
         ViewNode root = next();
         root.root(main, width, height);
         views.add(root);
@@ -56,7 +58,7 @@ public final class ViewTree {
 
     private void open(ViewNode node, Portals portals) {
         int entry = node.portal();
-        node.open(views.size(), portals.passage(entry), portals.portal(portals.partner(entry)), picture);
+        node.open(views.size(), portals.passage(entry), portals.plane(portals.partner(entry)), projections, picture);
         views.add(node);
     }
 

@@ -16,6 +16,7 @@ public final class VisibleSet {
     private final int[][] lengths;
     private final int[] sizes;
     private final Matrix4d clipFromRelative = new Matrix4d();
+    private final Frustum frustum = Frustum.reusable(7);
     private final RangeVisitor add = this::add;
 
     public VisibleSet(SolidGeometry geometry) {
@@ -32,8 +33,12 @@ public final class VisibleSet {
     }
 
     private Frustum frustum(View view) {
-        Frustum frustum = Frustum.of(view.clipFromRelative(clipFromRelative), view.eye());
-        return view.clip() == null ? frustum : frustum.inFrontOf(view.clip());
+        frustum.restart(view.eyeX(), view.eyeY(), view.eyeZ());
+        frustum.keepAll(view.clipFromRelative(clipFromRelative));
+        if (view.clip() != null) {
+            frustum.keepInFrontOf(view.clip());
+        }
+        return frustum;
     }
 
     /** Replaces the content by what {@code frustum} may contain. */

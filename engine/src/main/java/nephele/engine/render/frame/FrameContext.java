@@ -6,27 +6,74 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.VisibleSet;
 
-/**
- * What a pass draws one view with.
- *
- * @param moment what can change, as it is now
- * @param surface what surfaces draw into, see {@link Target#SURFACE}; the same object as {@code picture} unless the
- *     output is HDR or surfaces have several samples a pixel, where it has no texture until these are averaged
- * @param visible solids that the view may see; {@code null} in a scene without solids
- * @param node where the view stands among the views of the frame; {@code null} in a level where portals cannot be
- * @param nested draws what is seen through portals; {@code null} as {@code node}
- */
-public record FrameContext(
-        View view,
-        Moment moment,
-        RenderTarget surface,
-        RenderTarget picture,
-        VisibleSet visible,
-        ViewNode node,
-        NestedViews nested) {
-    /** The same with another target for surfaces. */
-    public FrameContext withSurface(RenderTarget newSurface) {
-        return new FrameContext(view, moment, newSurface, picture, visible, node, nested);
+/** What a pass draws one view with; one object serves frame after frame, and no pass keeps it. */
+public final class FrameContext {
+    private final NestedViews nested;
+    private View view;
+    private Moment moment;
+    private RenderTarget surface;
+    private RenderTarget picture;
+    private VisibleSet visible;
+    private ViewNode node;
+
+    /** @param nested draws what is seen through portals; {@code null} in a level where portals cannot be */
+    public FrameContext(NestedViews nested) {
+        this.nested = nested;
+    }
+
+    /** Begins a frame. */
+    public void into(Moment newMoment, RenderTarget newSurface, RenderTarget newPicture) {
+        moment = newMoment;
+        surface = newSurface;
+        picture = newPicture;
+    }
+
+    /** Another target for surfaces, as when their samples have been averaged. */
+    public void into(RenderTarget newSurface) {
+        surface = newSurface;
+    }
+
+    /** Looks from somewhere. */
+    public void see(View newView, ViewNode newNode, VisibleSet newVisible) {
+        view = newView;
+        node = newNode;
+        visible = newVisible;
+    }
+
+    public View view() {
+        return view;
+    }
+
+    /** What can change, as it is now. */
+    public Moment moment() {
+        return moment;
+    }
+
+    /**
+     * What surfaces draw into, see {@link Target#SURFACE}; the same object as {@link #picture} unless the output is HDR
+     * or surfaces have several samples a pixel, where it has no texture until these are averaged.
+     */
+    public RenderTarget surface() {
+        return surface;
+    }
+
+    public RenderTarget picture() {
+        return picture;
+    }
+
+    /** Solids that the view may see; {@code null} in a scene without solids. */
+    public VisibleSet visible() {
+        return visible;
+    }
+
+    /** Where the view stands among the views of the frame; {@code null} in a level where portals cannot be. */
+    public ViewNode node() {
+        return node;
+    }
+
+    /** Draws what is seen through portals; {@code null} as {@link #node}. */
+    public NestedViews nested() {
+        return nested;
     }
 
     /** Elements of {@code gl_ClipDistance} that cut surfaces: one in a view through a portal. */

@@ -2,11 +2,12 @@ package nephele.engine.render.frame;
 
 import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.FogVeil;
-import nephele.engine.math.Vec3;
+import nephele.engine.math.Plane;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.scene.View;
 import org.joml.Matrix4d;
+import org.joml.Vector3d;
 
 /** The uniform block {@code Frame} of {@code frame.glsl}: what every shader knows of the view. */
 public final class FrameUniforms implements AutoCloseable {
@@ -18,12 +19,13 @@ public final class FrameUniforms implements AutoCloseable {
     private final UniformBuffer buffer;
     private final float[] values = new float[FLOATS];
     private final Matrix4d matrix = new Matrix4d();
+    private final Vector3d direction = new Vector3d();
 
     /** @param environment does not change from frame to frame */
     FrameUniforms(GlContext gl, Environment environment) {
         buffer = new UniformBuffer(gl, "frame uniforms", FLOATS);
         FogVeil.of(environment).ifPresent(fog -> {
-            put(36, fog.radiance(), 1);
+            put(36, fog.radiance().toVector());
             values[39] = (float) fog.extinctionPerMetre();
         });
     }
@@ -31,9 +33,9 @@ public final class FrameUniforms implements AutoCloseable {
     /** @param exposure factor on radiance before the tone curve */
     public void upload(View view, double exposure) {
         view.clipFromRelative(matrix).get(values);
-        put(16, view.right(), view.projection().tanHalfWidth());
-        put(20, view.up(), view.projection().tanHalfHeight());
-        put(24, view.back(), -1);
+        put(16, view.direction(view.projection().tanHalfWidth(), 0, 0, direction));
+        put(20, view.direction(0, view.projection().tanHalfHeight(), 0, direction));
+        put(24, view.direction(0, 0, -1, direction));
         values[28] = (float) exposure;
         putClip(view);
         buffer.upload(values);
@@ -42,14 +44,15 @@ public final class FrameUniforms implements AutoCloseable {
 
     private void putClip(View view) {
         // Mesa's llvmpipe 22.3 may go on cutting by a distance that was just switched off: cut nothing then.
-        put(32, view.clip() == null ? Vec3.ZERO : view.clip().normal(), 1);
-        values[35] = view.clip() == null ? 1 : (float) view.clip().signedDistance(view.eye());
+        Plane clip = view.clip();
+        put(32, clip == null ? direction.zero() : direction.set(clip.nx(), clip.ny(), clip.nz()));
+        values[35] = clip == null ? 1 : (float) clip.signedDistance(view.eyeX(), view.eyeY(), view.eyeZ());
     }
 
-    private void put(int at, Vec3 v, double factor) {
-        values[at] = (float) (v.x() * factor);
-        values[at + 1] = (float) (v.y() * factor);
-        values[at + 2] = (float) (v.z() * factor);
+    private void put(int at, Vector3d v) {
+        values[at] = (float) v.x;
+        values[at + 1] = (float) v.y;
+        values[at + 2] = (float) v.z;
     }
 
     @Override

@@ -10,6 +10,7 @@ import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.SolidGeometry;
+import nephele.engine.scene.View;
 import nephele.engine.scene.VisibleSet;
 
 /** {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates, 3 light map. */
@@ -42,13 +43,13 @@ public final class SolidMesh implements AutoCloseable {
     }
 
     /**
-     * Writes the eye's position in a batch's cell as two floats a component whose sum is exact to 1e-12 of the cell:
+     * Writes a view's eye in a batch's cell as two floats a component whose sum is exact to 1e-12 of the cell:
      * high x, y, z, low x, y, z.
      */
-    public static void eyeInCell(Vec3 eye, Vec3 cellOrigin, float[] highAndLow) {
-        split(eye.x() - cellOrigin.x(), highAndLow, 0);
-        split(eye.y() - cellOrigin.y(), highAndLow, 1);
-        split(eye.z() - cellOrigin.z(), highAndLow, 2);
+    public static void eyeInCell(View view, Vec3 cellOrigin, float[] highAndLow) {
+        split(view.eyeX() - cellOrigin.x(), highAndLow, 0);
+        split(view.eyeY() - cellOrigin.y(), highAndLow, 1);
+        split(view.eyeZ() - cellOrigin.z(), highAndLow, 2);
     }
 
     private static void split(double x, float[] highAndLow, int axis) {

@@ -243,11 +243,11 @@ public final class ThingCopies {
     }
 
     /** Whether the last part of the copy that begins with {@code instance} encloses a point. */
-    boolean headEncloses(int instance, int parts, Vec3 eye) {
+    boolean headEncloses(int instance, int parts, Vector3d eye) {
         int head = BALL * (instance + parts - 1);
-        double x = balls[head] - eye.x();
-        double y = balls[head + 1] - eye.y();
-        double z = balls[head + 2] - eye.z();
+        double x = balls[head] - eye.x;
+        double y = balls[head + 1] - eye.y;
+        double z = balls[head + 2] - eye.z;
         return x * x + y * y + z * z < HEAD_METRES * HEAD_METRES;
     }
 

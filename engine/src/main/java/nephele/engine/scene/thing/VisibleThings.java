@@ -5,6 +5,7 @@ import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
 import nephele.engine.scene.thing.ThingMesh.Range;
+import org.joml.Vector3d;
 
 /**
  * Which instances a view may see and with which mesh: runs of instances that one call draws. Conservative: what is left
@@ -17,6 +18,8 @@ public final class VisibleThings {
     private final Things things;
     private final ThingCopies copies;
     private final Frustum whole = Frustum.reusable(4);
+    private final Vector3d normal = new Vector3d();
+    private final Vector3d eye = new Vector3d();
     private int[] groups = new int[64];
     private int[] firsts = new int[64];
     private int[] counts = new int[64];
@@ -32,36 +35,38 @@ public final class VisibleThings {
     public void find(View view, int pictureHeight) {
         double right = view.projection().tanHalfWidth();
         double up = view.projection().tanHalfHeight();
-        whole.restart(view.eye());
-        keep(view.back(), right, view.right(), 1);
-        keep(view.back(), right, view.right(), -1);
-        keep(view.back(), up, view.up(), 1);
-        keep(view.back(), up, view.up(), -1);
+        whole.restart(view.eyeX(), view.eyeY(), view.eyeZ());
+        keep(view.direction(1, 0, -right, normal));
+        keep(view.direction(-1, 0, -right, normal));
+        keep(view.direction(0, 1, -up, normal));
+        keep(view.direction(0, -1, -up, normal));
         find(view, whole, pictureHeight);
     }
 
-    private void keep(Vec3 back, double tangent, Vec3 aside, double side) {
-        whole.keep(
-                side * aside.x() - tangent * back.x(),
-                side * aside.y() - tangent * back.y(),
-                side * aside.z() - tangent * back.z(),
-                0);
+    private void keep(Vector3d inwards) {
+        whole.keep(inwards.x, inwards.y, inwards.z, 0);
     }
 
     /** @param pictureHeight pixels */
     public void find(View view, Frustum frustum, int pictureHeight) {
-        find(frustum, view.eye(), pictureHeight / (2 * view.projection().tanHalfHeight()));
+        eye.set(view.eyeX(), view.eyeY(), view.eyeZ());
+        find(frustum, pictureHeight / (2 * view.projection().tanHalfHeight()));
     }
 
     /** @param pixelsPerTangent how large a metre is at distance 1 */
-    public void find(Frustum frustum, Vec3 eye, double pixelsPerTangent) {
+    public void find(Frustum frustum, Vec3 from, double pixelsPerTangent) {
+        eye.set(from.x(), from.y(), from.z());
+        find(frustum, pixelsPerTangent);
+    }
+
+    private void find(Frustum frustum, double pixelsPerTangent) {
         runs = 0;
         for (int group = 0; group < things.groups().size(); group++) {
             ThingGroup shape = things.groups().get(group);
             for (int i = copies.start(group); i < copies.start(group + 1); i += shape.parts()) {
                 if (maySee(frustum, i, shape.parts())) {
-                    double pixels = copies.ball(i, 3) * pixelsPerTangent / distance(eye, i);
-                    add(group, i, mesh(shape, pixels, i, eye));
+                    double pixels = copies.ball(i, 3) * pixelsPerTangent / distance(i);
+                    add(group, i, mesh(shape, pixels, i));
                 }
             }
         }
@@ -87,15 +92,15 @@ public final class VisibleThings {
         }
     }
 
-    private double distance(Vec3 eye, int instance) {
-        double x = copies.ball(instance, 0) - eye.x();
-        double y = copies.ball(instance, 1) - eye.y();
-        double z = copies.ball(instance, 2) - eye.z();
+    private double distance(int instance) {
+        double x = copies.ball(instance, 0) - eye.x;
+        double y = copies.ball(instance, 1) - eye.y;
+        double z = copies.ball(instance, 2) - eye.z;
         double nearest = Math.sqrt(x * x + y * y + z * z) - copies.ball(instance, 3);
         return Math.max(nearest, 1e-3);
     }
 
-    private Range mesh(ThingGroup shape, double radiusPixels, int instance, Vec3 eye) {
+    private Range mesh(ThingGroup shape, double radiusPixels, int instance) {
         int step = shape.steps().length - 1;
         while (step > 0 && shape.flatness()[step] * radiusPixels > FLATNESS_PIXELS) {
             step--;

@@ -1,8 +1,6 @@
 package nephele.engine.render.pass.rim;
 
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Portals;
-import nephele.engine.scene.Moment;
 
 /**
  * The colours of portals, linear RGB as displayed. The two shots differ to every eye: blue and orange, and their
@@ -23,13 +21,8 @@ public final class RimColours {
         return shot == 0 ? FIRST : SECOND;
     }
 
-    static Vec3 of(Moment moment, int portal) {
-        int colour = moment.colour(portal);
-        if (colour < 2) {
-            return ofShot(colour);
-        }
-        int partner = moment.portals().partner(portal);
-        int pair = partner == Portals.CLOSED ? portal : Math.min(portal, partner);
+    /** @param pair counts the pairs of a level, some left out */
+    static Vec3 ofPair(int pair) {
         double place = 0.2 + GOLDEN_SHARE * pair;
         place -= Math.floor(place);
         return hue(place < GREENS ? 0.24 + 0.24 * place / GREENS : 0.72 + 0.25 * (place - GREENS) / (1 - GREENS));

@@ -1,5 +1,7 @@
 package nephele.engine.render.pass.rim;
 
+import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
@@ -17,7 +19,9 @@ final class RimLook {
 
     private static final double GHOST_OPACITY = 0.92;
 
-    Vec3 eye;
+    private final List<Vec3> huesOfPairs = new ArrayList<>();
+
+    View view;
     Portal portal;
     Vec3 tint;
     double openness;
@@ -31,10 +35,10 @@ final class RimLook {
     int cells;
     boolean isOpen;
 
-    void of(Moment moment, int index, View view) {
-        eye = view.eye();
+    void of(Moment moment, int index, View newView) {
+        view = newView;
         portal = moment.portals().portal(index);
-        tint = RimColours.of(moment, index);
+        tint = tint(moment, index);
         openness = moment.openness(index);
         opacity = 1;
         seconds = moment.seconds() % REPEAT_SECONDS;
@@ -42,8 +46,8 @@ final class RimLook {
         isOpen = moment.portals().partner(index) != Portals.CLOSED;
     }
 
-    void of(Ghost ghost, Moment moment, View view) {
-        eye = view.eye();
+    void of(Ghost ghost, Moment moment, View newView) {
+        view = newView;
         portal = ghost.portal();
         tint = RimColours.ofShot(ghost.colour());
         openness = 1;
@@ -53,17 +57,30 @@ final class RimLook {
         isOpen = true;
     }
 
+    private Vec3 tint(Moment moment, int portal) {
+        int colour = moment.colour(portal);
+        if (colour < OF_LEVEL) {
+            return RimColours.ofShot(colour);
+        }
+        int partner = moment.portals().partner(portal);
+        int pair = partner == Portals.CLOSED ? portal : Math.min(portal, partner);
+        while (huesOfPairs.size() <= pair) {
+            huesOfPairs.add(RimColours.ofPair(huesOfPairs.size()));
+        }
+        return huesOfPairs.get(pair);
+    }
+
     /** Whether the view may see any of it: from in front, before its own plane, in the picture and larger than a pixel. */
-    boolean isIn(View view, int pictureHeight) {
+    boolean isIn(int pictureHeight) {
         double reach = Math.hypot(
                         portal.aperture().widthMetres() / 2, portal.aperture().heightMetres() / 2)
                 + 2 * RimShape.REACH_METRES;
         Vec3 centre = portal.centre();
-        double x = centre.x() - eye.x();
-        double y = centre.y() - eye.y();
-        double z = centre.z() - eye.z();
+        double x = centre.x() - view.eyeX();
+        double y = centre.y() - view.eyeY();
+        double z = centre.z() - view.eyeZ();
         double before = -along(portal.normal(), x, y, z);
-        double depth = -along(view.back(), x, y, z);
+        double depth = -view.alongBack(x, y, z);
         if (before < -RimShape.REACH_METRES || depth < -reach) {
             return false;
         }
@@ -74,8 +91,8 @@ final class RimLook {
         double halfHeight = view.projection().tanHalfHeight();
         boolean large = reach * pictureHeight > 2 * Math.max(depth, reach) * halfHeight;
         return large
-                && isWithin(Math.abs(along(view.right(), x, y, z)), depth, halfWidth, reach)
-                && isWithin(Math.abs(along(view.up(), x, y, z)), depth, halfHeight, reach);
+                && isWithin(Math.abs(view.alongRight(x, y, z)), depth, halfWidth, reach)
+                && isWithin(Math.abs(view.alongUp(x, y, z)), depth, halfHeight, reach);
     }
 
     private static boolean isWithin(double aside, double depth, double tangent, double reach) {

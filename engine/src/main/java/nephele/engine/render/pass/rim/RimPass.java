@@ -68,13 +68,13 @@ public final class RimPass implements Pass {
         gl.state().depthOf(DepthOf.OPENING);
         for (int i = 0; i < moment.portals().size(); i++) {
             look.of(moment, i, frame.view());
-            if (look.isIn(frame.view(), frame.surface().height())) {
+            if (look.isIn(frame.surface().height())) {
                 drawRim(frame, !look.isOpen || isLeftUnfilled(frame, i));
             }
         }
         for (int i = 0; i < moment.ghosts().size(); i++) {
             look.of(moment.ghosts().get(i), moment, frame.view());
-            if (look.isIn(frame.view(), frame.surface().height())) {
+            if (look.isIn(frame.surface().height())) {
                 drawGhost(frame);
             }
         }

@@ -70,9 +70,9 @@ final class RimPrograms implements AutoCloseable {
 
         void set(RimLook look) {
             centre.set(
-                    (float) (look.portal.centre().x() - look.eye.x()),
-                    (float) (look.portal.centre().y() - look.eye.y()),
-                    (float) (look.portal.centre().z() - look.eye.z()),
+                    (float) (look.portal.centre().x() - look.view.eyeX()),
+                    (float) (look.portal.centre().y() - look.view.eyeY()),
+                    (float) (look.portal.centre().z() - look.view.eyeZ()),
                     (float) look.openness);
             set(right, look.portal.frame().right());
             set(up, look.portal.frame().up());

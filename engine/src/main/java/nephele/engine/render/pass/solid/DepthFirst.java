@@ -39,7 +39,7 @@ final class DepthFirst implements AutoCloseable {
         gl.state().set(Depth.LESS_AND_WRITE_ONLY_DEPTH, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         program.use();
         for (int i = 0; i < mesh.batches().size(); i++) {
-            SolidMesh.eyeInCell(frame.view().eye(), mesh.batches().get(i).cellOrigin(), eye);
+            SolidMesh.eyeInCell(frame.view(), mesh.batches().get(i).cellOrigin(), eye);
             program.uniforms().eye(eye);
             mesh.draw(i, frame.visible());
         }

@@ -105,7 +105,7 @@ public final class SolidPass implements Pass {
         GlProgram<SolidUniforms> program = programOfBatch.get(index);
         program.use();
         Vec3 cell = batch.cellOrigin();
-        SolidMesh.eyeInCell(frame.view().eye(), cell, eye);
+        SolidMesh.eyeInCell(frame.view(), cell, eye);
         program.uniforms().eye(eye);
         program.uniforms().cell(cell, light.anchor());
         materials.bind(batch.kind().materialBlock());

@@ -112,7 +112,7 @@ public final class ThingPass implements Pass {
         double pixel =
                 2 * frame.view().projection().tanHalfHeight() / frame.surface().height();
         seamPerMetre = (float) (SEAM_PIXELS * pixel);
-        SolidMesh.eyeInCell(frame.view().eye(), light.anchor(), eye);
+        SolidMesh.eyeInCell(frame.view(), light.anchor(), eye);
         for (int run = 0; run < visible.runs(); run++) {
             drawRun(run);
         }
