@@ -49,8 +49,7 @@ final class OpeningCutter {
                     portal.frame().up().z(),
                     across,
                     upward);
-            opening.add(
-                    view.alongRight(x, y, z) / tanAcross, view.alongUp(x, y, z) / tanUp, -view.alongBack(x, y, z));
+            opening.add(view.alongRight(x, y, z) / tanAcross, view.alongUp(x, y, z) / tanUp, -view.alongBack(x, y, z));
         }
         if (view.clip() != null) {
             if (reachBefore(view.clip(), portal, openness) <= IN_PLANE_METRES) {
