@@ -1,12 +1,15 @@
 package nephele.app.play;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.app.levels.LevelName;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.engine.sim.PlayerInput;
 import nephele.engine.sim.SimSettings;
 import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
@@ -60,6 +63,35 @@ class WalkTest {
             walk.tick();
         }
         assertEquals(before, walk.state().player().heading());
+    }
+
+    /** Whoever falls out of the level begins again: the picture before has nothing to do with it. */
+    @Test
+    void aBeginningAndALeapAreCuts() {
+        PlayRoom room = new PlayRoom().box(-1, -1, -1, 1, 0, 1).startAt(0, 0, 0, 0, 0);
+        assertTrue(room.walk().takeCut(), "the first picture");
+        assertFalse(room.ticks(60).walk().takeCut());
+        room.hold(PlayerInput.FORWARD);
+        int cuts = 0;
+        for (int tick = 0; tick < 700; tick++) {
+            double before = room.walk().state().player().feet().y();
+            boolean leaps = room.ticks(1).walk().state().player().feet().y() > before + 10;
+            assertEquals(leaps, room.walk().takeCut());
+            cuts += leaps ? 1 : 0;
+        }
+        assertTrue(cuts >= 1, "fell");
+    }
+
+    /** Straight on through a portal is no cut. */
+    @Test
+    void aCrossingIsNoCut() {
+        PlayRoom room = PlayRoom.hall()
+                .pair(new Vec3(0, 1.05, -8), new Vec3(0, 0, 1), new Vec3(-8, 1.05, 0), new Vec3(1, 0, 0))
+                .startAt(0, 0, -6, 0, 0);
+        assertTrue(room.walk().takeCut());
+        room.hold(PlayerInput.FORWARD).ticks(120);
+        assertTrue(room.walk().state().player().feet().x() < -5, "crossed");
+        assertFalse(room.walk().takeCut());
     }
 
     @Test

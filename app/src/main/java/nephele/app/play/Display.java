@@ -39,6 +39,9 @@ final class Display implements AutoCloseable {
         var picture = target();
         double aspect = (double) picture.width() / picture.height();
         var walk = session.walk();
+        if (walk.takeCut()) {
+            session.renderer().forget();
+        }
         session.renderer().draw(walk.view(aspect), walk.moment(), picture, listener);
         String saved = shot == Shot.WITHOUT_OVERLAY ? screenshots.take(picture) : null;
         overlay.draw(hud.canvas(content, area(), window.scale()), picture);

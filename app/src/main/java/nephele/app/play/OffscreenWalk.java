@@ -95,6 +95,9 @@ public final class OffscreenWalk {
 
     private long drawOne(GlContext gl, Renderer renderer, RenderTarget target, Walk walk) {
         long start = System.nanoTime();
+        if (walk.takeCut()) {
+            renderer.forget();
+        }
         renderer.draw(walk.view(aspect()), walk.moment(), target);
         gl.finish();
         return System.nanoTime() - start;

@@ -45,6 +45,7 @@ public final class Walk {
     private SimState before;
     private SimState after;
     private Seen seen;
+    private boolean isCut = true;
     private Limbs limbsBefore = Limbs.STANDING;
     private Limbs limbsAfter = Limbs.STANDING;
 
@@ -94,6 +95,7 @@ public final class Walk {
             before = after;
             limbsBefore = limbsAfter;
             boom.cut();
+            isCut = true;
         } else {
             boom.tick(before, after);
         }
@@ -119,6 +121,13 @@ public final class Walk {
         List<TickEvent> taken = List.copyOf(news);
         news.clear();
         return taken;
+    }
+
+    /** Whether the view has nothing to do with the one before: at first, and after the player began again. Tells it once. */
+    public boolean takeCut() {
+        boolean was = isCut;
+        isCut = false;
+        return was;
     }
 
     public boolean isFinished() {

@@ -8,30 +8,49 @@ public final class Ray {
     /** Bound of the rounding in one slab distance, twice γ₃ (Ize 2013, "Robust BVH Ray Traversal", section 3). */
     private static final double SLAB_GROWTH = 1 + 6 * 0x1p-53;
 
-    private final double originX;
-    private final double originY;
-    private final double originZ;
-    private final double directionX;
-    private final double directionY;
-    private final double directionZ;
-    private final double inverseX;
-    private final double inverseY;
-    private final double inverseZ;
-    private final boolean castable;
+    private double originX;
+    private double originY;
+    private double originZ;
+    private double directionX;
+    private double directionY;
+    private double directionZ;
+    private double inverseX;
+    private double inverseY;
+    private double inverseZ;
+    private boolean castable;
+
+    private Ray() {}
 
     public Ray(
             double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
-        this.originX = originX;
-        this.originY = originY;
-        this.originZ = originZ;
-        this.directionX = directionX;
-        this.directionY = directionY;
-        this.directionZ = directionZ;
+        aim(originX, originY, originZ, directionX, directionY, directionZ);
+    }
+
+    /** One that is {@link #aim aimed} again and again by its only owner; it hits nothing at first. */
+    public static Ray reusable() {
+        return new Ray();
+    }
+
+    /** Makes this another ray. @return this */
+    public Ray aim(
+            double newOriginX,
+            double newOriginY,
+            double newOriginZ,
+            double newDirectionX,
+            double newDirectionY,
+            double newDirectionZ) {
+        originX = newOriginX;
+        originY = newOriginY;
+        originZ = newOriginZ;
+        directionX = newDirectionX;
+        directionY = newDirectionY;
+        directionZ = newDirectionZ;
         inverseX = 1 / directionX;
         inverseY = 1 / directionY;
         inverseZ = 1 / directionZ;
         double largest = Math.max(Math.abs(directionX), Math.max(Math.abs(directionY), Math.abs(directionZ)));
         castable = largest > 0 && largest <= Double.MAX_VALUE && Double.isFinite(originX + originY + originZ);
+        return this;
     }
 
     public static Ray of(Vec3 origin, Vec3 direction) {

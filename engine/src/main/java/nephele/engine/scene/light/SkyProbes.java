@@ -26,6 +26,9 @@ public final class SkyProbes {
     private final double[][] directions = new double[DIRECTIONS][];
     private final double[] from = new double[3];
     private final double[] way = new double[3];
+    private final Ray ray = Ray.reusable();
+    private final double[] open = new double[VALUES];
+    private final double[] all = new double[VALUES];
     private final ItemRayTest meets;
     private long[] keys = new long[256];
     private float[] known = new float[256 * VALUES];
@@ -33,7 +36,7 @@ public final class SkyProbes {
 
     public SkyProbes(List<Brush> brushes) {
         occluders = new Occluders(brushes);
-        meets = (ray, item, limit) -> occluders.hit(item, from, way, limit);
+        meets = (sight, item, limit) -> occluders.hit(item, from, way, limit);
         for (int i = 0; i < DIRECTIONS; i++) {
             // Evenly over the sphere (Vogel 1979).
             double y = 1 - (2 * i + 1.0) / DIRECTIONS;
@@ -94,7 +97,7 @@ public final class SkyProbes {
         way[0] = i * SPACING_METRES + OFFSET_METRES - x;
         way[1] = j * SPACING_METRES + OFFSET_METRES - y;
         way[2] = k * SPACING_METRES + OFFSET_METRES - z;
-        return !occluders.anyHit(new Ray(x, y, z, way[0], way[1], way[2]), 1, meets);
+        return !occluders.anyHit(ray.aim(x, y, z, way[0], way[1], way[2]), 1, meets);
     }
 
     /** Where the values of a lattice point begin in {@link #known}; finds them when they are asked for first. */
@@ -136,25 +139,27 @@ public final class SkyProbes {
     }
 
     private void find(int i, int j, int k, int at) {
-        double[] p = {
-            i * SPACING_METRES + OFFSET_METRES, j * SPACING_METRES + OFFSET_METRES, k * SPACING_METRES + OFFSET_METRES
-        };
-        if (occluders.isInside(p, -1)) {
+        from[0] = i * SPACING_METRES + OFFSET_METRES;
+        from[1] = j * SPACING_METRES + OFFSET_METRES;
+        from[2] = k * SPACING_METRES + OFFSET_METRES;
+        if (occluders.isInside(from, -1)) {
             known[at] = INSIDE;
             return;
         }
-        double[] seen = new double[VALUES];
-        double[] all = new double[VALUES];
+        Arrays.fill(open, 0);
+        Arrays.fill(all, 0);
         for (double[] d : directions) {
-            double visible = occluders.isOccluded(p, d, -1) ? 0 : 1;
+            System.arraycopy(d, 0, way, 0, 3);
+            ray.aim(from[0], from[1], from[2], d[0], d[1], d[2]);
+            double visible = occluders.anyHit(ray, Double.MAX_VALUE, meets) ? 0 : 1;
             for (int axis = 0; axis < 3; axis++) {
                 int value = d[axis] >= 0 ? axis : axis + 3;
                 all[value] += Math.abs(d[axis]);
-                seen[value] += visible * Math.abs(d[axis]);
+                open[value] += visible * Math.abs(d[axis]);
             }
         }
         for (int value = 0; value < VALUES; value++) {
-            known[at + value] = (float) (seen[value] / all[value]);
+            known[at + value] = (float) (open[value] / all[value]);
         }
     }
 }
