@@ -40,6 +40,9 @@ final class BenchCommand implements Command {
             description = "Frames of one round (default: the length of the camera's path).")
     private Integer frames;
 
+    @Option(names = "--camera", paramLabel = "ID", description = "A camera of the level (default: the first).")
+    private String camera;
+
     @Mixin
     private PictureOptions picture;
 
@@ -61,6 +64,9 @@ final class BenchCommand implements Command {
         }
         if (bare && perPass) {
             throw CommandFailure.usage("the bare twin has no passes: leave --per-pass or --bare out");
+        }
+        if (calibrate && camera != null) {
+            throw CommandFailure.usage("--calibrate draws no level: leave --camera out");
         }
         picture.check();
         if (calibrate) {
@@ -97,7 +103,9 @@ final class BenchCommand implements Command {
     }
 
     private LevelDrawing drawing(LevelFile.Opened opened, GlContext gl) {
-        var viewpoint = Viewpoints.standard(opened.level(), opened.file(), picture.aspect());
+        var viewpoint = camera == null
+                ? Viewpoints.standard(opened.level(), opened.file(), picture.aspect())
+                : Viewpoints.named(opened.level(), opened.file(), camera, picture.aspect());
         var views = IntStream.range(0, roundLength(opened))
                 .mapToObj(viewpoint::view)
                 .toList();
@@ -114,8 +122,11 @@ final class BenchCommand implements Command {
         if (frames != null) {
             return frames;
         }
-        var cameras = opened.level().cameras();
-        return cameras.isEmpty() ? 1 : Math.max(1, cameras.get(0).path().size());
+        return opened.level().cameras().stream()
+                .filter(each -> camera == null || camera.equals(each.id()))
+                .findFirst()
+                .map(each -> Math.max(1, each.path().size()))
+                .orElse(1);
     }
 
     private static void print(FrameTimes times, Terminal terminal) {
