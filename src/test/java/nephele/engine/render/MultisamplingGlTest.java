@@ -12,6 +12,7 @@ import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -115,6 +116,35 @@ class MultisamplingGlTest {
                 }
             }
             assertEquals(before, offscreen.gl.live().counts());
+        }
+    }
+
+    /** What is seen through a portal has as many samples as what is beside it, whoever draws it. */
+    @Test
+    void viewsThroughPortalsAreSampledAsWell() {
+        Level level = new TestLevel()
+                .ambient(1)
+                .material("white", TestLevel.grey(1))
+                .box("white", new Vec3(100, 0, -0.5), new Vec3(1, 1, 1))
+                .portal("a", "b", new Vec3(0, 0, 1), new Vec3(0, 0, 1), 4, 4)
+                .portal("b", "a", new Vec3(100, 0, 1), new Vec3(0, 0, -1), 4, 4)
+                .level();
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            for (PortalTechnique technique : PortalTechnique.values()) {
+                for (int samples : new int[] {1, 4}) {
+                    Quality quality = Quality.HIGH.withSamples(samples).withPortalTechnique(technique);
+                    RenderSettings settings =
+                            RenderSettings.of(Output.PLAIN, quality).with(RenderSettings.Decoration.OFF);
+                    int[] pixels = offscreen.pixels(level, TestAssets.NONE, slanted(), settings);
+                    long between = Arrays.stream(pixels)
+                            .filter(MultisamplingGlTest::isBetween)
+                            .count();
+                    assertTrue(samples == 1 ? between == 0 : between > 40, technique + ": " + between);
+                    double side = SIZE / 2.0 / 1.5;
+                    double count = Arrays.stream(pixels).map(Offscreen::red).sum() / 255.0;
+                    assertEquals(side * side, count, side);
+                }
+            }
         }
     }
 

@@ -35,6 +35,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private final double exposure;
     private final PortalPictures pictures;
     private final PreviousPicture previous;
+    private final Multisampling multisampling;
     /** By depth: a view is drawn to its end after those that are seen in it. */
     private final List<VisibleSet> visible = new ArrayList<>();
 
@@ -54,6 +55,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         pictures = new PortalPictures(
                 gl, technique().copies() ? 1 : settings.quality().portalResolution());
         previous = new PreviousPicture(gl);
+        multisampling = new Multisampling(gl, settings.quality().samples());
     }
 
     /**
@@ -151,7 +153,9 @@ final class PortalViews implements NestedViews, AutoCloseable {
 
     private void drawPicture(ViewNode node, Moment moment, RenderTarget picture) {
         RenderTarget own = pictures.take(node);
-        RenderTarget target = technique().copies() ? frameBuffer : own;
+        RenderTarget target = technique().copies()
+                ? frameBuffer
+                : multisampling.inPlaceOf(own, own.colour().format());
         shared.frameUniforms().upload(node.view(), exposure);
         if (settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
@@ -222,5 +226,6 @@ final class PortalViews implements NestedViews, AutoCloseable {
     public void close() {
         pictures.close();
         previous.close();
+        multisampling.close();
     }
 }
