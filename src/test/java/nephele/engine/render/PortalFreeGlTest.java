@@ -9,8 +9,11 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.gl.BareFrame;
+import nephele.engine.render.gl.DrawState.DepthOf;
+import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
@@ -55,6 +58,45 @@ class PortalFreeGlTest {
                 .level();
         assertTrue(words(portals, RenderFeatures.ALL, Output.PLAIN).size()
                 > words(boxes().level(), RenderFeatures.ALL, Output.PLAIN).size());
+    }
+
+    /** Whatever another renderer of the context left behind: stencil and depth range are as a level without portals needs. */
+    @Test
+    void itDoesNotRelyOnWhatOthersLeft() {
+        try (Offscreen offscreen = new Offscreen(32, 18);
+                Renderer renderer = Renderer.load(
+                        offscreen.gl, boxes().level(), TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
+            View view = offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3));
+            renderer.draw(view, offscreen.picture);
+            int[] expected = offscreen.pixels();
+            offscreen.gl.state().stencil(Stencil.EQUAL, 3);
+            offscreen.gl.state().depthOf(DepthOf.FARTHEST);
+            renderer.draw(view, offscreen.picture);
+            assertArrayEquals(expected, offscreen.pixels());
+        }
+    }
+
+    /** Nothing is kept for openings that a frame does not have, however small the budget. */
+    @Test
+    void withNoPortalInViewNoPictureIsKept() {
+        Level level = boxes().portal("a", "b", new Vec3(0, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
+                .portal("b", "a", new Vec3(3, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
+                .level();
+        for (int budget = 0; budget < 3; budget++) {
+            RenderSettings history = RenderSettings.of(Output.PLAIN).with(Quality.HIGH.withViewBudget(budget));
+            RenderSettings mark = history.with(RenderSettings.Deepest.MARK);
+            assertEquals(wordsLookingAway(level, mark), wordsLookingAway(level, history), "budget " + budget);
+        }
+    }
+
+    private static List<String> wordsLookingAway(Level level, RenderSettings settings) {
+        try (Offscreen offscreen = new Offscreen(32, 18);
+                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+            View view = offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, 9));
+            try (BareFrame frame = BareFrame.record(offscreen.gl, () -> renderer.draw(view, offscreen.picture))) {
+                return frame.words();
+            }
+        }
     }
 
     /** `bench --bare`: the recorded frame draws the same picture, portals included. */

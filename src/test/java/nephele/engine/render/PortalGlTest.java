@@ -17,11 +17,15 @@ import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** What is seen through portals: the same by every technique and setting, and the same as through a hole. */
 class PortalGlTest {
+    private static final Vec3 SHADOW_SUN = new Vec3(1, 1, 0.5);
     private static final Quality QUALITY = Quality.HIGH.withViewBudget(40);
 
     private static RenderSettings settings(Output output) {
@@ -51,7 +55,11 @@ class PortalGlTest {
 
     /** Two portals face each other across the furniture, two more lie across it. */
     private static Level facing() {
-        return furnished(4)
+        TestLevel level = furnished(4);
+        for (int i = 0; i < 12; i++) {
+            level.cube("m" + i, new Vec3(i - 6, Math.sin(i), 3 * Math.cos(2 * i)), 0.5);
+        }
+        return level.cube("m3", new Vec3(0.5, -0.4, -5.9), 0.6)
                 .portal("a", "b", new Vec3(0, 0, -6), new Vec3(0, 0, 1), 4, 4)
                 .portal("b", "a", new Vec3(0, 0, 6), new Vec3(0, 0, -1), 4, 4)
                 .portal("c", "d", new Vec3(-5, 0, 0), new Vec3(1, 0.2, 0), 3, 3)
@@ -68,35 +76,70 @@ class PortalGlTest {
         };
     }
 
-    /** Culling and narrowing leave out only what no pixel shows. */
+    /** Culling and narrowing leave out only what no pixel shows, of solids and of bodies. */
     @Test
     void picturesDoNotDependOnWhatIsLeftOut() {
-        try (Offscreen offscreen = new Offscreen(160, 90)) {
-            for (View view : views(offscreen)) {
-                int[] expected = draw(offscreen, facing(), view, settings(Output.DIRECT));
-                for (Culling culling : Culling.values()) {
-                    for (Narrowing narrowing : Narrowing.values()) {
-                        RenderSettings other =
-                                settings(Output.DIRECT).with(culling).with(narrowing);
-                        assertArrayEquals(expected, draw(offscreen, facing(), view, other), culling + " " + narrowing);
-                    }
+        try (Offscreen offscreen = new Offscreen(96, 54)) {
+            Scene scene = Scene.of(facing(), TestAssets.NONE);
+            int[][] expected = drawAll(offscreen, scene, settings(Output.DIRECT));
+            for (Culling culling : Culling.values()) {
+                for (Narrowing narrowing : Narrowing.values()) {
+                    RenderSettings other = settings(Output.DIRECT).with(culling).with(narrowing);
+                    assertArrayEquals(expected, drawAll(offscreen, scene, other), culling + " " + narrowing);
                 }
             }
         }
     }
 
     /** Pictures of their own at full resolution show the same pixels as the stencil, in every output. */
-    @Test
-    void bothTechniquesDrawTheSamePixels() {
-        try (Offscreen offscreen = new Offscreen(160, 90)) {
-            for (View view : views(offscreen)) {
-                for (Output output : Output.values()) {
-                    RenderSettings stencil = settings(output);
-                    RenderSettings texture = stencil.with(QUALITY.withPortalTechnique(PortalTechnique.TEXTURE));
-                    assertArrayEquals(
-                            draw(offscreen, facing(), view, stencil), draw(offscreen, facing(), view, texture));
-                }
+    @ParameterizedTest
+    @EnumSource
+    void bothTechniquesDrawTheSamePixels(Output output) {
+        try (Offscreen offscreen = new Offscreen(96, 54)) {
+            Scene scene = Scene.of(facing(), TestAssets.NONE);
+            RenderSettings stencil = settings(output);
+            RenderSettings texture = stencil.with(QUALITY.withPortalTechnique(PortalTechnique.TEXTURE));
+            assertArrayEquals(drawAll(offscreen, scene, stencil), drawAll(offscreen, scene, texture));
+        }
+    }
+
+    /** In the very first frame, too, things cast the shadows that they cast now, whichever view is drawn first. */
+    @ParameterizedTest
+    @EnumSource
+    void thingsCastTheirShadowsBehindPortals(PortalTechnique technique) {
+        try (Offscreen offscreen = new Offscreen(96, 54)) {
+            View view = offscreen.view(new Vec3(0, 1.9, 0), new Vec3(0, 0.6, -3));
+            int[] shaded = draw(offscreen, shadowBehindAPortal().level(), view, settings(Output.PLAIN));
+            int[] unshaded =
+                    draw(offscreen, shadowBehindAPortal().sun(SHADOW_SUN, 2).level(), view, settings(Output.PLAIN));
+            assertTrue(differing(shaded, unshaded) > 50, "a shadow is seen: " + differing(shaded, unshaded));
+            RenderSettings other = settings(Output.PLAIN).with(QUALITY.withPortalTechnique(technique));
+            assertArrayEquals(shaded, draw(offscreen, shadowBehindAPortal().level(), view, other));
+        }
+    }
+
+    private static TestLevel shadowBehindAPortal() {
+        return new TestLevel()
+                .castingSun(SHADOW_SUN, 2)
+                .ambient(0.2)
+                .box(null, new Vec3(100, -0.5, 0), new Vec3(20, 1, 20))
+                .cube(null, new Vec3(100, 1.8, 3), 1.4)
+                .portal("a", "b", new Vec3(0, 1, -2), new Vec3(0, 0, 1), 4, 3)
+                .portal("b", "a", new Vec3(100, 1, 0), new Vec3(0, 0, 1), 4, 3);
+    }
+
+    /** One renderer for all views, none of which takes anything from the one before. */
+    private static int[][] drawAll(Offscreen offscreen, Scene scene, RenderSettings settings) {
+        try (Renderer renderer = Renderer.load(offscreen.gl, scene, settings)) {
+            View[] views = views(offscreen);
+            int[][] pictures = new int[views.length][];
+            for (int i = 0; i < views.length; i++) {
+                renderer.forget();
+                renderer.draw(views[i], offscreen.picture);
+                pictures[i] = offscreen.pixels();
             }
+            offscreen.gl.requireNoError("test frames");
+            return pictures;
         }
     }
 

@@ -98,6 +98,31 @@ class RimGlTest {
         return row * WIDTH + column;
     }
 
+    /** Fog that hides the wall hides what is on it: rims, their glow, membranes and outlines. */
+    @Test
+    void thickFogHidesAFarRim() {
+        Level fogged = new TestLevel()
+                .fog(3, new Vec3(0.2, 0.3, 0.4))
+                .ambient(1)
+                .box(null, new Vec3(0, 2, -0.5), new Vec3(12, 6, 1))
+                .portal("a", "b", LEFT, new Vec3(0, 0, 1), 1.2, 2.1)
+                .portal("b", "a", RIGHT, new Vec3(0, 0, 1), 1.2, 2.1)
+                .level();
+        Moment closed = Moment.atStart(fogged);
+        List<Portal> both = List.of(portal(LEFT), portal(RIGHT));
+        closed.portals(new Portals(both, List.of(Portals.CLOSED, Portals.CLOSED)));
+        for (Moment moment : List.of(Moment.atStart(fogged), closed)) {
+            try (var offscreen = new Offscreen(64, 36);
+                    var renderer =
+                            Renderer.load(offscreen.gl, fogged, TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
+                renderer.draw(offscreen.view(new Vec3(0, 1.2, 4), new Vec3(0, 1.2, 0)), moment, offscreen.picture);
+                for (int rgb : offscreen.pixels()) {
+                    assertEquals(0x334d66, rgb, "0x" + Integer.toHexString(rgb));
+                }
+            }
+        }
+    }
+
     /** Without colour: along the sides of the first rim light and dark alternate, along the second's they do not. */
     @Test
     void thePatternsDifferWithoutColour() {

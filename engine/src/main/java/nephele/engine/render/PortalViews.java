@@ -10,8 +10,6 @@ import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.SharedResources;
-import nephele.engine.render.gl.DrawState.DepthOf;
-import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -58,15 +56,8 @@ final class PortalViews implements NestedViews, AutoCloseable {
         multisampling = new Multisampling(gl, settings.quality().samples());
     }
 
-    /**
-     * Chooses the views of a frame, and draws what has pictures of its own.
-     *
-     * @param drawn the frame buffer: what is in it is lost
-     */
-    ViewNode begin(View main, Moment moment, RenderTarget picture, RenderTarget drawn, PixelFormat format) {
-        frameBuffer = drawn;
-        gl.state().stencil(Stencil.OFF, 0);
-        gl.state().depthOf(DepthOf.SURFACE);
+    /** Chooses the views of a frame. */
+    ViewNode choose(View main, Moment moment, RenderTarget picture) {
         tree = previous.nextTree();
         tree.grow(
                 main,
@@ -76,11 +67,21 @@ final class PortalViews implements NestedViews, AutoCloseable {
                 settings.quality().viewBudget());
         previous.match(tree, moment, picture.width(), picture.height());
         shared.openings().upload(tree, previous.history());
+        return tree.root();
+    }
+
+    /**
+     * Draws what has pictures of its own, when everything that all views use has been drawn.
+     *
+     * @param drawn the frame buffer: what is in it is lost
+     */
+    void drawPictures(Moment moment, RenderTarget picture, RenderTarget drawn, PixelFormat format) {
         if (technique().hasPictures()) {
+            frameBuffer = drawn;
             pictures.begin(format, picture.width(), picture.height());
             drawPictures(tree.root(), moment, picture);
+            enter(tree.root());
         }
-        return tree.root();
     }
 
     private PortalTechnique technique() {
@@ -89,7 +90,8 @@ final class PortalViews implements NestedViews, AutoCloseable {
 
     /** Tells what the frame looks like before anything is drawn over it. */
     void end(Moment moment, RenderTarget surface, PixelFormat format) {
-        boolean mayEndSoon = 2 * tree.views().size() > settings.quality().viewBudget();
+        int drawn = tree.views().size() - 1;
+        boolean mayEndSoon = drawn > 0 && 2 * (drawn + 1) > settings.quality().viewBudget();
         if (settings.deepest() == Deepest.HISTORY
                 && (mayEndSoon || !tree.terminals().isEmpty())) {
             previous.remember(tree, moment, surface, format);

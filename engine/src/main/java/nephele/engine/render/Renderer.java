@@ -14,6 +14,8 @@ import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.DrawState.DepthOf;
+import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -31,7 +33,7 @@ public final class Renderer implements AutoCloseable {
     private final Scene scene;
     private final SharedResources shared;
     private final List<Pass> passes = new ArrayList<>();
-    private final List<String> stepNames = new ArrayList<>(List.of("clear"));
+    private final List<String> stepNames = new ArrayList<>();
     private final ClearColour clearColour;
     private final VisibleSet visible;
     private final Moment start;
@@ -43,6 +45,8 @@ public final class Renderer implements AutoCloseable {
     private RenderTarget linear;
     /** So many passes come before the first one that reads the surface's pixels. */
     private int surfacePasses;
+    /** So many passes come before the first one that draws a view. */
+    private int oncePasses;
 
     private Renderer(GlContext gl, Scene scene, RenderSettings settings) {
         this.gl = gl;
@@ -103,6 +107,10 @@ public final class Renderer implements AutoCloseable {
                 && !passes.get(surfacePasses).reads().contains(Target.SURFACE)) {
             surfacePasses++;
         }
+        while (oncePasses < surfacePasses && !passes.get(oncePasses).inEveryView()) {
+            oncePasses++;
+        }
+        stepNames.add(oncePasses, "clear");
     }
 
     private PortalViews portalViews() {
@@ -118,7 +126,7 @@ public final class Renderer implements AutoCloseable {
         return scene;
     }
 
-    /** What a frame consists of, in order: the clear, then the passes. */
+    /** What a frame consists of, in order: what all views use, the clear, then the other passes. */
     public List<String> stepNames() {
         return List.copyOf(stepNames);
     }
@@ -153,41 +161,64 @@ public final class Renderer implements AutoCloseable {
         if (picture.width() == 0 || picture.height() == 0) {
             return;
         }
+        // Another renderer of this context, or a recording, may have left them otherwise.
+        gl.state().stencil(Stencil.OFF, 0);
+        gl.state().depthOf(DepthOf.SURFACE);
         RenderTarget surface = settings.output() == Output.HDR ? linear(picture) : picture;
         RenderTarget drawn = multisampling.inPlaceOf(surface, surfaceFormat(picture));
-        // Pictures of their own come first: drawing on in a target after another one is costly.
-        ViewNode root = portals == null ? null : portals.begin(view, moment, picture, drawn, surfaceFormat(picture));
+        if (!passes.isEmpty()) {
+            begin(view, moment, picture, drawn);
+            drawOnce(listener);
+        }
+        if (portals != null) {
+            // Pictures of their own come first: drawing on in a target after another one is costly.
+            portals.drawPictures(moment, picture, drawn, surfaceFormat(picture));
+        }
         drawn.clear(clearColour.red(), clearColour.green(), clearColour.blue());
-        if (surfacePasses == 0) {
-            multisampling.resolve(surface);
+        if (surfacePasses == oncePasses) {
+            average(surface);
         }
-        listener.submitted(0);
-        if (passes.isEmpty()) {
-            return;
-        }
+        listener.submitted(oncePasses);
+        drawPasses(surface, listener);
+    }
+
+    private void begin(View view, Moment moment, RenderTarget picture, RenderTarget drawn) {
+        ViewNode root = portals == null ? null : portals.choose(view, moment, picture);
         if (visible != null) {
             settings.culling().find(visible, view);
         }
         shared.frameUniforms().upload(view, exposure());
-        frame.into(moment, surfacePasses == 0 ? surface : drawn, picture);
+        frame.into(moment, drawn, picture);
         frame.see(view, root, visible);
-        drawPasses(surface, listener);
+    }
+
+    /** What every view uses: before the first view, whichever that is. */
+    private void drawOnce(StepListener listener) {
+        for (int i = 0; i < oncePasses; i++) {
+            passes.get(i).draw(frame);
+            listener.submitted(i);
+        }
     }
 
     private void drawPasses(RenderTarget surface, StepListener listener) {
-        for (int i = 0; i < passes.size(); i++) {
+        for (int i = oncePasses; i < passes.size(); i++) {
             passes.get(i).draw(frame);
             if (i + 1 == surfacePasses) {
-                multisampling.resolve(surface);
-                frame.into(surface);
-                remember(surface);
+                average(surface);
             }
             listener.submitted(i + 1);
         }
     }
 
+    /** From here on the surface's pixels can be read. */
+    private void average(RenderTarget surface) {
+        multisampling.resolve(surface);
+        frame.into(surface);
+        remember(surface);
+    }
+
     private void remember(RenderTarget surface) {
-        if (portals != null) {
+        if (portals != null && !passes.isEmpty()) {
             portals.end(frame.moment(), surface, surfaceFormat(frame.picture()));
         }
     }

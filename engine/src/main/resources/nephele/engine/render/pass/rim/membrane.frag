@@ -11,6 +11,6 @@ uniform vec4 tintAndOpacity;
 uniform vec4 pattern;
 
 void main() {
-    writeRadiance(radianceOf(closedLook(areaPlace, pattern.w, tintAndOpacity.rgb, pattern.z)));
+    writeRadiance(radianceOf(closedLook(areaPlace, pattern.w, tintAndOpacity.rgb, pattern.z)), relativePosition);
     pixel.a = 0.93;
 }

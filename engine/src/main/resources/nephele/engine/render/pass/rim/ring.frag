@@ -54,7 +54,7 @@ void main() {
     vec3 housing = vec3(0.016, 0.018, 0.022) * (0.5 + facing) + tint * (0.07 * pow(1.0 - facing, 2.0) + 0.55 * inner);
     vec3 hot = mix(tint, vec3(1.0), 0.22);
     vec3 luminous = mix(tint * 0.10, hot * 1.5, lit);
-    writeRadiance(radianceOf(mix(housing, luminous, strip)));
+    writeRadiance(radianceOf(mix(housing, luminous, strip)), relativePosition);
     bool isGhost = tintAndOpacity.a < 1.0;
     pixel.a = isGhost ? tintAndOpacity.a * strip * (0.6 + 0.4 * lit) : 1.0;
 }
