@@ -1,0 +1,34 @@
+package nephele.app.play.hud;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import nephele.app.window.Control;
+import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.OverlayCanvas;
+import org.junit.jupiter.api.Test;
+
+/** The F1 page shows every key, whatever the window's size. */
+final class HelpPanelTest {
+    @Test
+    void pageFitsIntoLowWindows() {
+        for (double height : new double[] {360, 540, 720}) {
+            var area = new Area(16 * height / 9, height);
+            assertTrue(HelpPanel.height(area) <= height + 1e-9, height + ": " + HelpPanel.height(area));
+        }
+        assertEquals(1, HelpPanel.scale(new Area(1280, 720)));
+    }
+
+    @Test
+    void keysFitIntoTheirColumnAndMeaningsIntoThePage() {
+        var canvas = new OverlayCanvas(new Lettering());
+        for (var control : Control.values()) {
+            double keys = canvas.width(HelpPanel.EM, control.keys());
+            double meaning = canvas.width(HelpPanel.EM, control.meaning());
+            assertTrue(keys < HelpPanel.KEY_COLUMN - 4, control.keys() + ": " + keys);
+            assertTrue(
+                    HelpPanel.PADDING + HelpPanel.KEY_COLUMN + meaning < HelpPanel.WIDTH,
+                    control.meaning() + ": " + meaning);
+        }
+    }
+}
