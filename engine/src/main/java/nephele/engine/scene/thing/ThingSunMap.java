@@ -11,7 +11,8 @@ import org.joml.Vector3d;
  */
 public final class ThingSunMap {
     private static final double FINEST_TEXEL_METRES = 0.005;
-    private static final double COARSEST_TEXEL_METRES = 0.02;
+    /** Shadows of bodies a portal leads to are seen as well: what is far from the eye must stay in for long. */
+    private static final double COARSEST_TEXEL_METRES = 0.06;
     /** Empty texels around the casters, as the filter may ask for them. */
     private static final int MARGIN_TEXELS = 3;
 
@@ -24,6 +25,10 @@ public final class ThingSunMap {
     private double texel = FINEST_TEXEL_METRES;
     private int width;
     private int height;
+    /** Whether something was left out, for being far from {@link #fittedTo}. */
+    private boolean isLimited;
+
+    private Vec3 fittedTo = Vec3.ZERO;
 
     /**
      * @param towardsSun any length but zero
@@ -41,7 +46,9 @@ public final class ThingSunMap {
     public void fit(ThingCopies copies, Vec3 eye) {
         bound(copies, eye, Double.POSITIVE_INFINITY);
         double widest = Math.max(high[0] - low[0], high[1] - low[1]);
-        if (widest > (side - 2 * MARGIN_TEXELS - 1) * COARSEST_TEXEL_METRES) {
+        isLimited = widest > (side - 2 * MARGIN_TEXELS - 1) * COARSEST_TEXEL_METRES;
+        fittedTo = eye;
+        if (isLimited) {
             bound(copies, eye, (side / 2 - MARGIN_TEXELS - 1) * COARSEST_TEXEL_METRES);
             widest = Math.max(high[0] - low[0], high[1] - low[1]);
         }
@@ -53,6 +60,12 @@ public final class ThingSunMap {
         height = snap(1);
         low[2] -= 0.05;
         high[2] += 0.05;
+    }
+
+    /** Whether the eye has gone so far that other things are near it now. */
+    public boolean isOutgrown(Vec3 eye) {
+        double metres = side * COARSEST_TEXEL_METRES / 16;
+        return isLimited && eye.toVector().distanceSquared(fittedTo.x(), fittedTo.y(), fittedTo.z()) > metres * metres;
     }
 
     /** What casts, along the map's axes; nothing leaves an empty range. */

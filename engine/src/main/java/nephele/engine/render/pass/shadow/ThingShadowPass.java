@@ -15,7 +15,7 @@ import nephele.engine.render.frame.ThingMeshes;
 import nephele.engine.render.frame.ThingShade;
 import nephele.engine.scene.light.LightNeeds;
 
-/** Depth maps of what moves, for the sun and for lamps; drawn again only when something has moved. */
+/** Depth maps of what moves, for the sun and for lamps; drawn again when something has moved or the eye has gone far. */
 public final class ThingShadowPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("shadow.things", ThingShadowPass::requiredBy);
 
@@ -73,7 +73,7 @@ public final class ThingShadowPass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         long now = meshes.update(frame.moment());
-        if (now == drawn) {
+        if (now == drawn && (sun == null || !sun.isOutgrown(frame.view().eye()))) {
             return;
         }
         drawn = now;

@@ -45,6 +45,11 @@ final class ThingSunShadow implements AutoCloseable {
         context.shared().publish(Target.THING_SUN_SHADOW, map);
     }
 
+    /** Whether the map is about what an eye elsewhere sees. */
+    boolean isOutgrown(Vec3 eye) {
+        return sunMap.isOutgrown(eye);
+    }
+
     void draw(ThingDepthDraw depth, Vec3 eye) {
         sunMap.fit(meshes.copies(), eye);
         if (sunMap.width() == 0) {
