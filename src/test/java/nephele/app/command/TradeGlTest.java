@@ -17,20 +17,7 @@ class TradeGlTest {
     @Test
     void reportsPicturesOfALevel() throws IOException {
         Path out = folder.resolve("report");
-        var run = Captured.run(
-                "trade",
-                "portalTechnique",
-                "--quick",
-                "--rounds",
-                "1",
-                "--size",
-                "32x18",
-                "--spp",
-                "1",
-                "--level",
-                "levels/samples/portals.json",
-                "--out",
-                out.toString());
+        var run = measured(out);
         assertEquals("", run.exitCode() == 0 ? "" : run.err());
         assertEquals(out.resolve("index.html") + "\n", run.out());
         String page = Files.readString(out.resolve("index.html"));
@@ -46,6 +33,34 @@ class TradeGlTest {
                         .distinct()
                         .count());
         assertTrue(Files.size(out.resolve("pictures/portalTechnique-exact.png")) > 0);
+
+        var resumed = measured(out);
+        assertTrue(resumed.err().contains("was measured before"), resumed.err());
+        assertTrue(
+                graphics(page).length() > 3
+                        && graphics(page).equals(graphics(Files.readString(out.resolve("index.html")))),
+                "a resumed page says what drew it");
+    }
+
+    private static String graphics(String page) {
+        return page.replaceFirst("(?s).*?(llvmpipe[^<]*|softpipe[^<]*|$).*", "$1");
+    }
+
+    private static Captured measured(Path out) {
+        return Captured.run(
+                "trade",
+                "portalTechnique",
+                "--quick",
+                "--rounds",
+                "1",
+                "--size",
+                "32x18",
+                "--spp",
+                "1",
+                "--level",
+                "levels/samples/portals.json",
+                "--out",
+                out.toString());
     }
 
     @Test

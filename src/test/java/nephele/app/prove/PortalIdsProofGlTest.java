@@ -2,8 +2,13 @@ package nephele.app.prove;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.awt.image.BufferedImage;
 import java.util.List;
 import nephele.app.draw.IdLevel;
+import nephele.app.levels.LevelName;
+import nephele.engine.level.appearance.Decoding;
+import nephele.engine.reference.TracedLevel;
+import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -20,6 +25,34 @@ class PortalIdsProofGlTest {
         var result = new PortalIdsProof(List.of(level)).run(3, 2, Proof.Progress.NONE);
         assertEquals(2, result.units());
         assertEquals(List.of(), result.examples());
+    }
+
+    /** A view that is missing is no edge: with every view to be drawn it is a failure, else a share of the picture. */
+    @Test
+    void aMissingViewIsAFailureUnlessTheBudgetLeftIt() {
+        var opened = new LevelName("levels/samples/solid-box.json").open();
+        var traced = TracedLevel.of(IdLevel.of(opened.level()), opened.assets(), Decoding.AS_STORED);
+        View view = View.ofCamera(opened.level().cameras().get(0), 0, 2);
+        var sight = new SightPicture(traced, view, 4, 2);
+        var drawn = new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 8; i++) {
+            drawn.setRGB(i % 4, 1 - i / 4, i < 6 ? sight.at(i % 4, i / 4) : IdTally.TERMINAL);
+        }
+        var all = new IdTally();
+        all.compare(drawn, sight, IdTally.Views.ALL, "all");
+        assertEquals(
+                List.of("all: 2 pixels of views that were not drawn"),
+                all.result(1).examples());
+        var budgeted = new IdTally();
+        budgeted.compare(drawn, sight, IdTally.Views.BUDGETED, "budgeted");
+        assertEquals(List.of(), budgeted.result(1).examples());
+        assertEquals(
+                25,
+                budgeted.result(1).figures().stream()
+                        .filter(figure -> figure.unit().equals("%"))
+                        .findFirst()
+                        .orElseThrow()
+                        .value());
     }
 
     @Test

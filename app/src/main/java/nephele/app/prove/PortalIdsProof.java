@@ -138,7 +138,8 @@ public final class PortalIdsProof implements Proof {
                     renderer.draw(view, picture);
                     gl.requireNoError(file);
                     String what = technique + ", budget " + budget + ", " + ComparedLevel.again(file, camera, view);
-                    tally.compare(Capture.image(picture), sights[camera], what);
+                    var views = budget == UNLIMITED ? IdTally.Views.ALL : IdTally.Views.BUDGETED;
+                    tally.compare(Capture.image(picture), sights[camera], views, what);
                 }
             }
         }

@@ -12,6 +12,7 @@ import java.util.function.Function;
  * @param settings in the order of growing effort where there is one
  * @param usual index of what a player of preset {@code high} gets: costs are ratios to it
  * @param figures names, with units, of what is reported besides the error
+ * @param level where it is always measured; {@code null} for the one that is asked for
  */
 public record Trade(
         String subject,
@@ -22,6 +23,7 @@ public record Trade(
         ErrorMetric error,
         List<String> figures,
         CostMetric cost,
+        String level,
         Function<TradeSite, Experiment> experiment) {
     public Trade {
         long names = settings.stream().map(Setting::name).distinct().count();
@@ -29,6 +31,20 @@ public record Trade(
             throw new IllegalArgumentException(
                     subject + ": settings have names of their own, and one is the usual one");
         }
+    }
+
+    /** Measured in whatever level is asked for. */
+    public Trade(
+            String subject,
+            Text text,
+            List<String> qualityFields,
+            List<Setting> settings,
+            int usual,
+            ErrorMetric error,
+            List<String> figures,
+            CostMetric cost,
+            Function<TradeSite, Experiment> experiment) {
+        this(subject, text, qualityFields, settings, usual, error, figures, cost, null, experiment);
     }
 
     /**

@@ -12,7 +12,6 @@ import nephele.app.levels.LevelName;
 import nephele.app.levels.PrintedProgress;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
-import nephele.engine.level.LevelJson;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.math.BitHash;
 import nephele.engine.measure.LinearPicture;
@@ -89,6 +88,11 @@ public final class TradeSite implements AutoCloseable {
         return gl == null ? "" : gl.limits().renderer();
     }
 
+    /** Whether pictures that {@code graphics} drew can be compared with those that are drawn here. */
+    public boolean drawsLike(String graphics) {
+        return graphics.isEmpty() || graphics.equals(gl().limits().renderer());
+    }
+
     public Scene scene(Level level) {
         return AssetComplaint.named(opened, () -> Scene.of(level, opened.assets(), PrintedProgress.ofBake(tell)));
     }
@@ -115,15 +119,29 @@ public final class TradeSite implements AutoCloseable {
         return ReferencePicture.trace(level, ReferenceEye.of(seen.view()), settings, progress);
     }
 
-    /** Of everything that the oracle's picture depends on but the engine's code. */
+    /** Of everything that the oracle's picture depends on, its own code included. */
     private String oracleKey() {
-        return Long.toHexString(hash(LevelJson.write(opened.level()) + seen.view() + extent));
+        View view = seen.view();
+        return Long.toHexString(hash(String.join(
+                " ",
+                CodeState.key(),
+                LevelState.key(opened),
+                extent.toString(),
+                view.eye().toString(),
+                view.right().toString(),
+                view.up().toString(),
+                view.back().toString(),
+                view.projection().toString())));
     }
 
     /** Of a text, for names and keys. */
     public static long hash(String text) {
+        return hash(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    static long hash(byte[] content) {
         long hash = 0;
-        for (byte unit : text.getBytes(StandardCharsets.UTF_8)) {
+        for (byte unit : content) {
             hash = BitHash.join(hash, unit);
         }
         return hash;

@@ -15,15 +15,21 @@ import nephele.app.trade.Setting;
 import nephele.app.trade.SubjectState;
 import nephele.app.trade.SubjectState.Judged;
 import nephele.app.trade.Trade;
+import nephele.app.trade.TradeSite;
 import nephele.engine.asset.WholeFile;
 
 /** A subject's state in a file of its own, rewritten in one step after everything that was learnt. */
 final class SubjectFile {
     private final Path file;
     private final String key;
+    private final TradeSite site;
 
-    /** @param key of the circumstances: what was measured under others does not count */
-    SubjectFile(Path folder, Trade trade, String key) {
+    /**
+     * @param key of the circumstances: what was measured under others does not count
+     * @param site where it is measured: what another renderer drew does not count either
+     */
+    SubjectFile(Path folder, Trade trade, String key, TradeSite site) {
+        this.site = site;
         file = folder.resolve(trade.subject() + ".properties");
         this.key = key + "; settings "
                 + trade.settings().stream().map(Setting::name).collect(Collectors.joining(","));
@@ -37,10 +43,14 @@ final class SubjectFile {
         var saved = new Properties();
         try {
             saved.load(new StringReader(Files.readString(file)));
-            return key.equals(saved.getProperty("key")) ? state(saved) : SubjectState.NOTHING;
+            return isOfHere(saved) ? state(saved) : SubjectState.NOTHING;
         } catch (IllegalArgumentException | java.nio.charset.MalformedInputException damaged) {
             return SubjectState.NOTHING;
         }
+    }
+
+    private boolean isOfHere(Properties saved) {
+        return key.equals(saved.getProperty("key")) && site.drawsLike(saved.getProperty("graphics", ""));
     }
 
     /** Whether there is a state that belongs to other circumstances. */
@@ -51,6 +61,7 @@ final class SubjectFile {
     void save(SubjectState state) throws IOException {
         var saved = new Properties();
         saved.setProperty("key", key);
+        saved.setProperty("graphics", site.graphics());
         for (int i = 0; i < state.judged().size(); i++) {
             var judged = state.judged().get(i);
             List<Double> numbers = new ArrayList<>(judged.figures());

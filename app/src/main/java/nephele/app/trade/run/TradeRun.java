@@ -8,8 +8,10 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.app.levels.LevelName;
 import nephele.app.prove.Surroundings;
+import nephele.app.trade.CodeState;
 import nephele.app.trade.Experiment;
 import nephele.app.trade.Findings;
+import nephele.app.trade.LevelState;
 import nephele.app.trade.SubjectState;
 import nephele.app.trade.SubjectState.Judged;
 import nephele.app.trade.Trade;
@@ -17,7 +19,6 @@ import nephele.app.trade.TradeSite;
 import nephele.app.trade.TradeView;
 import nephele.app.trade.report.Pictures;
 import nephele.engine.level.LevelFile;
-import nephele.engine.level.LevelJson;
 
 /** Measures subject after subject, keeping everything that was learnt, so that a run that was killed goes on where it was. */
 public final class TradeRun {
@@ -71,17 +72,17 @@ public final class TradeRun {
     }
 
     /** Everything that figures depend on besides the subject: what was found under another key does not count. */
-    private String key() {
-        return "commit " + CodeState.key() + "; level "
-                + Long.toHexString(TradeSite.hash(LevelJson.write(opened.level()))) + "; " + seen.camera()
-                + "; " + request.extent() + "; slice " + request.sliceSeconds() + "; " + Surroundings.machine();
+    private String key(Trade trade) {
+        String elsewhere = trade.level() == null ? "" : " " + LevelState.key(new LevelName(trade.level()).open());
+        return "code " + CodeState.key() + "; level " + LevelState.key(opened) + elsewhere + "; " + seen.camera() + "; "
+                + request.extent() + "; slice " + request.sliceSeconds() + "; " + Surroundings.machine();
     }
 
     private SubjectState measured(Trade trade, TradeSite site, Path partial) throws IOException {
-        var file = new SubjectFile(partial, trade, key());
+        var file = new SubjectFile(partial, trade, key(trade), site);
         if (file.isOfAnotherRun()) {
             tell.println(trade.subject() + ": what lies in " + partial
-                    + " was measured with other code, level or options; it is measured again");
+                    + " was measured with other code, level, graphics or options; it is measured again");
         }
         SubjectState state = file.load();
         if (state.isComplete(trade, request.rounds()) && pictures.complete(trade, state)) {

@@ -21,6 +21,7 @@ final class Elsewhere {
                 trade.error(),
                 trade.figures(),
                 trade.cost(),
+                level,
                 site -> new Moved(trade, site.in(level)));
     }
 
