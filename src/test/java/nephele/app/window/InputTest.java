@@ -119,4 +119,14 @@ class InputTest {
         input.forgetMouse();
         assertFalse(input.takeHold(Control.FIRE_FIRST));
     }
+
+    /** So the menu's first row stays chosen when it opens, and a click means the row below the pointer. */
+    @Test
+    void aMouseThatChangesHandsLeavesThePointerWhereItLies() {
+        input.point(30, 40);
+        input.forgetMouse();
+        assertEquals(30, input.pointerX());
+        assertEquals(40, input.pointerY());
+        assertFalse(input.takePointerMoved());
+    }
 }

@@ -67,8 +67,15 @@ final class WindowEvents {
         input.point(x * width / Math.max(1, windowWidth[0]), y * height / Math.max(1, windowHeight[0]));
     }
 
+    /** A pointer that comes back lies where nothing has told: whoever clicks before moving it means what is under it. */
     void lookWithMouse(boolean nowLooking) {
         looking = nowLooking;
+        if (!looking) {
+            double[] x = new double[1];
+            double[] y = new double[1];
+            glfwGetCursorPos(handle, x, y);
+            moved(x[0], y[0]);
+        }
     }
 
     int width() {
