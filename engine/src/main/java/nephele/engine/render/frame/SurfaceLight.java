@@ -8,7 +8,6 @@ import nephele.engine.asset.Picture;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
-import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
@@ -16,7 +15,6 @@ import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.LampGrid;
 import nephele.engine.scene.light.LampTable;
 import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.ShadowCasters;
@@ -181,59 +179,27 @@ public final class SurfaceLight implements AutoCloseable {
         thingShade.set(uniforms);
         Environment environment = level.environment();
         if (LightNeeds.sun(level)) {
-            setSun(uniforms, environment.sun());
+            LightUniforms.setSun(uniforms, environment.sun());
         }
         if (environment.ambient() != null) {
-            set(uniforms.vector3("ambientRadiance"), environment.ambient());
+            LightUniforms.setAmbient(uniforms, environment.ambient());
         }
         if (sunShadow) {
-            setSunShadow(uniforms);
+            uniforms.sampler("sunShadowMap", SUN_SHADOW_UNIT);
+            LightUniforms.setSunShadow(uniforms, sunFrame);
         }
         if (lamps != null) {
-            setLamps(uniforms);
+            uniforms.sampler("lampTexels", LAMP_TEXELS_UNIT);
+            uniforms.sampler("lampGridCells", LAMP_GRID_UNIT);
+            LightUniforms.setLampGrid(uniforms, lamps.grid(), anchor());
         }
         if (lampShadow) {
             uniforms.sampler("lampShadowMaps", LAMP_SHADOW_UNIT);
         }
     }
 
-    private static void setSun(Uniforms uniforms, Sun sun) {
-        var towards = sun.directionTowardsSun().toVector().normalize();
-        uniforms.vector3("sunDirection").set((float) towards.x, (float) towards.y, (float) towards.z);
-        set(uniforms.vector3("sunIrradiance"), sun.irradiance());
-    }
-
-    private void setSunShadow(Uniforms uniforms) {
-        uniforms.sampler("sunShadowMap", SUN_SHADOW_UNIT);
-        uniforms.matrix4("sunMapFromAnchor").set(sunFrame.mapFromAnchor().get(new float[16]));
-        float texelDepth = (float) (sunFrame.texelMetres() / sunFrame.depthMetres());
-        Vec3 right = sunFrame.right();
-        Vec3 up = sunFrame.up();
-        uniforms.vector4("sunMapRight").set((float) right.x(), (float) right.y(), (float) right.z(), texelDepth);
-        uniforms.vector4("sunMapUp").set((float) up.x(), (float) up.y(), (float) up.z(), texelDepth / 2);
-    }
-
-    private void setLamps(Uniforms uniforms) {
-        uniforms.sampler("lampTexels", LAMP_TEXELS_UNIT);
-        uniforms.sampler("lampGridCells", LAMP_GRID_UNIT);
-        LampGrid grid = lamps.grid();
-        Vec3 cell = grid.cellMetres();
-        Vec3 a = anchor();
-        set(
-                uniforms.vector3("lampGridMin"),
-                new Vec3(
-                        grid.min().x() - a.x(),
-                        grid.min().y() - a.y(),
-                        grid.min().z() - a.z()));
-        set(uniforms.vector3("lampGridCellsPerMetre"), new Vec3(1 / cell.x(), 1 / cell.y(), 1 / cell.z()));
-        set(uniforms.vector3("lampGridSize"), new Vec3(grid.columns(), grid.floors(), grid.rows()));
-    }
-
     private void setSkyCoefficients(Uniforms uniforms) {
-        double[] c = skyIrradiance().coefficients();
-        for (int i = 0; i < SkyIrradiance.TERMS; i++) {
-            set(uniforms.vector3("skyCoefficients[" + i + "]"), new Vec3(c[3 * i], c[3 * i + 1], c[3 * i + 2]));
-        }
+        LightUniforms.setSky(uniforms, skyIrradiance());
     }
 
     private SkyIrradiance skyIrradiance() {
@@ -243,10 +209,6 @@ public final class SurfaceLight implements AutoCloseable {
                     .orElseGet(SkyIrradiance::black);
         }
         return skyIrradiance;
-    }
-
-    private static void set(Uniforms.Vector3 uniform, Vec3 v) {
-        uniform.set((float) v.x(), (float) v.y(), (float) v.z());
     }
 
     /** Binds the textures; call before drawing with such a program. */

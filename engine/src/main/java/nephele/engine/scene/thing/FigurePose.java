@@ -41,13 +41,16 @@ final class FigurePose {
     private final Vector3d[] ankles = {new Vector3d(), new Vector3d()};
     private final double[] footPitch = new double[2];
     private final Vector3d joint = new Vector3d();
-    private final Vector3d middle = new Vector3d();
-    private final Vector3d end = new Vector3d();
+    private final Vector3d shoulders = new Vector3d();
+    private final TwoBones bones = new TwoBones();
+    private final Vector3d middle = bones.middle;
+    private final Vector3d end = bones.end;
+    private final Vector3d bend = bones.bend;
     private final Vector3d along = new Vector3d();
-    private final Vector3d bend = new Vector3d();
     private final Matrix3d chest = new Matrix3d();
     private final Matrix3d pelvis = new Matrix3d();
     private final Matrix3d turn = new Matrix3d();
+    private final Matrix3d inWorld = new Matrix3d();
 
     FigurePose() {
         for (int i = 0; i < centres.length; i++) {
@@ -179,30 +182,11 @@ final class FigurePose {
     private void leg(int side, double footYaw) {
         hip(side, joint);
         bend.set(side == 0 ? -0.12 : 0.12, 0, -1).rotateY(footYaw);
-        knee(joint, ankles[side], THIGH, SHIN);
+        bones.bend(joint, ankles[side], THIGH, SHIN);
         bone(side == 0 ? FigurePart.LEFT_THIGH : FigurePart.RIGHT_THIGH, joint, middle);
         bone(side == 0 ? FigurePart.LEFT_SHIN : FigurePart.RIGHT_SHIN, middle, end);
         turn.rotationY(footYaw).rotateX(-footPitch[side]);
         put(side == 0 ? FigurePart.LEFT_FOOT : FigurePart.RIGHT_FOOT, end, turn);
-    }
-
-    /** Puts {@link #middle} where two bones from {@code from} to {@code to} bend, and {@link #end} where they end. */
-    private void knee(Vector3d from, Vector3d to, double upper, double lower) {
-        along.set(to).sub(from);
-        double distance = Math.max(Math.abs(upper - lower) + 0.05, Math.min(upper + lower - 0.002, along.length()));
-        if (along.length() < 1e-6) {
-            along.set(0, -1, 0);
-        }
-        along.normalize();
-        end.set(from).fma(distance, along);
-        bend.fma(-bend.dot(along), along);
-        if (bend.length() < 1e-6) {
-            bend.set(0, 0, -1).fma(along.z, along);
-        }
-        bend.normalize();
-        double before = (upper * upper - lower * lower + distance * distance) / (2 * distance);
-        double aside = Math.sqrt(Math.max(0, upper * upper - before * before));
-        middle.set(from).fma(before, along).fma(aside, bend);
     }
 
     private void torso(Posture p, double lean, double travel, double breath) {
@@ -220,8 +204,6 @@ final class FigurePose {
         end.set(joint);
         shoulders.set(joint);
     }
-
-    private final Vector3d shoulders = new Vector3d();
 
     private void arm(Posture p, int side, double moving, double breath) {
         double out = side == 0 ? -1 : 1;
@@ -254,27 +236,11 @@ final class FigurePose {
         return a + (b - a) * share;
     }
 
-    /** Puts a part's middle between two joints, its front away from where the limb bends; {@link #bend} tells. */
+    /** Puts a part's middle between two joints, its front away from where the limb bends. */
     private void bone(FigurePart part, Vector3d from, Vector3d to) {
-        Vector3d y = sideways.set(from).sub(to).normalize();
-        boolean isLeg = part.ordinal() >= FigurePart.LEFT_THIGH.ordinal();
-        Vector3d z = back.set(bend).mul(isLeg ? -1 : 1);
-        z.fma(-z.dot(y), y);
-        if (z.length() < 1e-6) {
-            z.set(0, 0, 1).fma(-y.z, y);
-        }
-        z.normalize();
-        y.cross(z, along);
-        turn.set(along.x, along.y, along.z, y.x, y.y, y.z, z.x, z.y, z.z);
-        between.set(from).lerp(to, 0.5);
-        put(part, between, turn);
+        bones.along(from, to, part.ordinal() >= FigurePart.LEFT_THIGH.ordinal(), turn);
+        put(part, bones.between(from, to), turn);
     }
-
-    private final Vector3d sideways = new Vector3d();
-    private final Vector3d back = new Vector3d();
-    private final Vector3d between = new Vector3d();
-
-    private final Matrix3d inWorld = new Matrix3d();
 
     private void put(FigurePart part, Vector3d inFigure, Matrix3d figureFromPart) {
         worldFromFigure.transform(inFigure, centres[part.ordinal()]).add(sole);

@@ -1,11 +1,8 @@
 package nephele.engine.scene.thing;
 
 import java.util.Arrays;
-import java.util.Objects;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Portals;
 import nephele.engine.scene.Moment;
-import nephele.engine.scene.Moment.Posture;
 import nephele.engine.scene.light.SkyProbes;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -35,10 +32,9 @@ public final class ThingCopies {
     private final SkyProbes sky;
     private final float[] skyOfBodies;
     private final float[] seen = new float[SkyProbes.VALUES];
-    private final boolean[] moved;
+    private final ThingChanges changes;
     private final ThingPlaces places = new ThingPlaces();
     private final int[] groupStart;
-    private final double[] lastPoses;
     private final FigurePose pose = new FigurePose();
     private final Vector3d anchorOfFigure = new Vector3d();
     private final ThingShape[] figureShapes =
@@ -49,9 +45,6 @@ public final class ThingCopies {
     private float[] packed = new float[64 * FLOATS];
     private double[] balls = new double[64 * BALL];
     private int instances;
-    private Portals lastPortals;
-    private Posture lastFigure;
-    private double lastSeconds;
     private long version;
 
     /**
@@ -62,11 +55,9 @@ public final class ThingCopies {
         this.sky = sky;
         this.things = things;
         this.anchor = anchor;
+        changes = new ThingChanges(things.shapes().size());
         groupStart = new int[things.groups().size() + 1];
-        lastPoses = new double[7 * things.shapes().size()];
         skyOfBodies = new float[SkyProbes.VALUES * things.shapes().size()];
-        moved = new boolean[things.shapes().size()];
-        Arrays.fill(lastPoses, Double.NaN);
         Arrays.fill(seen, 1);
     }
 
@@ -76,7 +67,7 @@ public final class ThingCopies {
      * @return a number that changes with every change
      */
     public long update(Moment moment) {
-        if (hasChanged(moment)) {
+        if (changes.since(moment) || version == 0) {
             instances = 0;
             for (int group = 0; group < things.groups().size(); group++) {
                 groupStart[group] = instances;
@@ -92,37 +83,6 @@ public final class ThingCopies {
             version++;
         }
         return version;
-    }
-
-    private boolean hasChanged(Moment moment) {
-        boolean changed = version == 0 || moment.portals() != lastPortals || isFigureNew(moment);
-        lastPortals = moment.portals();
-        for (int body = 0; body < things.shapes().size(); body++) {
-            moment.centre(body, centre);
-            moment.orientation(body, turn);
-            moved[body] = differs(7 * body, centre.x, centre.y, centre.z);
-            changed |= moved[body];
-            changed |= differs(7 * body + 3, turn.x, turn.y, turn.z);
-            changed |= differs(7 * body + 4, turn.y, turn.z, turn.w);
-        }
-        return changed;
-    }
-
-    private boolean isFigureNew(Moment moment) {
-        boolean isNew = moment.figure() != null && lastSeconds != moment.seconds()
-                || !Objects.equals(moment.figure(), lastFigure);
-        lastFigure = moment.figure();
-        lastSeconds = moment.seconds();
-        return isNew;
-    }
-
-    /** Remembers three values and tells whether they are new. */
-    private boolean differs(int at, double x, double y, double z) {
-        boolean is = lastPoses[at] != x || lastPoses[at + 1] != y || lastPoses[at + 2] != z;
-        lastPoses[at] = x;
-        lastPoses[at + 1] = y;
-        lastPoses[at + 2] = z;
-        return is;
     }
 
     private void add(Moment moment, int body) {
@@ -165,7 +125,7 @@ public final class ThingCopies {
     /** What a body sees of the sky changes only with its place. */
     private void seeSkyOf(int body) {
         int at = SkyProbes.VALUES * body;
-        if (sky != null && moved[body]) {
+        if (sky != null && changes.hasMoved(body)) {
             seeSky(0);
             System.arraycopy(seen, 0, skyOfBodies, at, SkyProbes.VALUES);
         } else if (sky != null) {
