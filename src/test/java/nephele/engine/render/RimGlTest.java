@@ -102,7 +102,7 @@ class RimGlTest {
     @Test
     void thickFogHidesAFarRim() {
         Level fogged = new TestLevel()
-                .fog(3, new Vec3(0.2, 0.3, 0.4))
+                .fog(3, new Vec3(0.2, 0.4, 0.6))
                 .ambient(1)
                 .box(null, new Vec3(0, 2, -0.5), new Vec3(12, 6, 1))
                 .portal("a", "b", LEFT, new Vec3(0, 0, 1), 1.2, 2.1)
@@ -117,7 +117,7 @@ class RimGlTest {
                             Renderer.load(offscreen.gl, fogged, TestAssets.NONE, RenderSettings.of(Output.PLAIN))) {
                 renderer.draw(offscreen.view(new Vec3(0, 1.2, 4), new Vec3(0, 1.2, 0)), moment, offscreen.picture);
                 for (int rgb : offscreen.pixels()) {
-                    assertEquals(0x334d66, rgb, "0x" + Integer.toHexString(rgb));
+                    assertEquals(0x336699, rgb, "0x" + Integer.toHexString(rgb));
                 }
             }
         }
