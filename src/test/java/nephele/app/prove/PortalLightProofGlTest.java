@@ -17,4 +17,17 @@ class PortalLightProofGlTest {
         assertTrue(
                 result.figures().stream().anyMatch(figure -> figure.name().equals("pictures") && figure.value() == 2));
     }
+
+    /**
+     * A camera that sees an opening, by both techniques, each with a renderer of its own: the full proof's bounds at a
+     * ninth of its pixels.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"levels/samples/straddling-cube.json", "levels/samples/slanted-walls.json"})
+    void litPicturesThroughPortalsLookLikeTheTwins(String level) throws Exception {
+        var result = new PortalLightProof(List.of(level), 96, 16).run(1, 1, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertTrue(
+                result.figures().stream().anyMatch(figure -> figure.name().equals("pictures") && figure.value() == 2));
+    }
 }

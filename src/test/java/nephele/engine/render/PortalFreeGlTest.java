@@ -17,6 +17,8 @@ import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** What portals cost where there are none: not one call; and what is recorded of a frame with portals. */
 class PortalFreeGlTest {
@@ -30,10 +32,20 @@ class PortalFreeGlTest {
                 .box(null, new Vec3(0, 0, -3), new Vec3(1, 1, 1));
     }
 
+    /** The same with a cube that moves in the light of a sun that casts. */
+    private static TestLevel shaded() {
+        return boxes().castingSun(new Vec3(0.3, 1, 0.5), 2).cube("red", new Vec3(-0.9, 0.2, -0.5), 0.5);
+    }
+
+    /** What players get: smooth edges, rims. */
+    private static RenderSettings settings(Output output) {
+        return RenderSettings.of(output, Quality.HIGH.withSamples(4));
+    }
+
     private static List<String> words(Level level, List<RenderFeature> features, Output output) {
         try (Offscreen offscreen = new Offscreen(32, 18);
-                Renderer renderer = Renderer.load(
-                        offscreen.gl, Scene.of(level, TestAssets.NONE), RenderSettings.of(output), features)) {
+                Renderer renderer =
+                        Renderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings(output), features)) {
             View view = offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3));
             try (BareFrame frame = BareFrame.record(offscreen.gl, () -> renderer.draw(view, offscreen.picture))) {
                 return frame.words();
@@ -49,9 +61,9 @@ class PortalFreeGlTest {
                 .toList();
         assertTrue(without.size() <= RenderFeatures.ALL.size() - 2);
         for (Output output : Output.values()) {
-            List<String> with = words(boxes().level(), RenderFeatures.ALL, output);
+            List<String> with = words(shaded().level(), RenderFeatures.ALL, output);
             assertTrue(with.size() > 10);
-            assertEquals(words(boxes().level(), without, output), with);
+            assertEquals(words(shaded().level(), without, output), with);
         }
         Level portals = boxes().portal("a", "b", new Vec3(0, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
                 .portal("b", "a", new Vec3(3, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
@@ -99,15 +111,15 @@ class PortalFreeGlTest {
         }
     }
 
-    /** `bench --bare`: the recorded frame draws the same picture, portals included. */
-    @Test
-    void theBareTwinDrawsPortalsToo() {
-        Level level = boxes().portal("a", "b", new Vec3(0, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
+    /** `bench --bare`: the recorded frame draws the same picture: portals with rims, a cube and its shadow. */
+    @ParameterizedTest
+    @EnumSource(Output.class)
+    void theBareTwinDrawsPortalsToo(Output output) {
+        Level level = shaded().portal("a", "b", new Vec3(0, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
                 .portal("b", "a", new Vec3(2, 0.5, 1), new Vec3(0, 0, -1), 1, 1)
                 .level();
-        RenderSettings settings = RenderSettings.of(Output.PLAIN).with(RenderSettings.Decoration.OFF);
         try (Offscreen offscreen = new Offscreen(64, 36);
-                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings(output))) {
             List<View> views = List.of(
                     offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3)),
                     offscreen.view(new Vec3(0.4, 0.7, 0), new Vec3(0, 0.4, -3)));

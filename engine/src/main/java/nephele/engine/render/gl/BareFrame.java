@@ -103,6 +103,7 @@ public final class BareFrame implements AutoCloseable {
         @Override
         public void drawnInstanced(int first, int count, int instances) {
             bindAll();
+            words.add("draw instanced " + first + " " + count + " " + instances);
             calls.add(() -> glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, 4L * first, instances));
         }
 
@@ -151,13 +152,14 @@ public final class BareFrame implements AutoCloseable {
         @Override
         public void copied(int from, int to, int width, int height) {
             bindAll();
+            words.add("copy " + from + " " + to + " " + width + " " + height);
             calls.add(() -> RenderTarget.copyColours(from, to, width, height));
         }
 
         private void bindAll() {
             BoundState now = BoundState.read();
             now.changesFrom(last, calls, words);
-            last = now;
+            last = now.after(last);
         }
     }
 }

@@ -5,7 +5,10 @@ import static org.lwjgl.opengl.GL41C.*;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.lwjgl.BufferUtils;
 
 /** Everything a draw call depends on, read back from OpenGL, as small steps that can be compared and repeated. */
@@ -48,14 +51,22 @@ record BoundState(List<Step> steps) {
 
     /** Appends what must be called when {@code before} is what is set, and what that is, in words. */
     void changesFrom(BoundState before, List<Runnable> calls, List<String> words) {
+        Map<String, List<Number>> set = new HashMap<>();
+        before.steps.forEach(step -> set.put(step.key, step.value));
         for (Step step : steps) {
-            boolean same =
-                    before.steps.stream().anyMatch(old -> old.key.equals(step.key) && old.value.equals(step.value));
-            if (!same) {
+            if (!step.value.equals(set.get(step.key))) {
                 calls.add(step.set);
                 words.add(step.key + " " + step.value);
             }
         }
+    }
+
+    /** What is set after {@code before}: other programs' uniforms and unbound buffers keep what they had. */
+    BoundState after(BoundState before) {
+        Map<String, Step> set = new LinkedHashMap<>();
+        before.steps.forEach(step -> set.put(step.key, step));
+        steps.forEach(step -> set.put(step.key, step));
+        return new BoundState(List.copyOf(set.values()));
     }
 
     private static void add(List<Step> steps, String key, Runnable set, Number... value) {
@@ -170,10 +181,7 @@ record BoundState(List<Step> steps) {
                 glBindBuffer(GL_UNIFORM_BUFFER, buffer);
                 glBufferSubData(GL_UNIFORM_BUFFER, 0, content);
             };
-            // Material and light blocks never change: their content is set once by the engine.
-            if (content.length <= 64) {
-                add(steps, "content " + buffer, upload, Arrays.hashCode(content));
-            }
+            add(steps, "content " + buffer, upload, Arrays.hashCode(content));
         }
     }
 
@@ -183,18 +191,53 @@ record BoundState(List<Step> steps) {
         var type = BufferUtils.createIntBuffer(1);
         for (int i = 0; i < uniforms; i++) {
             String name = glGetActiveUniform(program, i, size, type);
-            int location = glGetUniformLocation(program, name);
-            if (location >= 0 && type.get(0) == GL_FLOAT_VEC3 && size.get(0) == 1) {
-                float[] v = new float[3];
-                glGetUniformfv(program, location, v);
-                Runnable set = () -> glProgramUniform3f(program, location, v[0], v[1], v[2]);
-                add(steps, "uniform " + program + " " + location, set, v[0], v[1], v[2]);
+            for (int element = 0; element < size.get(0); element++) {
+                String each = name.replaceFirst("\\[0]$", "[" + element + "]");
+                int location = glGetUniformLocation(program, each);
+                // Without one it is in a block.
+                if (location >= 0) {
+                    readUniform(steps, program, location, components(type.get(0)));
+                }
             }
-            if (location >= 0 && type.get(0) == GL_INT && size.get(0) == 1) {
-                int value = glGetUniformi(program, location);
-                Runnable set = () -> glProgramUniform1i(program, location, value);
-                add(steps, "uniform " + program + " " + location, set, value);
-            }
+        }
+    }
+
+    /** @param components 0 for a whole number */
+    private static void readUniform(List<Step> steps, int program, int location, int components) {
+        String key = "uniform " + program + " " + location;
+        if (components == 0) {
+            int value = glGetUniformi(program, location);
+            add(steps, key, () -> glProgramUniform1i(program, location, value), value);
+            return;
+        }
+        float[] v = new float[components];
+        glGetUniformfv(program, location, v);
+        Number[] value = new Number[components];
+        Arrays.setAll(value, at -> v[at]);
+        add(steps, key, () -> setFloats(program, location, v), value);
+    }
+
+    /** Floats of a type; 0 for whole numbers, truth values and samplers. */
+    private static int components(int type) {
+        return switch (type) {
+            case GL_FLOAT -> 1;
+            case GL_FLOAT_VEC2 -> 2;
+            case GL_FLOAT_VEC3 -> 3;
+            case GL_FLOAT_VEC4 -> 4;
+            case GL_FLOAT_MAT4 -> 16;
+            case GL_INT, GL_BOOL, GL_SAMPLER_2D, GL_SAMPLER_2D_ARRAY, GL_SAMPLER_CUBE, GL_SAMPLER_BUFFER -> 0;
+            case GL_SAMPLER_2D_SHADOW, GL_SAMPLER_2D_ARRAY_SHADOW, GL_UNSIGNED_INT_SAMPLER_BUFFER -> 0;
+            default -> throw new IllegalStateException("no bare twin repeats uniforms of type " + type);
+        };
+    }
+
+    private static void setFloats(int program, int location, float[] v) {
+        switch (v.length) {
+            case 1 -> glProgramUniform1f(program, location, v[0]);
+            case 2 -> glProgramUniform2f(program, location, v[0], v[1]);
+            case 3 -> glProgramUniform3f(program, location, v[0], v[1], v[2]);
+            case 4 -> glProgramUniform4f(program, location, v[0], v[1], v[2], v[3]);
+            default -> glProgramUniformMatrix4fv(program, location, false, v);
         }
     }
 }
