@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The same code as `prove portal-light`, for one camera of small pictures: the bounds hold where little is approximated. */
@@ -19,13 +20,13 @@ class PortalLightProofGlTest {
     }
 
     /**
-     * A camera that sees an opening, by both techniques, each with a renderer of its own: the full proof's bounds at a
-     * ninth of its pixels.
+     * Openings fill 6 % and 57 % of these pictures; both techniques, each with a renderer of its own; the full proof's
+     * bounds at a ninth of its pixels.
      */
     @ParameterizedTest
-    @ValueSource(strings = {"levels/samples/straddling-cube.json", "levels/samples/slanted-walls.json"})
-    void litPicturesThroughPortalsLookLikeTheTwins(String level) throws Exception {
-        var result = new PortalLightProof(List.of(level), 96, 16).run(1, 1, Proof.Progress.NONE);
+    @CsvSource({"levels/samples/straddling-cube.json, 6", "levels/samples/slanted-walls.json, 8"})
+    void litPicturesThroughPortalsLookLikeTheTwins(String level, int camera) throws Exception {
+        var result = new PortalLightProof(List.of(level), 96, 16).run(camera, 1, Proof.Progress.NONE);
         assertEquals(List.of(), result.examples());
         assertTrue(
                 result.figures().stream().anyMatch(figure -> figure.name().equals("pictures") && figure.value() == 2));
