@@ -131,6 +131,29 @@ class ThingGlTest {
         }
     }
 
+    /** Without culling everything that moves is drawn, without narrowing what the opening does not show. */
+    @Test
+    void settingsThatLeaveNothingOutLeaveNoBodyOut() {
+        Level level = white().cube("white", new Vec3(0, 0, 9), 1)
+                .cube("white", new Vec3(-9, 0, -3), 1)
+                .portal("a", "b", new Vec3(0, 0, -2), new Vec3(0, 0, 1), 1, 1)
+                .portal("b", "a", new Vec3(0, 0, -20), new Vec3(0, 0, 1), 1, 1)
+                .level();
+        RenderSettings usual = settings(Output.PLAIN);
+        long least = triangles(level, usual);
+        long whole = triangles(level, usual.with(RenderSettings.Narrowing.OFF));
+        assertTrue(whole > least, whole + " and " + least);
+        assertTrue(triangles(level, usual.with(RenderSettings.Culling.NONE)) > whole);
+    }
+
+    private static long triangles(Level level, RenderSettings settings) {
+        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
+                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+            renderer.draw(offscreen.view(Vec3.ZERO, new Vec3(0, 0, -2)), offscreen.picture);
+            return renderer.triangles();
+        }
+    }
+
     /** A head does not hide the view from within; everybody else sees it. */
     @Test
     void theHeadIsNotSeenFromWithin() {

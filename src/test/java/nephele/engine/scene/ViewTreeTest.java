@@ -220,6 +220,55 @@ class ViewTreeTest {
         assertEquals(1, grown(view, moment, 1).views().size());
     }
 
+    /** What lies beyond the far plane is not drawn, and so is no opening; one that reaches beyond it ends there. */
+    @Test
+    void anOpeningEndsAtTheFarPlane() {
+        View near = View.lookAt(Vec3.ZERO, new Vec3(0, 0, -1), UP, new Projection(1, 16 / 9.0, 0.05, 10));
+        Portal elsewhere = portal(new Vec3(0, 0, 90), new Vec3(0, 0, 1));
+        Moment beyond = pairs(portal(new Vec3(0, 0, -11), new Vec3(0, 0, 1)), elsewhere);
+        assertEquals(1, grown(near, beyond, 9).views().size());
+        Moment along = pairs(portal(new Vec3(-1, 0, -10), new Vec3(1, 0, 0), 4, 2, PortalShape.RECTANGLE), elsewhere);
+        ViewNode opening = grown(near, along, 9).root().children().get(0);
+        double farthest = 0;
+        for (int i = 0; i < opening.opening().size(); i++) {
+            farthest = Math.max(farthest, opening.opening().w(i));
+        }
+        assertEquals(10, farthest, 1e-12);
+    }
+
+    /** Of openings that are equally large the first portal's comes first, whatever was chosen before. */
+    @Test
+    void equallyLargeOpeningsKeepTheirOrder() {
+        Portal small = portal(new Vec3(3, 0, -5), new Vec3(0, 0, 1), 1, 1, PortalShape.RECTANGLE);
+        Portal elsewhere = portal(new Vec3(0, 0, 90), new Vec3(0, 0, 1));
+        Portal large = portal(new Vec3(-2, 0, -5), new Vec3(0, 0, 1));
+        Moment moment = pairs(large, elsewhere, small, elsewhere, small, elsewhere, small, elsewhere);
+        ViewTree tree = grown(view(Vec3.ZERO, new Vec3(0, 0, -1)), moment, 50);
+        assertEquals(
+                List.of(0, 2, 4, 6),
+                tree.root().children().stream().map(ViewNode::portal).toList());
+    }
+
+    /** A portal of another shape or size is another one, though it stands where the old one stood. */
+    @Test
+    void aPortalOfAnotherApertureHasNoHistory() {
+        View view = view(new Vec3(0.4, 0.2, -2.4), new Vec3(0.4, 0.2, -5));
+        ViewTree before = grown(view, facing(5), 6);
+        ViewTree now = grown(view, facing(5), 5);
+        for (PortalShape shape : PortalShape.values()) {
+            for (double width : new double[] {2, 1.9}) {
+                Moment moment = pairs(
+                        portal(new Vec3(0, 0, -2.5), new Vec3(0, 0, 1), width, 2, shape),
+                        portal(new Vec3(0, 0, 2.5), new Vec3(0, 0, -1), width, 2, shape));
+                ViewHistory history = new ViewHistory();
+                history.remember(before, facing(5).portals());
+                history.match(now, moment.portals());
+                boolean isSame = shape == PortalShape.RECTANGLE && width == 2;
+                assertEquals(isSame, history.of(now.terminals().get(0)) != null, shape + " " + width);
+            }
+        }
+    }
+
     /** The same opening in the frame before, told by where its eye was, also when the player has stepped through. */
     @Test
     void historyIsFoundByTheEyesPlaceBeforeThePortal() {

@@ -72,7 +72,8 @@ final class Boom {
         PathTrace trace = reach.trace(portals(later));
         trace.walk(pose.eye().toVector(), way);
         trace.carryPoint(aimed);
-        return new PlayerPose(Vec3.of(trace.place()), carried(pose.view(), trace), pose.body(), pose.later());
+        return new PlayerPose(
+                Vec3.of(trace.place()), carried(pose.view(), trace, portals(later)), pose.body(), pose.later());
     }
 
     /** From eye to camera at a share of the tick, as the eye sees it: to its right, up and back. */
@@ -98,11 +99,12 @@ final class Boom {
         return eye.fma(reach.freeOfSolids(eye, line), line);
     }
 
-    private static Basis carried(Basis view, PathTrace trace) {
-        return new Basis(
-                Vec3.of(trace.carryDirection(view.right().toVector())),
-                Vec3.of(trace.carryDirection(view.up().toVector())),
-                Vec3.of(trace.carryDirection(view.back().toVector())));
+    private static Basis carried(Basis view, PathTrace trace, Portals portals) {
+        Basis moved = view;
+        for (int i = 0; i < trace.crossings(); i++) {
+            moved = portals.passage(trace.entered(i)).basis(moved);
+        }
+        return moved;
     }
 
     private static Portals portals(SimState state) {

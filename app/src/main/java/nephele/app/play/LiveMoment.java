@@ -77,29 +77,41 @@ final class LiveMoment {
     void figure(PlayerPose pose, Limbs limbs, double seconds) {
         PlayerPose.Body body = pose.body();
         moment.seconds(seconds);
-        moment.figure(new Moment.Posture(
-                middle(body, limbs.heightMetres()),
-                body.up(),
-                body.yawRadians(),
-                body.pitchRadians(),
-                limbs.heightMetres(),
-                limbs.step(),
-                limbs.stride(),
-                limbs.travelRadians(),
-                limbs.airborne(),
-                limbs.carrying()));
+        Vector3d middle = middle(body, limbs.heightMetres());
+        moment.figure(beyondPortals(
+                body.centre(),
+                new Moment.Posture(
+                        Vec3.of(middle),
+                        body.up(),
+                        body.yawRadians(),
+                        body.pitchRadians(),
+                        limbs.heightMetres(),
+                        limbs.step(),
+                        limbs.stride(),
+                        limbs.travelRadians(),
+                        limbs.airborne(),
+                        limbs.carrying())));
     }
 
-    /** Half the figure's height below its crown, which follows the eye; the body's centre where a portal parts them. */
-    private Vec3 middle(PlayerPose.Body body, double heightMetres) {
-        Vector3d way = body.eye().toVector();
-        way.fma(EYE_BELOW_CROWN_METRES - heightMetres / 2, body.up().toVector());
-        Vec3 middle = Vec3.of(way);
-        if (moment.portals().size() == 0) {
-            return middle;
+    /** Half the figure's height below its crown, which follows the eye; in the space of the body's centre. */
+    private static Vector3d middle(PlayerPose.Body body, double heightMetres) {
+        return body.eye()
+                .toVector()
+                .fma(EYE_BELOW_CROWN_METRES - heightMetres / 2, body.up().toVector());
+    }
+
+    /** The middle of the figure need not be on the body's side of a portal. */
+    private Moment.Posture beyondPortals(Vec3 from, Moment.Posture posture) {
+        Portals portals = moment.portals();
+        if (portals.size() == 0) {
+            return posture;
         }
-        var trace = new PathTrace(moment.portals(), Obstacles.NONE);
-        trace.walk(body.centre().toVector(), way.sub(body.centre().toVector()));
-        return trace.crossings() == 0 ? middle : body.centre();
+        Moment.Posture there = posture;
+        var trace = new PathTrace(portals, Obstacles.NONE);
+        trace.walk(from.toVector(), posture.centre().toVector().sub(from.toVector()));
+        for (int i = 0; i < trace.crossings(); i++) {
+            there = there.through(portals.passage(trace.entered(i)));
+        }
+        return there;
     }
 }

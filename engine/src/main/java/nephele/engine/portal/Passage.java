@@ -68,6 +68,11 @@ public final class Passage {
         return new Vec3(turned.x, turned.y, turned.z);
     }
 
+    /** Turns how one looks. */
+    public Basis basis(Basis view) {
+        return new Basis(direction(view.right()), direction(view.up()), direction(view.back()));
+    }
+
     /** Turns an orientation (world from body) and makes it unit length again. */
     public Quaterniond orientation(Quaterniond worldFromBody) {
         return worldFromBody.premul(turn).normalize();

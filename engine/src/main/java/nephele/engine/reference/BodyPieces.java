@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
@@ -34,21 +33,16 @@ final class BodyPieces {
         List<Plane> cuts = new ArrayList<>();
         for (int i = 0; i < portals.size(); i++) {
             if (portals.isOpen(i) && reachesThrough(whole, portals.portal(i))) {
-                cuts.add(front(portals.portal(i)));
-                pieces.add(image(whole, portals.passage(i), portals.portal(portals.partner(i))));
+                cuts.add(portals.plane(i));
+                pieces.add(image(whole, portals.passage(i), portals.plane(portals.partner(i))));
             }
         }
         pieces.add(new BodyPiece(whole.body(), whole.form(), whole.centre(), whole.worldFromBody(), cuts));
     }
 
-    private static Plane front(Portal portal) {
-        return Plane.of(portal.normal(), Directions.dot(portal.normal(), portal.centre()));
-    }
-
-    private static BodyPiece image(BodyPiece whole, Passage passage, Portal exit) {
+    private static BodyPiece image(BodyPiece whole, Passage passage, Plane exit) {
         Matrix3d worldFromBody = new Matrix3d(passage.rotation()).mul(whole.worldFromBody());
-        return new BodyPiece(
-                whole.body(), whole.form(), passage.point(whole.centre()), worldFromBody, List.of(front(exit)));
+        return new BodyPiece(whole.body(), whole.form(), passage.point(whole.centre()), worldFromBody, List.of(exit));
     }
 
     /** With its centre before the portal, a part behind, and no edge of the aperture between them. */

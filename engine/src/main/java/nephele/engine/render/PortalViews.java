@@ -205,7 +205,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
         FrameContext context = contexts.get(node.depth());
         context.into(moment, surface, picture);
-        context.see(node.view(), node, seen);
+        context.see(node.view(), node, seen, settings.limits(node));
         for (int i = 0; i < passes.size(); i++) {
             passes.get(i).draw(context);
         }

@@ -4,6 +4,7 @@ import nephele.engine.math.Frustum;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
+import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.VisibleSet;
 import nephele.engine.scene.thing.FigurePresence;
 
@@ -60,6 +61,14 @@ public record RenderSettings(
         HISTORY,
         /** A colour that nothing else has, see {@code Renderer.MARK}. */
         MARK
+    }
+
+    /** What of things that move a view may see; {@code null} for all in the sides of its picture. */
+    Frustum limits(ViewNode node) {
+        if (culling == Culling.NONE) {
+            return Frustum.everything();
+        }
+        return node == null || node.parent() == null || narrowing == Narrowing.OFF ? null : node.frustum();
     }
 
     public static RenderSettings of(Output output) {

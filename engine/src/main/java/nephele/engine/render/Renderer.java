@@ -189,7 +189,7 @@ public final class Renderer implements AutoCloseable {
         }
         shared.frameUniforms().upload(view, exposure());
         frame.into(moment, drawn, picture);
-        frame.see(view, root, visible);
+        frame.see(view, root, visible, settings.limits(root));
     }
 
     /** What every view uses: before the first view, whichever that is. */

@@ -4,7 +4,10 @@ import java.util.Arrays;
 import java.util.List;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
+import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portals;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
@@ -150,5 +153,29 @@ public final class Moment {
             double stride,
             double travelRadians,
             double airborne,
-            double carrying) {}
+            double carrying) {
+        /** As the same figure stands beyond a portal. */
+        public Posture through(Passage passage) {
+            Vec3 turned = passage.direction(up);
+            Vector3d back = Basis.ofYawPitch(yawRadians, 0).back().toVector();
+            passage.direction(leaning(up).transform(back));
+            leaning(turned).transformInverse(back);
+            return new Posture(
+                    passage.point(centre),
+                    turned,
+                    Math.atan2(back.x, back.z),
+                    pitchRadians,
+                    heightMetres,
+                    step,
+                    stride,
+                    travelRadians,
+                    airborne,
+                    carrying);
+        }
+
+        /** Turns what stands upright by the shortest way. */
+        public static Quaterniond leaning(Vec3 up) {
+            return Rotations.renormalised(new Quaterniond().rotationTo(0, 1, 0, up.x(), up.y(), up.z()));
+        }
+    }
 }

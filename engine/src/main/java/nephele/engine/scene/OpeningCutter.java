@@ -16,8 +16,8 @@ final class OpeningCutter {
     private OpeningCutter() {}
 
     /**
-     * Fills {@code opening} with what of the aperture lies before the view's plane and in its picture, empty when it is
-     * seen from behind or not at all.
+     * Fills {@code opening} with what of the aperture lies before the view's plane, nearer than its far plane and in its
+     * picture, empty when it is seen from behind or not at all.
      */
     static void cut(View view, Portal portal, double openness, PicturePolygon opening) {
         opening.clear();
@@ -57,6 +57,9 @@ final class OpeningCutter {
                 return;
             }
             keepBefore(view, view.clip(), opening);
+        }
+        if (projection.farMetres() < Double.POSITIVE_INFINITY) {
+            opening.keepNearer(projection.farMetres());
         }
         opening.keepInPicture(BEYOND_PICTURE);
     }

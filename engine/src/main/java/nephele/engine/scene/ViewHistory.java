@@ -2,6 +2,7 @@ package nephele.engine.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
@@ -77,7 +78,14 @@ public final class ViewHistory {
         }
         Portal then = portalsBefore.portal(portal);
         Portal now = portals.portal(portal);
-        return then == now || then.centre().equals(now.centre()) && then.frame().equals(now.frame());
+        return then == now
+                || then.centre().equals(now.centre())
+                        && then.frame().equals(now.frame())
+                        && isSame(then.aperture(), now.aperture());
+    }
+
+    private static boolean isSame(Aperture a, Aperture b) {
+        return a.shape() == b.shape() && a.widthMetres() == b.widthMetres() && a.heightMetres() == b.heightMetres();
     }
 
     private static double squareDistance(View a, View b) {

@@ -85,12 +85,7 @@ public final class ViewTree {
         for (int i = 1; i < waiting.size(); i++) {
             best = waiting.get(i).area() > waiting.get(best).area() ? i : best;
         }
-        ViewNode largest = waiting.get(best);
-        ViewNode last = waiting.remove(waiting.size() - 1);
-        if (last != largest) {
-            waiting.set(best, last);
-        }
-        return largest;
+        return waiting.remove(best);
     }
 
     private ViewNode next() {

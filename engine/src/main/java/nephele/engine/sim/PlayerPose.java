@@ -101,13 +101,9 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
     private static Basis brought(Basis view, CrossingWord crossed, Portals portals) {
         Basis moved = view;
         for (int i = 0; i < crossed.length(); i++) {
-            moved = turned(moved, portals.passage(crossed.entry(i)));
+            moved = portals.passage(crossed.entry(i)).basis(moved);
         }
         return moved;
-    }
-
-    private static Basis turned(Basis view, Passage by) {
-        return new Basis(by.direction(view.right()), by.direction(view.up()), by.direction(view.back()));
     }
 
     /** How many of the tick's last crossings still lie ahead of a place on its way. */
@@ -131,7 +127,7 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
             Body was = there.body;
             Body body = new Body(
                     by.point(was.centre), by.point(was.eye), by.direction(was.up), was.yawRadians, was.pitchRadians);
-            there = new PlayerPose(body.eye, turned(there.view, by), body, later);
+            there = new PlayerPose(body.eye, by.basis(there.view), body, later);
         }
         return there;
     }
@@ -142,7 +138,7 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         toEye.walk(body.centre.toVector(), body.eye.toVector().sub(body.centre.toVector()));
         Basis seen = view;
         for (int i = 0; i < toEye.crossings(); i++) {
-            seen = turned(seen, portals.passage(toEye.entered(i)));
+            seen = portals.passage(toEye.entered(i)).basis(seen);
         }
         return toEye.crossings() == 0 ? this : new PlayerPose(Vec3.of(toEye.place()), seen, body, later);
     }

@@ -112,6 +112,22 @@ class ThingPlacesTest {
                 placed(new Vector3d(0, 0, 0.1), new Quaterniond(), BOX, closed).copies());
     }
 
+    /** There is room for two own planes: a third portal of the corner neither cuts nor shows an image. */
+    @Test
+    void inACornerOfThreePortalsNothingIsThereTwice() {
+        List<Portal> all = new ArrayList<>();
+        List<Integer> partners = new ArrayList<>();
+        List<Vec3> axes = List.of(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));
+        for (int i = 0; i < 3; i++) {
+            all.add(portal(Vec3.ZERO, axes.get(i)));
+            all.add(portal(new Vec3(50 + 50 * i, 0, 0), new Vec3(0, 0, 1)));
+            partners.addAll(List.of(2 * i + 1, 2 * i));
+        }
+        ThingPlaces places = placed(new Vector3d(0.1, 0.1, 0.1), new Quaterniond(), BOX, new Portals(all, partners));
+        assertEquals(2, places.planes(ThingPlaces.slot(0, 0)));
+        assertEquals(3, places.copies(), "the host and an image for each cut");
+    }
+
     /** A rod between facing portals that are nearer than it is long goes on through both, and never for ever. */
     @Test
     void aRodBetweenFacingPortalsIsCutIntoSlices() {

@@ -13,10 +13,6 @@ record Gaze(Vec3 eye, Basis view) {
 
     /** As it would go on through a window. */
     Gaze through(Passage passage) {
-        return new Gaze(passage.point(eye), turned(passage, view));
-    }
-
-    static Basis turned(Passage passage, Basis view) {
-        return new Basis(passage.direction(view.right()), passage.direction(view.up()), passage.direction(view.back()));
+        return new Gaze(passage.point(eye), passage.basis(view));
     }
 }

@@ -31,7 +31,7 @@ final class SourceTeleport {
 
     /** The same move, but the view keeps its angles to the portal: the least repair. */
     static Gaze keepingView(Passage passage, Portal exit, Gaze before) {
-        return new Gaze(exit.world(0, 0, NEAR_METRES), Gaze.turned(passage, before.view()));
+        return new Gaze(exit.world(0, 0, NEAR_METRES), passage.basis(before.view()));
     }
 
     private static Basis ahead(Portal exit) {

@@ -1,5 +1,6 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.math.Frustum;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Moment;
 import nephele.engine.scene.View;
@@ -15,6 +16,7 @@ public final class FrameContext {
     private RenderTarget picture;
     private VisibleSet visible;
     private ViewNode node;
+    private Frustum limits;
 
     /** @param nested draws what is seen through portals; {@code null} in a level where portals cannot be */
     public FrameContext(NestedViews nested) {
@@ -33,8 +35,13 @@ public final class FrameContext {
         surface = newSurface;
     }
 
-    /** Looks from somewhere. */
-    public void see(View newView, ViewNode newNode, VisibleSet newVisible) {
+    /**
+     * Looks from somewhere.
+     *
+     * @param newLimits beyond which nothing that moves is drawn; {@code null} for the sides of the view's picture
+     */
+    public void see(View newView, ViewNode newNode, VisibleSet newVisible, Frustum newLimits) {
+        limits = newLimits;
         view = newView;
         node = newNode;
         visible = newVisible;
@@ -64,6 +71,11 @@ public final class FrameContext {
     /** Solids that the view may see; {@code null} in a scene without solids. */
     public VisibleSet visible() {
         return visible;
+    }
+
+    /** What of things that move the view may see; {@code null} for all in the view's picture. */
+    public Frustum limits() {
+        return limits;
     }
 
     /** Where the view stands among the views of the frame; {@code null} in a level where portals cannot be. */

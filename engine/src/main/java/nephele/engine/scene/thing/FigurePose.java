@@ -1,8 +1,6 @@
 package nephele.engine.scene.thing;
 
 import nephele.engine.math.Basis;
-import nephele.engine.math.Rotations;
-import nephele.engine.math.Vec3;
 import nephele.engine.scene.Moment.Posture;
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
@@ -118,9 +116,7 @@ final class FigurePose {
                 ahead.back().x(),
                 ahead.back().y(),
                 ahead.back().z());
-        Vec3 up = p.up();
-        Quaterniond upright = new Quaterniond().rotationTo(0, 1, 0, up.x(), up.y(), up.z());
-        worldFromFigure.rotateLocal(Rotations.renormalised(upright));
+        worldFromFigure.rotateLocal(Posture.leaning(p.up()));
         sole.set(p.centre().x(), p.centre().y(), p.centre().z());
         sole.fma(-p.heightMetres() / 2, worldFromFigure.getColumn(1, along));
     }

@@ -20,7 +20,7 @@ final class ThingPlaces {
 
     static final int MOST_PARTS = 24;
 
-    /** Own planes of one part: as many clip distances as the shader has for them. */
+    /** Own planes of one part: as many clip distances as the shader has for them. One more portal is not reached through. */
     static final int MOST_PLANES = 2;
 
     /** Touching is not reaching through. */
@@ -90,7 +90,7 @@ final class ThingPlaces {
         int image = -1;
         for (int part = 0; part < parts; part++) {
             int slot = copy * MOST_PARTS + part;
-            if (!shown[slot] || !reaches(slot, entry, shapes[part])) {
+            if (!shown[slot] || planes[slot] == MOST_PLANES || !reaches(slot, entry, shapes[part])) {
                 continue;
             }
             if (image < 0) {
@@ -138,13 +138,11 @@ final class ThingPlaces {
     }
 
     private void cut(int slot, Portal portal) {
-        if (planes[slot] < MOST_PLANES) {
-            int i = slot * STRIDE + PLANES + 4 * planes[slot]++;
-            at[i] = portal.normal().x();
-            at[i + 1] = portal.normal().y();
-            at[i + 2] = portal.normal().z();
-            at[i + 3] = portal.inFront(centre.x, centre.y, centre.z);
-        }
+        int i = slot * STRIDE + PLANES + 4 * planes[slot]++;
+        at[i] = portal.normal().x();
+        at[i + 1] = portal.normal().y();
+        at[i + 2] = portal.normal().z();
+        at[i + 3] = portal.inFront(centre.x, centre.y, centre.z);
     }
 
     private void pass(int slot, Passage passage, Portal exit) {

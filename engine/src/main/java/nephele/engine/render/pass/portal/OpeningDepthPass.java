@@ -7,6 +7,7 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -19,8 +20,9 @@ import nephele.engine.scene.ViewNode;
 
 /** Lays down the depth of openings before anything else: the wall that they lie in is not drawn, nor what it hides. */
 public final class OpeningDepthPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("portal.depth", level -> PortalNeeds.of(level, OpeningDepthPass::new));
+    public static final RenderFeature FEATURE = new RenderFeature(
+            "portal.depth",
+            level -> PortalNeeds.of(level, "where openings hide what is behind", OpeningDepthPass::new));
 
     private final GlContext gl;
     private GlProgram<Object> program;

@@ -11,6 +11,7 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState;
@@ -31,7 +32,7 @@ import nephele.engine.scene.ViewNode;
  */
 public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE =
-            new RenderFeature("portal", level -> PortalNeeds.of(level, PortalPass::new));
+            new RenderFeature("portal", level -> PortalNeeds.of(level, "openings to see through", PortalPass::new));
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
 

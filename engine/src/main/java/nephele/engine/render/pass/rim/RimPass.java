@@ -9,6 +9,7 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Target;
@@ -22,8 +23,8 @@ import nephele.engine.scene.Moment;
 import nephele.engine.scene.ViewNode;
 
 /**
- * Rims around portals, in every view and before the openings are filled: what of a rim lies before an opening stays. A
- * portal that leads nowhere, and one beyond the frame's views that nothing fills, gets a membrane over its wall.
+ * Rims around portals, in every view and before the openings are filled: a ring that stands before a neighbour's opening
+ * stays, its glow, which writes no depth, never lies over one. A portal that leads nowhere, and one beyond the frame's views that nothing fills, gets a membrane over its wall.
  */
 public final class RimPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("portal.rim", RimPass::requiredBy);
@@ -38,12 +39,7 @@ public final class RimPass implements Pass {
     }
 
     private static List<Required> requiredBy(Level level) {
-        if (!level.portals().isEmpty()) {
-            return List.of(new Required("portals: their rims", RimPass::new));
-        }
-        return level.portalGun() == null
-                ? List.of()
-                : List.of(new Required("portalGun: rims of what it opens", RimPass::new));
+        return PortalNeeds.of(level, "rims of openings", RimPass::new);
     }
 
     @Override

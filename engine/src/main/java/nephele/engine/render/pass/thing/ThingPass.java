@@ -119,8 +119,8 @@ public final class ThingPass implements Pass {
     }
 
     private void see(FrameContext frame) {
-        if (frame.node() != null && frame.node().parent() != null) {
-            visible.find(frame.view(), frame.node().frustum(), frame.surface().height());
+        if (frame.limits() != null) {
+            visible.find(frame.view(), frame.limits(), frame.surface().height());
         } else {
             visible.find(frame.view(), frame.surface().height());
         }
