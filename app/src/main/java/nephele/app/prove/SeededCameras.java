@@ -17,10 +17,11 @@ import nephele.engine.reference.SurfaceSight;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
+import org.joml.Vector3d;
 
 /**
  * Views of a level by number: three of five from somewhere that one can walk to, one from within millimetres of a portal
- * (where there is none, from anywhere), one along a wall. A value of the level and the number.
+ * (where there is none, from anywhere), one along a wall; none of them with the near plane in a solid, but at portals. A value of the level and the number.
  */
 final class SeededCameras {
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -71,6 +72,14 @@ final class SeededCameras {
     }
 
     private View anywhere(SplittableRandom random, double fov) {
+        View view = fromPlace(random, fov);
+        for (int i = 0; i < TRIES && !isWhole(view); i++) {
+            view = fromPlace(random, fov);
+        }
+        return view;
+    }
+
+    private View fromPlace(SplittableRandom random, double fov) {
         Vec3 eye = place(random);
         if (random.nextBoolean() && !open.isEmpty()) {
             Portal portal = somePortal(random);
@@ -103,7 +112,10 @@ final class SeededCameras {
             Vec3 d = direction(random, 1);
             double out = 0.1 * (2 * random.nextDouble() - 1) - Directions.dot(d, n);
             if (!isInside(eye) && isSeen(eye, random)) {
-                return view(eye, unit(d.x() + out * n.x(), d.y() + out * n.y(), d.z() + out * n.z()), fov);
+                View view = view(eye, unit(d.x() + out * n.x(), d.y() + out * n.y(), d.z() + out * n.z()), fov);
+                if (isWhole(view)) {
+                    return view;
+                }
             }
         }
         return anywhere(random, fov);
@@ -142,6 +154,22 @@ final class SeededCameras {
             place = isInside(next) ? place : next;
         }
         return place;
+    }
+
+    /** No player's eye comes so near to a solid that the near plane lays open what is in it. */
+    private boolean isWhole(View view) {
+        double width = NEAR_METRES * view.projection().tanHalfWidth();
+        double height = NEAR_METRES * view.projection().tanHalfHeight();
+        for (int i = 0; i < 25; i++) {
+            double x = width * (i % 5 - 2) / 2;
+            double y = height * (i / 5 - 2) / 2;
+            Vector3d p = view.eye().toVector().fma(-NEAR_METRES, view.back().toVector());
+            p.fma(x, view.right().toVector()).fma(y, view.up().toVector());
+            if (isInside(Vec3.of(p))) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private boolean isInside(Vec3 p) {

@@ -71,8 +71,13 @@ public record LightMapChart(
         return Math.max(2, (int) Math.min(Math.ceil(metres / texelMetres - 1e-6) + 1, MAX_SIDE_TEXELS));
     }
 
-    /** Position of a texel's centre in the plane, 0–1 over the chart. */
-    Vector3d pointAt(int column, int row) {
+    /** The point of the fragment nearest to a place between texel centres, clear of the border. */
+    Vector3d inside(double column, double row) {
+        return clampedIntoOutline(pointAt(column, row), insetMetres());
+    }
+
+    /** Position of a texel's centre in the plane. */
+    private Vector3d pointAt(double column, double row) {
         double s = minAcross + widthMetres * column / (columns - 1);
         double t = minUp + heightMetres * row / (rows - 1);
         Vec3 corner = outline.get(0);
@@ -92,7 +97,7 @@ public record LightMapChart(
     }
 
     /** Nearest point of the fragment, drawn in by {@code inset} from its border. */
-    Vector3d clampedIntoOutline(Vector3d p, double inset) {
+    private Vector3d clampedIntoOutline(Vector3d p, double inset) {
         Vector3d q = new Vector3d(p);
         // Two rounds settle the corner between two edges; sharper corners may keep a fraction of the inset.
         for (int round = 0; round < 4; round++) {

@@ -15,6 +15,18 @@ public final class SkyVisibilityBake {
     /** Rays start this far above their face: under the thickness of anything, over the rounding of the cut. */
     private static final double LIFT_METRES = 1e-3;
 
+    /** Of the rays that leave a texel's centre, one of so many leaves each place around it. */
+    private static final int STRIDE = 8;
+
+    /** How much brighter or darker it must be close by before a texel is a mean; all of a mean at twice that. */
+    private static final double LEAST_RELIEF = 0.03;
+
+    /** Close by, in texels along each side. */
+    private static final double[] NEAR_TEXELS = {-0.24, -0.1, 0.1, 0.24};
+
+    /** Middles of six parts of equal weight under a texel's tent. */
+    private static final double[] AROUND_TEXELS = tent(6);
+
     private final LightMapLayout layout;
     private final Occluders solids;
     private final double[] spiral = spiral();
@@ -22,6 +34,15 @@ public final class SkyVisibilityBake {
     private SkyVisibilityBake(LightMapLayout layout, List<Brush> brushes) {
         this.layout = layout;
         this.solids = new Occluders(brushes);
+    }
+
+    private static double[] tent(int parts) {
+        double[] middles = new double[parts];
+        for (int i = 0; i < parts; i++) {
+            double u = (i + 0.5) / parts;
+            middles[i] = u < 0.5 ? Math.sqrt(2 * u) - 1 : 1 - Math.sqrt(2 * (1 - u));
+        }
+        return middles;
     }
 
     public static short[] texels(LightMapLayout layout, List<Brush> brushes, DoubleConsumer progress) {
@@ -41,8 +62,7 @@ public final class SkyVisibilityBake {
         double[] visible = new double[chart.columns() * chart.rows()];
         for (int row = 0; row < chart.rows(); row++) {
             for (int column = 0; column < chart.columns(); column++) {
-                Vector3d p = chart.clampedIntoOutline(chart.pointAt(column, row), chart.insetMetres());
-                visible[row * chart.columns() + column] = visibility(chart, p, layout.brushOf()[index]);
+                visible[row * chart.columns() + column] = texel(chart, column, row, layout.brushOf()[index]);
             }
         }
         Dilation.fill(visible, chart.columns());
@@ -54,8 +74,46 @@ public final class SkyVisibilityBake {
         }
     }
 
-    /** NaN inside a solid. */
-    private double visibility(LightMapChart chart, Vector3d p, int brush) {
+    /**
+     * What is seen at the texel's centre, where that is how it is around. Beside a low kerb it is not: there it is the mean
+     * over what the texel is interpolated to, weighted like it, so that a face is as bright as its places are together.
+     * NaN inside a solid.
+     */
+    private double texel(LightMapChart chart, int column, int row, int brush) {
+        double here = visibility(chart, chart.inside(column, row), brush, 0, 1);
+        if (Double.isNaN(here)) {
+            return here;
+        }
+        double near = mean(chart, column, row, brush, NEAR_TEXELS);
+        double relief = (Math.abs(near - here) - LEAST_RELIEF) / LEAST_RELIEF;
+        if (Double.isNaN(relief) || relief <= 0) {
+            return here;
+        }
+        double around = mean(chart, column, row, brush, AROUND_TEXELS);
+        return here + Math.min(relief, 1) * (around - here);
+    }
+
+    /** NaN where all of the places are inside a solid. */
+    private double mean(LightMapChart chart, int column, int row, int brush, double[] offsets) {
+        double sum = 0;
+        double weights = 0;
+        int count = offsets.length * offsets.length;
+        for (int i = 0; i < count; i++) {
+            double x = column + offsets[i % offsets.length];
+            double y = row + offsets[i / offsets.length];
+            if (x > 0 && x < chart.columns() - 1 && y > 0 && y < chart.rows() - 1) {
+                double seen = visibility(chart, chart.inside(x, y), brush, i, STRIDE);
+                sum += Double.isNaN(seen) ? 0 : seen;
+                weights += Double.isNaN(seen) ? 0 : 1;
+            }
+        }
+        return sum / weights;
+    }
+
+    /**
+     * Cast are every {@code stride}-th ray from {@code first} on. NaN inside a solid.
+     */
+    private double visibility(LightMapChart chart, Vector3d p, int brush, int first, int stride) {
         p.fma(LIFT_METRES, chart.normal());
         double[] origin = {p.x, p.y, p.z};
         if (solids.isInside(origin, brush)) {
@@ -66,13 +124,13 @@ public final class SkyVisibilityBake {
         Vector3d t = chart.up();
         Vector3d n = chart.normal();
         int free = 0;
-        for (int i = 0; i < spiral.length; i += 3) {
+        for (int i = 3 * (first % stride); i < spiral.length; i += 3 * stride) {
             direction[0] = spiral[i] * s.x + spiral[i + 1] * t.x + spiral[i + 2] * n.x;
             direction[1] = spiral[i] * s.y + spiral[i + 1] * t.y + spiral[i + 2] * n.y;
             direction[2] = spiral[i] * s.z + spiral[i + 1] * t.z + spiral[i + 2] * n.z;
             free += solids.isOccluded(origin, direction, brush) ? 0 : 1;
         }
-        return (double) free / RAYS;
+        return (double) stride * free / RAYS;
     }
 
     /**

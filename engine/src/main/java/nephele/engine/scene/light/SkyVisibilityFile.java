@@ -23,7 +23,7 @@ import nephele.engine.math.Plane;
 /** A baked sky visibility as bytes, and the name that its geometry gives it. */
 public final class SkyVisibilityFile {
     /** Part of every name: raise it whenever the same solids would bake to other texels. */
-    private static final int VERSION = 2;
+    private static final int VERSION = 3;
 
     private static final byte[] MAGIC = "NSKYVIS2".getBytes(StandardCharsets.US_ASCII);
 
