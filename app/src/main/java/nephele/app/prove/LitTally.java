@@ -17,6 +17,8 @@ final class LitTally {
     private double worstLevelBias;
     private double worstPictureFlip;
     private double flipOfAll;
+    private double onceOfAll;
+    private double worstLevelOnce;
 
     /** The pictures of one level by one technique. */
     final class OfLevel {
@@ -27,6 +29,7 @@ final class LitTally {
         private String worst = "";
         private double drawn;
         private double traced;
+        private double once;
 
         private OfLevel(String what) {
             this.what = what;
@@ -44,6 +47,11 @@ final class LitTally {
             traced += sum(reference);
         }
 
+        /** What the same picture as a player gets it, drawn once a pixel, is off: reported, not judged. */
+        void once(LinearPicture reference, LinearPicture test) {
+            once += HdrFlip.of(reference, test).mean();
+        }
+
         /** Where nothing shines both are dark. */
         private double bias() {
             return traced == 0 ? drawn : drawn / traced - 1;
@@ -52,6 +60,8 @@ final class LitTally {
         void end() {
             pictures += count;
             flipOfAll += flip;
+            onceOfAll += once;
+            worstLevelOnce = Math.max(worstLevelOnce, once / count);
             worstPictureFlip = Math.max(worstPictureFlip, worstFlip);
             worstLevelFlip = Math.max(worstLevelFlip, flip / count);
             worstLevelBias = Math.max(worstLevelBias, Math.abs(bias()));
@@ -87,6 +97,8 @@ final class LitTally {
                 List.of(
                         Figure.sum("pictures", pictures, ""),
                         Figure.sum("sum of their mean FLIP", flipOfAll, ""),
+                        Figure.sum("sum of their mean FLIP drawn once a pixel", onceOfAll, ""),
+                        Figure.greatest("greatest mean FLIP of a level drawn once a pixel", worstLevelOnce, ""),
                         Figure.greatest("greatest mean FLIP of a picture", worstPictureFlip, ""),
                         Figure.greatest("greatest mean FLIP of a level", worstLevelFlip, ""),
                         Figure.greatest("greatest bias of a level", 100 * worstLevelBias, "%")),

@@ -8,6 +8,7 @@ import nephele.app.draw.Viewpoints;
 import nephele.app.prove.ShadowScene.Shadows;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
+import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
@@ -44,8 +45,8 @@ public final class ShadowEdgesProof implements Proof {
 
     @Override
     public String claim() {
-        return "Among walls of 10 cm, sun and lamps light a pixel that is not beside an edge as a ray says, except"
-                + " within one texel of a shadow's edge.";
+        return "Among walls of 10 cm, sun, lamps and spots light a pixel that is not beside an edge as a ray says,"
+                + " except within one texel of a shadow's edge, and no pixel of a closed room, joints included.";
     }
 
     @Override
@@ -70,6 +71,8 @@ public final class ShadowEdgesProof implements Proof {
                 var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, WIDTH, HEIGHT)) {
             for (long unit = from; unit < from + count; unit++) {
                 compare(unit, gl, picture, tally);
+                int lit = litPixels(unit, 0, gl, picture);
+                tally.takeDark(lit, unit);
                 progress.unitsDone(unit + 1 - from);
             }
         }
@@ -80,8 +83,8 @@ public final class ShadowEdgesProof implements Proof {
         var scene = new ShadowScene(unit / 5).fitted(Quality.HIGH);
         Vec3[] camera = scene.camera((int) (unit % 5));
         View view = Viewpoints.between(camera[0], camera[1], FOV_DEGREES, (double) WIDTH / HEIGHT);
-        float[] shaded = radiance(scene, Shadows.CAST, view, gl, picture);
-        float[] open = radiance(scene, Shadows.LEFT_OUT, view, gl, picture);
+        float[] shaded = radiance(scene.level(Shadows.CAST), view, gl, picture);
+        float[] open = radiance(scene.level(Shadows.LEFT_OUT), view, gl, picture);
         var assets = new ResourceAssets(LevelAssets.JAR_LEVELS);
         var traced = TracedLevel.of(scene.level(Shadows.CAST), assets, Decoding.SRGB);
         var sights = new SightPicture(traced, view, WIDTH, HEIGHT);
@@ -97,10 +100,23 @@ public final class ShadowEdgesProof implements Proof {
         }
     }
 
-    private static float[] radiance(ShadowScene scene, Shadows shadows, View view, GlContext gl, RenderTarget picture) {
+    /** Pixels that any light reaches, seen from within a room that is closed but for a gap under its ceiling. */
+    static int litPixels(long unit, double gapMetres, GlContext gl, RenderTarget picture) {
+        var room = new DarkRoom(unit / 5, gapMetres);
+        Vec3[] camera = room.camera((int) (unit % 5));
+        View view = Viewpoints.between(camera[0], camera[1], FOV_DEGREES, (double) WIDTH / HEIGHT);
+        float[] radiance = radiance(room.level(), view, gl, picture);
+        int lit = 0;
+        for (int i = 0; i < radiance.length; i += 3) {
+            lit += radiance[i] > 0 ? 1 : 0;
+        }
+        return lit;
+    }
+
+    private static float[] radiance(Level level, View view, GlContext gl, RenderTarget picture) {
         var settings = RenderSettings.of(Output.HDR, Quality.HIGH.withSamples(1));
         var assets = new ResourceAssets(LevelAssets.JAR_LEVELS);
-        try (var renderer = Renderer.load(gl, scene.level(shadows), assets, settings)) {
+        try (var renderer = Renderer.load(gl, level, assets, settings)) {
             renderer.draw(view, picture);
             gl.requireNoError("shadows");
             return renderer.readRadiance();
@@ -137,6 +153,14 @@ public final class ShadowEdgesProof implements Proof {
         private long pixels;
         private long nearEdge;
         private long off;
+        private long leaks;
+
+        void takeDark(int lit, long unit) {
+            leaks += lit;
+            if (lit > 0) {
+                failures.add("closed room " + unit + ": " + lit + " pixels are lit");
+            }
+        }
 
         void take(double texels, String where) {
             pixels++;
@@ -154,7 +178,8 @@ public final class ShadowEdgesProof implements Proof {
                     List.of(
                             Figure.sum("pixels", pixels, ""),
                             Figure.sum("pixels that differ within a texel of an edge", nearEdge, ""),
-                            Figure.sum("pixels that differ farther off", off, "")),
+                            Figure.sum("pixels that differ farther off", off, ""),
+                            Figure.sum("lit pixels of closed rooms", leaks, "")),
                     failures);
         }
     }

@@ -13,6 +13,7 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.Sun;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.ToneCurve;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.light.LampShadows;
@@ -21,15 +22,20 @@ import nephele.engine.scene.light.ShadowFrame;
 
 /**
  * White walls of 10 cm that meet in joints, on a floor and partly under a roof, with posts and a board; lit by a sun of
- * any height, grazing a wall now and then, or by a lamp. By number.
+ * any height, grazing a wall now and then, by a lamp or by a spot. By number.
  */
 final class ShadowScene {
     private static final double THICK = 0.1;
+    private static final double OUTER_DEGREES = 40;
     private static final Vec3 ONE = new Vec3(1, 1, 1);
+    private static final Vec3 FIVE = new Vec3(5, 5, 5);
 
     private final List<Solid> solids = new ArrayList<>();
     private final Vec3 towardsSun;
     private final Vec3 lamp;
+    /** Of a spot's cone; {@code null} where the lamp shines all around. */
+    private final Vec3 axis;
+
     private final double half;
 
     ShadowScene(long number) {
@@ -52,6 +58,7 @@ final class ShadowScene {
         lamp = isSunny
                 ? null
                 : new Vec3(half * (random.nextDouble() - 0.3), 0.5 + random.nextDouble(), half * random.nextDouble());
+        axis = isSunny || random.nextBoolean() ? null : new Vec3(-half - lamp.x(), -lamp.y(), -half / 2 - lamp.z());
     }
 
     private void box(double x, double y, double z, double width, double height, double depth) {
@@ -73,8 +80,7 @@ final class ShadowScene {
     Level level(Shadows shadows) {
         boolean casts = shadows == Shadows.CAST;
         Sun sun = towardsSun == null ? null : new Sun(towardsSun, ONE, casts);
-        List<Light> lights =
-                lamp == null ? List.of() : List.of(new Light.Point("lamp", lamp, new Vec3(5, 5, 5), 30, casts));
+        List<Light> lights = lamp == null ? List.of() : List.of(light(casts));
         var environment = new Environment(sun, null, Vec3.ZERO, 0, ToneCurve.CLIP, null, List.of());
         var white = new Material("white", ONE, null, null, null, null, Vec3.ZERO, 1);
         return new Level(
@@ -90,6 +96,12 @@ final class ShadowScene {
                 List.of(),
                 List.of(),
                 null);
+    }
+
+    private Light light(boolean casts) {
+        return axis == null
+                ? new Light.Point("lamp", lamp, FIVE, 30, casts)
+                : new Light.Spot("lamp", lamp, axis, FIVE, 30, OUTER_DEGREES - 5, OUTER_DEGREES, casts);
     }
 
     /** The way from a place to the light, of unit length to the sun. */
@@ -108,6 +120,11 @@ final class ShadowScene {
 
     /** Side of the texel of the depth map that a place falls into. */
     double texelMetres(Vec3 place) {
+        if (axis != null) {
+            Vec3 way = wayToLight(place);
+            double depth = -Directions.dot(way, Directions.unit(axis.x(), axis.y(), axis.z()));
+            return 2 * depth * Math.tan(Math.toRadians(OUTER_DEGREES)) / LampShadows.LARGEST_SIDE;
+        }
         if (lamp != null) {
             Vec3 way = wayToLight(place);
             double depth = Math.max(Math.abs(way.x()), Math.max(Math.abs(way.y()), Math.abs(way.z())));

@@ -26,6 +26,24 @@ public record LinearPicture(int width, int height, float[] rgb) {
         return width * height;
     }
 
+    /** Means of blocks of {@code factor} by {@code factor} pixels; the sides must be multiples of it. */
+    public LinearPicture reduced(int factor) {
+        if (factor < 1 || width % factor != 0 || height % factor != 0) {
+            throw new IllegalArgumentException(width + "×" + height + " pixels make no whole blocks of " + factor);
+        }
+        int row = width / factor * 3;
+        double[] sums = new double[row * (height / factor)];
+        for (int i = 0; i < rgb.length; i++) {
+            int column = i / 3 % width / factor;
+            sums[i / 3 / width / factor * row + 3 * column + i % 3] += rgb[i];
+        }
+        float[] means = new float[sums.length];
+        for (int i = 0; i < means.length; i++) {
+            means[i] = (float) (sums[i] / (factor * factor));
+        }
+        return new LinearPicture(width / factor, height / factor, means);
+    }
+
     double luminance(int pixel) {
         return LUMINANCE[0] * rgb[3 * pixel] + LUMINANCE[1] * rgb[3 * pixel + 1] + LUMINANCE[2] * rgb[3 * pixel + 2];
     }

@@ -20,7 +20,7 @@ class SkyVisibilityTest {
 
     @Test
     void openPlaneSeesTheWholeSky() {
-        List<Brush> ground = List.of(box(0, -0.5, 0, 10, 1, 10));
+        SkyVisibility ground = baked(List.of(box(0, -0.5, 0, 10, 1, 10)));
         for (double x = -5; x <= 5; x += 0.5) {
             assertEquals(1, seen(ground, 0, TOP, new Vec3(x, 0, 0.3 * x)), 1e-4, "open plane at x = " + x);
         }
@@ -28,7 +28,7 @@ class SkyVisibilityTest {
 
     @Test
     void footOfALongHighWallSeesHalfOfTheSky() {
-        List<Brush> scene = List.of(box(0, -0.5, 0, 8, 1, 8), box(-2, 500, 0, 1, 1000, 2000));
+        List<Brush> scene = List.of(box(0, -0.5, 0, 8, 1, 8), box(-2, 8, 0, 1, 16, 16));
         assertEquals(0.5, seen(scene, 0, TOP, new Vec3(-1.5, 0, 0)), TOLERANCE, "at the foot of the wall");
     }
 
@@ -36,7 +36,7 @@ class SkyVisibilityTest {
     @Test
     void longWallHidesAsMuchAsItsFormFactor() {
         double h = 3;
-        List<Brush> scene = List.of(box(0, -0.5, 0, 24, 1, 8), box(-10, h / 2, 0, 1, h, 4000));
+        SkyVisibility scene = baked(List.of(box(0, -0.5, 0, 24, 1, 8), box(-10, h / 2, 0, 1, h, 4000)));
         for (double d : new double[] {0.5, 1, 2, 4, 8}) {
             double expected = 1 - (1 - d / Math.sqrt(d * d + h * h)) / 2;
             assertEquals(expected, seen(scene, 0, TOP, new Vec3(-9.5 + d, 0, 0)), TOLERANCE, d + " m from the wall");
@@ -74,6 +74,20 @@ class SkyVisibilityTest {
         assertEquals(1 - 4 * quarter, middle, TOLERANCE, "under the middle of the roof");
     }
 
+    /** Beside a kerb of 3 cm a face is as bright as its places are on average, not as dark as the joint. */
+    @Test
+    void kerbDarkensNoMoreThanItHides() {
+        double h = 0.03;
+        SkyVisibility scene = baked(List.of(box(0, -0.5, 0, 8, 1, 8), box(-2, h / 2, 0, 1, h, 8)));
+        double hidden = 0;
+        for (double d = 0.005; d < 1; d += 0.01) {
+            hidden += 0.01 * (1 - seen(scene, 0, TOP, new Vec3(-1.5 + d, 0, 0.1)));
+        }
+        // The integral of (1 − d/√(d² + h²)) / 2 over the first metre.
+        double expected = (1 + h - Math.sqrt(1 + h * h)) / 2;
+        assertEquals(expected, hidden, 0.006, "metres of sky hidden along the first metre");
+    }
+
     @Test
     void resultDoesNotDependOnThreadsOrRuns() {
         List<Brush> room = room();
@@ -109,7 +123,11 @@ class SkyVisibilityTest {
     }
 
     private static double seen(List<Brush> scene, int brush, int face, Vec3 p) {
-        return seen(SkyVisibility.bake(scene, done -> {}), brush, face, p);
+        return seen(baked(scene), brush, face, p);
+    }
+
+    private static SkyVisibility baked(List<Brush> scene) {
+        return SkyVisibility.bake(scene, done -> {});
     }
 
     private static double seen(SkyVisibility baked, int brush, int face, Vec3 p) {

@@ -14,6 +14,12 @@ public final class FrameUniforms implements AutoCloseable {
     /** Binding point of the block; passes use others. */
     public static final int BINDING = 0;
 
+    /**
+     * A portal is drawn a little before its wall, so it wins pixels whose ground lies as little before it: in the view
+     * beyond that ground is this little behind the exit, and would be missing.
+     */
+    private static final double CLIP_SLACK_METRES = 5e-4;
+
     private static final int FLOATS = 16 + 6 * 4;
 
     private final UniformBuffer buffer;
@@ -46,7 +52,8 @@ public final class FrameUniforms implements AutoCloseable {
         // Mesa's llvmpipe 22.3 may go on cutting by a distance that was just switched off: cut nothing then.
         Plane clip = view.clip();
         put(32, clip == null ? direction.zero() : direction.set(clip.nx(), clip.ny(), clip.nz()));
-        values[35] = clip == null ? 1 : (float) clip.signedDistance(view.eyeX(), view.eyeY(), view.eyeZ());
+        double inFront = clip == null ? 1 : clip.signedDistance(view.eyeX(), view.eyeY(), view.eyeZ());
+        values[35] = (float) (inFront + CLIP_SLACK_METRES);
     }
 
     private void put(int at, Vector3d v) {

@@ -15,14 +15,11 @@ public final class SkyVisibilityBake {
     /** Rays start this far above their face: under the thickness of anything, over the rounding of the cut. */
     private static final double LIFT_METRES = 1e-3;
 
-    /** Of the rays that leave a texel's centre, one of so many leaves each place around it. */
-    private static final int STRIDE = 8;
-
     /** How much brighter or darker it must be close by before a texel is a mean; all of a mean at twice that. */
     private static final double LEAST_RELIEF = 0.03;
 
     /** Close by, in texels along each side. */
-    private static final double[] NEAR_TEXELS = {-0.24, -0.1, 0.1, 0.24};
+    private static final double[] NEAR_TEXELS = {-0.18, 0.18};
 
     /** Middles of six parts of equal weight under a texel's tent. */
     private static final double[] AROUND_TEXELS = tent(6);
@@ -98,11 +95,13 @@ public final class SkyVisibilityBake {
         double sum = 0;
         double weights = 0;
         int count = offsets.length * offsets.length;
+        // Each place casts a share of the rays only: together they are more than leave the centre.
+        int stride = count < 16 ? 4 : 16;
         for (int i = 0; i < count; i++) {
             double x = column + offsets[i % offsets.length];
             double y = row + offsets[i / offsets.length];
             if (x > 0 && x < chart.columns() - 1 && y > 0 && y < chart.rows() - 1) {
-                double seen = visibility(chart, chart.inside(x, y), brush, i, STRIDE);
+                double seen = visibility(chart, chart.inside(x, y), brush, i, stride);
                 sum += Double.isNaN(seen) ? 0 : seen;
                 weights += Double.isNaN(seen) ? 0 : 1;
             }
