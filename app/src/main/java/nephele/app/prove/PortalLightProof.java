@@ -55,9 +55,9 @@ public final class PortalLightProof implements Proof {
 
     @Override
     public String claim() {
-        return "Lit, each level's pictures, drawn at quality ultra at twice the size and averaged, have a mean"
-            + " HDR-FLIP of at most 0.05 and a bias of at most 1 % against 64 traced samples a pixel, by either portal"
-            + " technique.";
+        return "Lit, each level's pictures, drawn at quality ultra without anisotropy at twice the size and averaged,"
+            + " have a mean HDR-FLIP of at most 0.05 and a bias of at most 1 % against 64 traced samples a pixel, by"
+            + " either portal technique.";
     }
 
     @Override
@@ -149,7 +149,9 @@ public final class PortalLightProof implements Proof {
     }
 
     private static RenderSettings settings(PortalTechnique technique) {
+        // llvmpipe 22.3 takes ten seconds for an anisotropic picture in which a footprint degenerates.
         Quality quality = Quality.ULTRA
+                .withAnisotropy(1)
                 .withPortalTechnique(technique)
                 .withViewBudget(PortalIdsProof.UNLIMITED)
                 .withPortalResolution(1);
