@@ -41,12 +41,12 @@ class PortalsReplayTest {
         play();
         assertEquals(
                 List.of(
-                        "600 42f608e032068d96",
-                        "1200 9ad2715fb4346d79",
-                        "1800 eda3086fbf0afc71",
-                        "2400 804e7907b65e58f3",
-                        "3000 53eb0f46ebbc0a7f",
-                        "3434 e672169f9335147c"),
+                        "600 4b6a75f6a51459da",
+                        "1200 077b9e851df5b19e",
+                        "1800 19ae46e5aaf0c3a8",
+                        "2400 eddf920b81827d56",
+                        "3000 a4ce0e5436201f36",
+                        "3434 ff62086ba9efc158"),
                 hashes);
     }
 
