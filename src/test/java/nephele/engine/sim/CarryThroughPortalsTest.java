@@ -18,8 +18,7 @@ final class CarryThroughPortalsTest {
     private static final Vec3 LEFT = new Vec3(-1, 0, 0);
     private static final Vec3 RIGHT = new Vec3(1, 0, 0);
     /** From the eye to a held cube of 40 cm. */
-    /** Ahead of the eye, and 0.3 times that below it. */
-    private static final double HELD_METRES = (0.3 + 0.35 + 0.2 * Math.sqrt(3)) / Math.hypot(1, 0.3);
+    private static final double HELD_METRES = 0.3 + 0.35 + 0.2 * Math.sqrt(3);
 
     /** 0 in the wall ahead leads to 1 in the wall to the right; 2 in the wall to the left leads to 3 in the one behind. */
     private static Lab hall() {

@@ -73,10 +73,7 @@ final class OccupantsTest {
         assertEquals(6, lab.body(1).x(), 1e-3);
     }
 
-    /**
-     * Anything is pressed at any time, for half a minute each, where portals can be nearly everywhere. What is jammed
-     * among others gives way by up to 19 mm for some ticks, as seen in ten seeds.
-     */
+    /** Anything is pressed at any time, for half a minute each, where portals can be nearly everywhere. */
     @Test
     void whateverIsPressedNobodyEndsInASolid() {
         int opened = 0;
@@ -103,7 +100,7 @@ final class OccupantsTest {
                     lab.press(Action.CARRY);
                 }
                 assertTrue(
-                        deepest(lab) < 0.02,
+                        deepest(lab) < 0.01,
                         "seed " + seed + ", tick " + lab.state().tick() + ": " + deepest(lab));
                 assertInside(lab.player().centre(), 0.2);
             }
@@ -113,7 +110,7 @@ final class OccupantsTest {
                     .count();
             assertEquals(0, lab.state().faults());
         }
-        assertTrue(opened > 20 && carried > 15, opened + " portals, " + carried + " times in hands");
+        assertTrue(opened > 30 && carried > 15, opened + " portals, " + carried + " times in hands");
     }
 
     private static void faceNearest(Lab lab) {

@@ -93,7 +93,7 @@ public final class Solutions {
                         now -> now.feet().z() < -3 && now.feet().z() > -8)
                 .walkTo(1.15, -6)
                 .lookAlong(-90, -8)
-                .lookAlong(-90, -39)
+                .lookAlong(-90, -50)
                 .pause(0.5)
                 .press(Action.CARRY)
                 .pause(0.5)

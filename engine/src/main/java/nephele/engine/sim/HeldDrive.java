@@ -14,9 +14,6 @@ final class HeldDrive {
     /** Between the player and the nearest side of what is held. */
     private static final double GAP_METRES = 0.35;
 
-    /** Held below where the player looks, as the tangent of the angle from the horizon: one sees over what one carries. */
-    private static final double LOWER = 0.3;
-
     private static final double RATE_PER_SECOND = 15;
     private static final double FASTEST = 8;
     private static final double STRONGEST_NEWTON = 1500;
@@ -61,7 +58,7 @@ final class HeldDrive {
     private Vector3d place(Holding held, PlayerState player, PortalSpace space) {
         double reach = table.reachMetres(held.body());
         PlayerEye.eye(player, eye);
-        PlayerEye.direction(PlayerEye.view(player), ahead).sub(0, LOWER, 0).normalize();
+        PlayerEye.direction(PlayerEye.view(player), ahead);
         double metres = PlayerBody.RADIUS + GAP_METRES + reach;
         var sight = new Sight(space.portals(), space::free);
         sight.look(player, target.set(eye).fma(metres + reach, ahead));
