@@ -53,7 +53,7 @@ public final class BufferTexture implements AutoCloseable {
     }
 
     public void bind(int unit) {
-        gl.state().texture(unit, GL_TEXTURE_BUFFER, texture.id());
+        gl.bindings().texture(unit, GL_TEXTURE_BUFFER, texture.id());
     }
 
     @Override

@@ -2,9 +2,10 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-import java.util.Arrays;
-
-/** What is bound and switched on; calls OpenGL only for what differs. Also counts what a frame submits. */
+/**
+ * What is switched on, and by its {@link Bindings} what is bound; calls OpenGL only for what differs. Also counts what
+ * a frame submits.
+ */
 public final class DrawState {
     /** Depth test and write, and whether colour is written. */
     public enum Depth {
@@ -72,18 +73,11 @@ public final class DrawState {
         BACK
     }
 
-    static final int TEXTURE_UNITS = 16;
-
     /** The view's plane and a straddling thing's two. */
     static final int MOST_CLIP_DISTANCES = 3;
 
-    private final int[] textures = new int[TEXTURE_UNITS];
-    private int activeUnit;
-    private int program;
-    private int vertexArray;
-    private int framebuffer;
-    private int viewportWidth = -1;
-    private int viewportHeight = -1;
+    private final Bindings bindings = new Bindings();
+    private final Scissor scissor = new Scissor();
     private Depth depth;
     private Blend blend;
     private Cull cull;
@@ -91,10 +85,6 @@ public final class DrawState {
     private Stencil stencil = Stencil.OFF;
     private int stencilReference;
     private DepthOf depthOf = DepthOf.SURFACE;
-    /** Whether the scissor test is on; {@code null} when that is not known. */
-    private Boolean scissored = false;
-
-    private final int[] scissor = new int[4];
     private long draws;
     private long triangles;
     private DrawListener listener;
@@ -163,24 +153,11 @@ public final class DrawState {
 
     /** Nothing outside of these pixels is drawn, cleared or copied to until {@link #noScissor}. */
     public void scissor(int x, int y, int width, int height) {
-        if (scissored != Boolean.TRUE) {
-            glEnable(GL_SCISSOR_TEST);
-            scissored = true;
-        }
-        if (scissor[0] != x || scissor[1] != y || scissor[2] != width || scissor[3] != height) {
-            glScissor(x, y, width, height);
-            scissor[0] = x;
-            scissor[1] = y;
-            scissor[2] = width;
-            scissor[3] = height;
-        }
+        scissor.keepTo(x, y, width, height);
     }
 
     public void noScissor() {
-        if (scissored != Boolean.FALSE) {
-            glDisable(GL_SCISSOR_TEST);
-            scissored = false;
-        }
+        scissor.off();
     }
 
     private void setDepth(Depth newDepth) {
@@ -208,42 +185,8 @@ public final class DrawState {
         }
     }
 
-    void program(int id) {
-        if (program != id) {
-            glUseProgram(id);
-            program = id;
-        }
-    }
-
-    void vertexArray(int id) {
-        if (vertexArray != id) {
-            glBindVertexArray(id);
-            vertexArray = id;
-        }
-    }
-
-    void texture(int unit, int target, int id) {
-        if (textures[unit] != id) {
-            if (activeUnit != unit) {
-                glActiveTexture(GL_TEXTURE0 + unit);
-                activeUnit = unit;
-            }
-            glBindTexture(target, id);
-            textures[unit] = id;
-        }
-    }
-
-    /** Binds for drawing and reading, with the viewport over all of it. */
-    void framebuffer(int id, int width, int height) {
-        if (framebuffer != id) {
-            glBindFramebuffer(GL_FRAMEBUFFER, id);
-            framebuffer = id;
-        }
-        if (viewportWidth != width || viewportHeight != height) {
-            glViewport(0, 0, width, height);
-            viewportWidth = width;
-            viewportHeight = height;
-        }
+    Bindings bindings() {
+        return bindings;
     }
 
     /** A clear obeys the depth mask: call before clearing depth. */
@@ -253,37 +196,16 @@ public final class DrawState {
         }
     }
 
-    /** After deletion OpenGL has unbound the name; a new object may get the same one. */
-    void forget(GlKind kind, int id) {
-        switch (kind) {
-            case PROGRAM -> program = program == id ? 0 : program;
-            case VERTEX_ARRAY -> vertexArray = vertexArray == id ? 0 : vertexArray;
-            case FRAMEBUFFER -> framebuffer = framebuffer == id ? 0 : framebuffer;
-            case TEXTURE -> {
-                for (int unit = 0; unit < TEXTURE_UNITS; unit++) {
-                    textures[unit] = textures[unit] == id ? 0 : textures[unit];
-                }
-            }
-            case BUFFER, RENDERBUFFER, QUERY -> {}
-        }
-    }
-
     /** Call when foreign code (another toolkit, the bare twin) has used the context. */
     public void assumeNothing() {
-        Arrays.fill(textures, -1);
-        activeUnit = -1;
-        program = -1;
-        vertexArray = -1;
-        framebuffer = -1;
-        viewportWidth = -1;
+        bindings.assumeNothing();
+        scissor.assumeNothing();
         depth = null;
         blend = null;
         cull = null;
         clipDistances = -1;
         stencil = null;
         depthOf = null;
-        scissored = null;
-        scissor[2] = -1;
     }
 
     /** {@code null} to stop listening. */

@@ -13,7 +13,7 @@ public final class FullScreenTriangle implements AutoCloseable {
     }
 
     public void draw() {
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         if (gl.state().listener() != null) {
             gl.state().listener().drawnFullScreen();
         }

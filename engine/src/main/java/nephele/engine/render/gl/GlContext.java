@@ -62,6 +62,10 @@ public final class GlContext implements AutoCloseable {
         return state;
     }
 
+    Bindings bindings() {
+        return state.bindings();
+    }
+
     /** Waits until everything submitted is drawn: the end of a timed frame. */
     public void finish() {
         glFinish();

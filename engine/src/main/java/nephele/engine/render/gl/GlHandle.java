@@ -37,7 +37,7 @@ final class GlHandle implements AutoCloseable {
     public void close() {
         delete.accept(id());
         gl.live().closed(kind);
-        gl.state().forget(kind, id);
+        gl.bindings().forget(kind, id);
         id = 0;
     }
 }

@@ -62,7 +62,7 @@ public final class GlProgram<U> implements AutoCloseable {
     }
 
     public void use() {
-        gl.state().program(handle.id());
+        gl.bindings().program(handle.id());
     }
 
     @Override

@@ -21,7 +21,7 @@ public final class GpuMesh implements AutoCloseable {
         vertexArray = new GlHandle(gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
         vertices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
         indices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
         glBufferData(GL_ARRAY_BUFFER, vertexBytes, GL_STATIC_DRAW);
         format.describe();
@@ -31,7 +31,7 @@ public final class GpuMesh implements AutoCloseable {
 
     /** Draws {@code count} indices from the {@code first}. */
     public void draw(int first, int count) {
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         if (gl.state().listener() != null) {
             gl.state().listener().drawn(new int[] {first}, new int[] {count});
         }
@@ -41,7 +41,7 @@ public final class GpuMesh implements AutoCloseable {
 
     /** Draws {@code instances} times {@code count} indices from the {@code first}. */
     public void drawInstanced(int first, int count, int instances) {
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         if (gl.state().listener() != null) {
             gl.state().listener().drawnInstanced(first, count, instances);
         }
@@ -52,7 +52,7 @@ public final class GpuMesh implements AutoCloseable {
     /** Draws every range with one call. */
     public void draw(IndexRanges ranges) {
         if (ranges.size() > 0) {
-            gl.state().vertexArray(vertexArray.id());
+            gl.bindings().vertexArray(vertexArray.id());
             if (gl.state().listener() != null) {
                 gl.state().listener().drawn(ranges.firsts(), ranges.counts());
             }

@@ -18,7 +18,7 @@ public final class PolygonStream implements AutoCloseable {
         this.gl = gl;
         vertexArray = new GlHandle(gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
         vertices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
         format.describe();
     }
@@ -30,7 +30,7 @@ public final class PolygonStream implements AutoCloseable {
             copy = MemoryUtil.memAllocFloat(2 * floats);
         }
         copy.clear().put(values, 0, floats).flip();
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
         glBufferData(GL_ARRAY_BUFFER, copy, GL_STREAM_DRAW);
         if (gl.state().listener() != null) {
@@ -40,7 +40,7 @@ public final class PolygonStream implements AutoCloseable {
 
     /** Draws {@code count} vertices from the {@code first}, three a triangle. */
     public void draw(int first, int count) {
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         if (gl.state().listener() != null) {
             gl.state().listener().drawnUnindexed(first, count);
         }

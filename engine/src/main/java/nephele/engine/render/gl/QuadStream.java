@@ -22,7 +22,7 @@ public final class QuadStream implements AutoCloseable {
         vertexArray = new GlHandle(gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
         vertices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
         indices = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
         format.describe();
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
@@ -31,7 +31,7 @@ public final class QuadStream implements AutoCloseable {
     /** Replaces all vertices by the first {@code floats} numbers. */
     public void upload(float[] values, int floats, int quadCount) {
         quads = quadCount;
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         FloatBuffer copy = MemoryUtil.memAllocFloat(floats);
         copy.put(values, 0, floats).flip();
         glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
@@ -55,7 +55,7 @@ public final class QuadStream implements AutoCloseable {
     }
 
     public void draw() {
-        gl.state().vertexArray(vertexArray.id());
+        gl.bindings().vertexArray(vertexArray.id());
         glDrawElements(GL_TRIANGLES, TWO_TRIANGLES.length * quads, GL_UNSIGNED_INT, 0);
         gl.state().drawn(1, 2L * quads);
     }

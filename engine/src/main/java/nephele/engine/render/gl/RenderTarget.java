@@ -52,7 +52,7 @@ public final class RenderTarget implements AutoCloseable {
         glBindRenderbuffer(GL_RENDERBUFFER, depth.id());
         glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width, height);
         GlHandle framebuffer = newFramebuffer(gl, name);
-        gl.state().framebuffer(framebuffer.id(), width, height);
+        gl.bindings().framebuffer(framebuffer.id(), width, height);
         glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.id(), 0);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.id());
         return complete(name, new RenderTarget(gl, framebuffer, depth, colour, width, height));
@@ -67,7 +67,7 @@ public final class RenderTarget implements AutoCloseable {
         GlHandle colour = newSamples(gl, format, width, height, samples);
         GlHandle depth = newSamples(gl, PixelFormat.DEPTH24_STENCIL8, width, height, samples);
         GlHandle framebuffer = newFramebuffer(gl, "multisampled surface");
-        gl.state().framebuffer(framebuffer.id(), width, height);
+        gl.bindings().framebuffer(framebuffer.id(), width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.id());
         RenderTarget target = new RenderTarget(gl, framebuffer, depth, null, colour, width, height);
@@ -90,7 +90,7 @@ public final class RenderTarget implements AutoCloseable {
     public static RenderTarget depthLayer(GlContext gl, String name, Texture depthArray, int layer) {
         GlHandle framebuffer = newFramebuffer(gl, name);
         Texture.Extent extent = depthArray.extent();
-        gl.state().framebuffer(framebuffer.id(), extent.width(), extent.height());
+        gl.bindings().framebuffer(framebuffer.id(), extent.width(), extent.height());
         glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depthArray.id(), 0, layer);
         glDrawBuffer(GL_NONE);
         glReadBuffer(GL_NONE);
@@ -131,7 +131,7 @@ public final class RenderTarget implements AutoCloseable {
 
     /** All drawing goes here from now on. */
     public void bind() {
-        gl.state().framebuffer(framebuffer == null ? 0 : framebuffer.id(), width, height);
+        gl.bindings().framebuffer(framebuffer == null ? 0 : framebuffer.id(), width, height);
     }
 
     /** Binds, sets every colour to the given one, every depth to the farthest and every stencil to 0. */

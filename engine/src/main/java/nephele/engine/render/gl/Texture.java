@@ -145,7 +145,7 @@ public final class Texture implements AutoCloseable {
     }
 
     public void bind(int unit) {
-        gl.state().texture(unit, shape.target, handle.id());
+        gl.bindings().texture(unit, shape.target, handle.id());
     }
 
     public Extent extent() {

@@ -3,6 +3,6 @@
  *
  * <p>Everything starts with a {@link nephele.engine.render.gl.GlContext} ({@code offscreen()} or
  * {@code ofCurrentWindow()}); objects take it first, carry a name for messages and are closed by whoever made them.
- * {@link nephele.engine.render.gl.DrawState} is the only place that binds. OpenGL 4.1 core and GLSL 410.
+ * {@link nephele.engine.render.gl.DrawState} with its bindings is the only place that binds. OpenGL 4.1 core and GLSL 410.
  */
 package nephele.engine.render.gl;
