@@ -6,18 +6,15 @@ import java.util.Set;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Brush;
-import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LampTable;
 import nephele.engine.scene.light.LightNeeds;
-import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
 import nephele.engine.scene.light.SkyIrradiance;
 
@@ -26,20 +23,12 @@ import nephele.engine.scene.light.SkyIrradiance;
  * All of it is static; positions are relative to the {@link #anchor}, so it does not move with the eye.
  */
 public final class SurfaceLight implements AutoCloseable {
-    private static final int SUN_SHADOW_UNIT = 2;
-    private static final int LAMP_SHADOW_UNIT = 3;
     private static final int SKY_VISIBILITY_UNIT = 4;
-    private static final int LAMP_TEXELS_UNIT = 5;
-    private static final int LAMP_GRID_UNIT = 6;
 
     private final Level level;
     private final Scene scene;
-    private final boolean sunShadow;
-    private final boolean lampShadow;
-    private final ShadowFrame sunFrame;
-    private final LampTable lamps;
-    private final BufferTexture lampTexels;
-    private final BufferTexture lampGrid;
+    private final SunLight sun;
+    private final LampLight lamps;
     private final ThingShade thingShade;
 
     private final Function<String, Picture> pictureOf;
@@ -49,26 +38,12 @@ public final class SurfaceLight implements AutoCloseable {
         this.pictureOf = pictureOf;
         this.scene = scene;
         level = scene.level();
-        boolean sunCasts = LightNeeds.sunCasts(level);
-        lampShadow = LightNeeds.lampShadow(level);
-        boolean hasLamps = LightNeeds.lamps(level);
-        List<Brush> brushes =
-                sunCasts || hasLamps ? level.solids().stream().map(Brush::of).toList() : List.of();
-        sunFrame = sunCasts ? sunFrame(brushes, context.quality()) : null;
-        sunShadow = sunFrame != null;
-        lamps = hasLamps ? LampTable.of(level.lights(), brushes) : null;
-        lampTexels = hasLamps ? BufferTexture.ofFloats(gl, "lamps", lamps.packed(anchor())) : null;
-        lampGrid = hasLamps ? lampGrid(gl) : null;
+        List<Brush> brushes = LightNeeds.sunCasts(level) || LightNeeds.lamps(level)
+                ? level.solids().stream().map(Brush::of).toList()
+                : List.of();
+        sun = new SunLight(level, brushes, anchor(), context.quality());
+        lamps = new LampLight(gl, level, brushes, anchor());
         thingShade = new ThingShade(gl, level, context.figure());
-    }
-
-    private BufferTexture lampGrid(GlContext gl) {
-        try {
-            return BufferTexture.ofIntegers(gl, "lamp grid", lamps.packedGrid());
-        } catch (RuntimeException e) {
-            lampTexels.close();
-            throw e;
-        }
     }
 
     /** Targets that {@link #bind} binds for a level. */
@@ -94,14 +69,6 @@ public final class SurfaceLight implements AutoCloseable {
         return targets;
     }
 
-    private ShadowFrame sunFrame(List<Brush> brushes, Quality quality) {
-        Vec3 towardsSun = level.environment().sun().directionTowardsSun();
-        List<Vec3> corners = ShadowCasters.of(brushes, towardsSun).stream()
-                .flatMap(brush -> brush.shape().vertices().stream())
-                .toList();
-        return corners.isEmpty() ? null : ShadowFrame.fit(corners, towardsSun, anchor(), quality.shadowTexels());
-    }
-
     /** World position that positions in light shaders are relative to. */
     public Vec3 anchor() {
         return scene.solids().isEmpty() ? Vec3.ZERO : scene.solids().origin();
@@ -114,12 +81,12 @@ public final class SurfaceLight implements AutoCloseable {
 
     /** {@code null} without a sun that casts. */
     public ShadowFrame sunFrame() {
-        return sunFrame;
+        return sun.frame();
     }
 
     /** {@code null} without lamps. */
     public LampTable lamps() {
-        return lamps;
+        return lamps.table();
     }
 
     /** Whether light differs from point to point of a face. */
@@ -129,41 +96,24 @@ public final class SurfaceLight implements AutoCloseable {
 
     /** Whether shaders need to know where on the level they are. */
     public boolean needsPositions() {
-        return sunShadow || lamps != null || thingShade.sun();
+        return sun.hasShadow() || lamps.table() != null || thingShade.sun();
     }
 
     public Defines addTo(Defines defines) {
-        return thingShade
-                .addTo(defines)
-                .withIf(LightNeeds.sun(level), "SUN")
-                .withIf(sunShadow, "SUN_SHADOW")
-                .withIf(lamps != null, "LAMPS")
-                .withIf(lampShadow, "LAMP_SHADOW")
+        return addLights(defines)
                 .withIf(needsPositions(), "ANCHOR_POSITION")
-                .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT")
                 .withIf(scene.skyVisibility() != null, "SKY_AMBIENT")
                 .withIf(scene.skyVisibility() != null, "SKY_VISIBILITY");
     }
 
     /** The same for what moves: it has no place in the light map, so its share of the sky comes otherwise. */
     public Defines addForThings(Defines defines) {
-        return thingShade
-                .addTo(defines)
-                .withIf(LightNeeds.sun(level), "SUN")
-                .withIf(sunShadow, "SUN_SHADOW")
-                .withIf(lamps != null, "LAMPS")
-                .withIf(lampShadow, "LAMP_SHADOW")
-                .with("ANCHOR_POSITION")
-                .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT")
-                .withIf(LightNeeds.skyShines(level), "SKY_AMBIENT");
+        return addLights(defines).with("ANCHOR_POSITION").withIf(LightNeeds.skyShines(level), "SKY_AMBIENT");
     }
 
-    /** Sets what a program compiled with {@link #addForThings} needs, once and for all. */
-    public void setForThings(Uniforms uniforms) {
-        setLights(uniforms);
-        if (LightNeeds.skyShines(level)) {
-            setSkyCoefficients(uniforms);
-        }
+    private Defines addLights(Defines defines) {
+        return lamps.addTo(sun.addTo(thingShade.addTo(defines)))
+                .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
     }
 
     /** Sets what a program compiled with {@link #addTo} needs, once and for all. */
@@ -171,35 +121,25 @@ public final class SurfaceLight implements AutoCloseable {
         setLights(uniforms);
         if (scene.skyVisibility() != null) {
             uniforms.sampler("skyVisibilityMap", SKY_VISIBILITY_UNIT);
-            setSkyCoefficients(uniforms);
+            LightUniforms.setSky(uniforms, skyIrradiance());
+        }
+    }
+
+    /** Sets what a program compiled with {@link #addForThings} needs, once and for all. */
+    public void setForThings(Uniforms uniforms) {
+        setLights(uniforms);
+        if (LightNeeds.skyShines(level)) {
+            LightUniforms.setSky(uniforms, skyIrradiance());
         }
     }
 
     private void setLights(Uniforms uniforms) {
         thingShade.set(uniforms);
-        Environment environment = level.environment();
-        if (LightNeeds.sun(level)) {
-            LightUniforms.setSun(uniforms, environment.sun());
+        sun.set(uniforms);
+        lamps.set(uniforms);
+        if (level.environment().ambient() != null) {
+            LightUniforms.setAmbient(uniforms, level.environment().ambient());
         }
-        if (environment.ambient() != null) {
-            LightUniforms.setAmbient(uniforms, environment.ambient());
-        }
-        if (sunShadow) {
-            uniforms.sampler("sunShadowMap", SUN_SHADOW_UNIT);
-            LightUniforms.setSunShadow(uniforms, sunFrame);
-        }
-        if (lamps != null) {
-            uniforms.sampler("lampTexels", LAMP_TEXELS_UNIT);
-            uniforms.sampler("lampGridCells", LAMP_GRID_UNIT);
-            LightUniforms.setLampGrid(uniforms, lamps.grid(), anchor());
-        }
-        if (lampShadow) {
-            uniforms.sampler("lampShadowMaps", LAMP_SHADOW_UNIT);
-        }
-    }
-
-    private void setSkyCoefficients(Uniforms uniforms) {
-        LightUniforms.setSky(uniforms, skyIrradiance());
     }
 
     private SkyIrradiance skyIrradiance() {
@@ -211,46 +151,24 @@ public final class SurfaceLight implements AutoCloseable {
         return skyIrradiance;
     }
 
-    /** Binds the textures; call before drawing with such a program. */
+    /** Binds the textures; call before drawing with a program made with {@link #addTo}. */
     public void bind(SharedResources shared) {
-        if (sunShadow) {
-            shared.texture(Target.SUN_SHADOW).bind(SUN_SHADOW_UNIT);
-        }
-        if (lampShadow) {
-            shared.texture(Target.LAMP_SHADOW).bind(LAMP_SHADOW_UNIT);
-        }
+        bindForThings(shared);
         if (scene.skyVisibility() != null) {
             shared.texture(Target.SKY_VISIBILITY).bind(SKY_VISIBILITY_UNIT);
         }
-        bindLamps();
-        thingShade.bind(shared);
     }
 
     /** As {@link #bind}, for programs made with {@link #addForThings}. */
     public void bindForThings(SharedResources shared) {
-        if (sunShadow) {
-            shared.texture(Target.SUN_SHADOW).bind(SUN_SHADOW_UNIT);
-        }
-        if (lampShadow) {
-            shared.texture(Target.LAMP_SHADOW).bind(LAMP_SHADOW_UNIT);
-        }
-        bindLamps();
+        sun.bind(shared);
+        lamps.bind(shared);
         thingShade.bind(shared);
-    }
-
-    private void bindLamps() {
-        if (lamps != null) {
-            lampTexels.bind(LAMP_TEXELS_UNIT);
-            lampGrid.bind(LAMP_GRID_UNIT);
-        }
     }
 
     @Override
     public void close() {
         thingShade.close();
-        if (lamps != null) {
-            lampTexels.close();
-            lampGrid.close();
-        }
+        lamps.close();
     }
 }

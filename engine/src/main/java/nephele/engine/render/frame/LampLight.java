@@ -1,0 +1,83 @@
+package nephele.engine.render.frame;
+
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.BufferTexture;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.scene.light.LampTable;
+import nephele.engine.scene.light.LightNeeds;
+
+/** The lamps' part of {@code surface-light.glsl}, with the shadows of what never moves. */
+final class LampLight implements AutoCloseable {
+    private static final int SHADOW_UNIT = 3;
+    private static final int TEXELS_UNIT = 5;
+    private static final int GRID_UNIT = 6;
+
+    private final Vec3 anchor;
+    private final boolean shadow;
+    private final LampTable table;
+    private final BufferTexture texels;
+    private final BufferTexture grid;
+
+    /**
+     * @param brushes of the level, if it has lamps
+     * @param anchor what positions in shaders are relative to
+     */
+    LampLight(GlContext gl, Level level, List<Brush> brushes, Vec3 anchor) {
+        this.anchor = anchor;
+        shadow = LightNeeds.lampShadow(level);
+        table = LightNeeds.lamps(level) ? LampTable.of(level.lights(), brushes) : null;
+        texels = table == null ? null : BufferTexture.ofFloats(gl, "lamps", table.packed(anchor));
+        grid = table == null ? null : grid(gl);
+    }
+
+    private BufferTexture grid(GlContext gl) {
+        try {
+            return BufferTexture.ofIntegers(gl, "lamp grid", table.packedGrid());
+        } catch (RuntimeException e) {
+            texels.close();
+            throw e;
+        }
+    }
+
+    /** {@code null} without lamps. */
+    LampTable table() {
+        return table;
+    }
+
+    Defines addTo(Defines defines) {
+        return defines.withIf(table != null, "LAMPS").withIf(shadow, "LAMP_SHADOW");
+    }
+
+    void set(Uniforms uniforms) {
+        if (table != null) {
+            uniforms.sampler("lampTexels", TEXELS_UNIT);
+            uniforms.sampler("lampGridCells", GRID_UNIT);
+            LightUniforms.setLampGrid(uniforms, table.grid(), anchor);
+        }
+        if (shadow) {
+            uniforms.sampler("lampShadowMaps", SHADOW_UNIT);
+        }
+    }
+
+    void bind(SharedResources shared) {
+        if (shadow) {
+            shared.texture(Target.LAMP_SHADOW).bind(SHADOW_UNIT);
+        }
+        if (table != null) {
+            texels.bind(TEXELS_UNIT);
+            grid.bind(GRID_UNIT);
+        }
+    }
+
+    @Override
+    public void close() {
+        if (table != null) {
+            texels.close();
+            grid.close();
+        }
+    }
+}

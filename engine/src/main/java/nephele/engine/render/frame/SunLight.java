@@ -1,0 +1,65 @@
+package nephele.engine.render.frame;
+
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sun;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.ShadowCasters;
+import nephele.engine.scene.light.ShadowFrame;
+
+/** The sun's part of {@code surface-light.glsl}, with the shadows of what never moves. */
+final class SunLight {
+    private static final int SHADOW_UNIT = 2;
+
+    private final Level level;
+    private final ShadowFrame frame;
+
+    /**
+     * @param brushes of the level, if its sun casts
+     * @param anchor what positions in shaders are relative to
+     */
+    SunLight(Level level, List<Brush> brushes, Vec3 anchor, Quality quality) {
+        this.level = level;
+        frame = LightNeeds.sunCasts(level) ? frame(level.environment().sun(), brushes, anchor, quality) : null;
+    }
+
+    private static ShadowFrame frame(Sun sun, List<Brush> brushes, Vec3 anchor, Quality quality) {
+        Vec3 towardsSun = sun.directionTowardsSun();
+        List<Vec3> corners = ShadowCasters.of(brushes, towardsSun).stream()
+                .flatMap(brush -> brush.shape().vertices().stream())
+                .toList();
+        return corners.isEmpty() ? null : ShadowFrame.fit(corners, towardsSun, anchor, quality.shadowTexels());
+    }
+
+    /** {@code null} without a sun that casts. */
+    ShadowFrame frame() {
+        return frame;
+    }
+
+    boolean hasShadow() {
+        return frame != null;
+    }
+
+    Defines addTo(Defines defines) {
+        return defines.withIf(LightNeeds.sun(level), "SUN").withIf(hasShadow(), "SUN_SHADOW");
+    }
+
+    void set(Uniforms uniforms) {
+        if (LightNeeds.sun(level)) {
+            LightUniforms.setSun(uniforms, level.environment().sun());
+        }
+        if (hasShadow()) {
+            uniforms.sampler("sunShadowMap", SHADOW_UNIT);
+            LightUniforms.setSunShadow(uniforms, frame);
+        }
+    }
+
+    void bind(SharedResources shared) {
+        if (hasShadow()) {
+            shared.texture(Target.SUN_SHADOW).bind(SHADOW_UNIT);
+        }
+    }
+}
