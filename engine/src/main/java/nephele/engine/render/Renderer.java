@@ -1,19 +1,14 @@
 package nephele.engine.render;
 
-import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
-import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
-import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
-import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
-import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
@@ -32,27 +27,23 @@ public final class Renderer implements AutoCloseable {
     private final RenderSettings settings;
     private final Scene scene;
     private final SharedResources shared;
-    private final List<Pass> passes = new ArrayList<>();
-    private final List<String> stepNames = new ArrayList<>();
+    private final PassOrder passes = new PassOrder();
     private final ClearColour clearColour;
     private final VisibleSet visible;
     private final Moment start;
     private final Multisampling multisampling;
+    private final LinearPicture linear;
     /** {@code null} in a level where portals cannot be. */
     private PortalViews portals;
 
     private FrameContext frame;
-    private RenderTarget linear;
-    /** So many passes come before the first one that reads the surface's pixels. */
-    private int surfacePasses;
-    /** So many passes come before the first one that draws a view. */
-    private int oncePasses;
 
     private Renderer(GlContext gl, Scene scene, RenderSettings settings) {
         this.gl = gl;
         this.scene = scene;
         this.settings = settings;
         this.shared = new SharedResources(gl, scene);
+        this.linear = new LinearPicture(gl);
         this.multisampling = new Multisampling(gl, settings.quality().samples());
         this.clearColour = ClearColour.of(scene.level().environment(), settings.output());
         this.start = Moment.atStart(scene.level());
@@ -86,36 +77,14 @@ public final class Renderer implements AutoCloseable {
     }
 
     private void buildPasses(List<RenderFeature> features) {
-        LoadContext context =
-                new LoadContext(gl, scene, settings.output(), settings.quality(), settings.figure(), shared);
-        for (FramePlan.Step step : FramePlan.forLevel(scene.level(), settings.output(), settings.figure(), features)
-                .steps()) {
-            for (Required required : step.required()) {
-                Pass pass = required.build().apply(gl);
-                if (settings.decoration() == Decoration.ON || !pass.isDecoration()) {
-                    passes.add(pass);
-                    stepNames.add(step.feature().name());
-                    pass.load(context);
-                }
-            }
-        }
+        passes.load(
+                new LoadContext(gl, scene, settings.output(), settings.quality(), settings.figure(), shared),
+                settings,
+                features);
         if (ViewTree.mayGrow(scene.level())) {
-            portals = portalViews();
+            portals = new PortalViews(gl, settings, shared, scene, passes.inEveryView());
         }
         frame = new FrameContext(portals);
-        while (surfacePasses < passes.size()
-                && !passes.get(surfacePasses).reads().contains(Target.SURFACE)) {
-            surfacePasses++;
-        }
-        while (oncePasses < surfacePasses && !passes.get(oncePasses).inEveryView()) {
-            oncePasses++;
-        }
-        stepNames.add(oncePasses, "clear");
-    }
-
-    private PortalViews portalViews() {
-        List<Pass> inEveryView = passes.stream().filter(Pass::inEveryView).toList();
-        return new PortalViews(gl, settings, shared, scene, inEveryView);
     }
 
     private double exposure() {
@@ -128,7 +97,7 @@ public final class Renderer implements AutoCloseable {
 
     /** What a frame consists of, in order: what all views use, the clear, then the other passes. */
     public List<String> stepNames() {
-        return List.copyOf(stepNames);
+        return passes.stepNames();
     }
 
     /** Hears when each step of a frame has been submitted: for timing. */
@@ -164,7 +133,7 @@ public final class Renderer implements AutoCloseable {
         // Another renderer of this context, or a recording, may have left them otherwise.
         gl.state().stencil(Stencil.OFF, 0);
         gl.state().depthOf(DepthOf.SURFACE);
-        RenderTarget surface = settings.output() == Output.HDR ? linear(picture) : picture;
+        RenderTarget surface = settings.output() == Output.HDR ? linear.ofSizeOf(picture) : picture;
         RenderTarget drawn = multisampling.inPlaceOf(surface, surfaceFormat(picture));
         if (!passes.isEmpty()) {
             begin(view, moment, picture, drawn);
@@ -175,10 +144,10 @@ public final class Renderer implements AutoCloseable {
             portals.drawPictures(moment, picture, drawn, surfaceFormat(picture));
         }
         drawn.clear(clearColour.red(), clearColour.green(), clearColour.blue());
-        if (surfacePasses == oncePasses) {
+        if (passes.surfacesBegin() == passes.surfacesEnd()) {
             average(surface);
         }
-        listener.submitted(oncePasses);
+        listener.submitted(passes.surfacesBegin());
         drawPasses(surface, listener);
     }
 
@@ -194,16 +163,16 @@ public final class Renderer implements AutoCloseable {
 
     /** What every view uses: before the first view, whichever that is. */
     private void drawOnce(StepListener listener) {
-        for (int i = 0; i < oncePasses; i++) {
+        for (int i = 0; i < passes.surfacesBegin(); i++) {
             passes.get(i).draw(frame);
             listener.submitted(i);
         }
     }
 
     private void drawPasses(RenderTarget surface, StepListener listener) {
-        for (int i = oncePasses; i < passes.size(); i++) {
+        for (int i = passes.surfacesBegin(); i < passes.size(); i++) {
             passes.get(i).draw(frame);
-            if (i + 1 == surfacePasses) {
+            if (i + 1 == passes.surfacesEnd()) {
                 average(surface);
             }
             listener.submitted(i + 1);
@@ -237,20 +206,9 @@ public final class Renderer implements AutoCloseable {
         return picture.colour() == null ? PixelFormat.RGBA8 : picture.colour().format();
     }
 
-    private RenderTarget linear(RenderTarget picture) {
-        if (linear == null || linear.width() != picture.width() || linear.height() != picture.height()) {
-            closeLinear();
-            linear = RenderTarget.picture(gl, "linear picture", PixelFormat.RGBA16F, picture.width(), picture.height());
-        }
-        return linear;
-    }
-
     /** Linear radiance before exposure of the last frame, RGB, the bottom row first; only for output HDR. */
     public float[] readRadiance() {
-        if (linear == null) {
-            throw new IllegalStateException("radiance can be read after a frame with output HDR");
-        }
-        return linear.readFloats();
+        return linear.read();
     }
 
     /** Views through portals that the last frame drew. */
@@ -268,19 +226,12 @@ public final class Renderer implements AutoCloseable {
         return gl.state().triangles();
     }
 
-    private void closeLinear() {
-        if (linear != null) {
-            linear.close();
-            linear = null;
-        }
-    }
-
     @Override
     public void close() {
-        passes.forEach(Pass::close);
+        passes.close();
         shared.close();
         multisampling.close();
-        closeLinear();
+        linear.close();
         if (portals != null) {
             portals.close();
         }
