@@ -15,6 +15,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
+import nephele.engine.scene.thing.FigurePresence;
 import org.junit.jupiter.api.Test;
 
 /** Only what the scene requires, and a reason for each. */
@@ -88,6 +89,21 @@ class RenderFeaturesTest {
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())
                 .collect(Collectors.toSet());
+    }
+
+    /** Hands ask for it, where there is something for them to hold. */
+    @Test
+    void whatIsHeldIsDrawnOnlyForWhoeverPlaysWithBodies() {
+        Level bodies = new TestLevel().cube(null, Vec3.ZERO, 1).level();
+        assertTrue(isHeldDrawn(bodies, FigurePresence.POSSIBLE));
+        assertFalse(isHeldDrawn(bodies, FigurePresence.NEVER));
+        assertFalse(isHeldDrawn(new TestLevel().level(), FigurePresence.POSSIBLE));
+    }
+
+    private static boolean isHeldDrawn(Level level, FigurePresence figure) {
+        return FramePlan.forLevel(level, Output.DIRECT, figure)
+                .explain()
+                .contains("thing.held: required by player: a body that is held");
     }
 
     @Test

@@ -73,6 +73,15 @@ final class LiveMoment {
         moment.body(body, centre, turn.normalize());
     }
 
+    /** @param fromEye of what is held, {@code null} for nothing or when not seen by the player's own eyes */
+    void held(SimState after, Vec3 fromEye) {
+        if (fromEye == null) {
+            moment.nothingHeld();
+        } else {
+            moment.held(after.around().holding().body(), fromEye);
+        }
+    }
+
     /** The player, and the time. */
     void figure(PlayerPose pose, Limbs limbs, double seconds) {
         PlayerPose.Body body = pose.body();

@@ -45,6 +45,7 @@ public final class Walk {
     private SimState before;
     private SimState after;
     private Seen seen;
+    private Vec3 heldFromEye;
     private boolean isCut = true;
     private Limbs limbsBefore = Limbs.STANDING;
     private Limbs limbsAfter = Limbs.STANDING;
@@ -89,6 +90,7 @@ public final class Walk {
         news.addAll(after.around().trace().events());
         ages.after(after);
         aiming.after(after);
+        heldFromEye = PlayerPose.heldFromEye(after);
         limbsBefore = limbsAfter;
         limbsAfter = limbsAfter.next(after, secondsPerTick);
         if (isLeap()) {
@@ -179,6 +181,7 @@ public final class Walk {
         double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
         live.moment().ghosts(aiming.ghosts(after));
         live.world(before, after, share, ages);
+        live.held(after, seen().isFirstPerson() ? heldFromEye : null);
         live.figure(seen().player(), limbsBefore.towards(limbsAfter, share), seconds);
         return live.moment();
     }

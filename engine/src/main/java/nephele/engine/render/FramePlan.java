@@ -7,6 +7,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.pass.shadow.ThingShadowPass;
+import nephele.engine.render.pass.thing.HeldPass;
 import nephele.engine.render.pass.thing.ThingPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 import nephele.engine.scene.thing.FigurePresence;
@@ -37,6 +38,9 @@ public record FramePlan(List<Step> steps) {
             }
             if (feature == ThingShadowPass.FEATURE && figure == FigurePresence.POSSIBLE && required.isEmpty()) {
                 required.addAll(ThingShadowPass.forFigure(level));
+            }
+            if (feature == HeldPass.FEATURE && figure == FigurePresence.POSSIBLE) {
+                required.addAll(HeldPass.forHands(level));
             }
             steps.add(new Step(feature, List.copyOf(required)));
         }

@@ -12,6 +12,7 @@ import nephele.engine.render.pass.shadow.ThingShadowPass;
 import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
+import nephele.engine.render.pass.thing.HeldPass;
 import nephele.engine.render.pass.thing.ThingPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 
@@ -29,6 +30,7 @@ public final class RenderFeatures {
             SkyboxPass.FEATURE,
             RimPass.FEATURE,
             PortalPass.FEATURE,
+            HeldPass.FEATURE,
             ToneMapPass.FEATURE);
 
     private RenderFeatures() {}

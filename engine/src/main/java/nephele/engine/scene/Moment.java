@@ -22,6 +22,9 @@ public final class Moment {
     /** Doubles a body: centre, then orientation x y z w. */
     private static final int STRIDE = 7;
 
+    /** In place of a body's number. */
+    public static final int NOTHING = -1;
+
     private final double[] bodies;
     private double seconds;
     private Portals portals;
@@ -29,6 +32,8 @@ public final class Moment {
     private int[] colours;
     private Posture figure;
     private List<Ghost> ghosts = List.of();
+    private int held = NOTHING;
+    private Vec3 heldFromEye = Vec3.ZERO;
 
     private Moment(int bodyCount) {
         bodies = new double[STRIDE * bodyCount];
@@ -118,6 +123,26 @@ public final class Moment {
 
     public void figure(Posture now) {
         figure = now;
+    }
+
+    /** The body that is looked at with the eyes of whoever holds it, or {@link #NOTHING}: it is drawn see-through. */
+    public int held() {
+        return held;
+    }
+
+    /** Where {@link #held} is from the eye, metres to its right, up and back, along the portals that it is held through. */
+    public Vec3 heldFromEye() {
+        return heldFromEye;
+    }
+
+    public void held(int body, Vec3 fromEye) {
+        held = body;
+        heldFromEye = fromEye;
+    }
+
+    /** Whatever is held is as solid as the rest. */
+    public void nothingHeld() {
+        held = NOTHING;
     }
 
     /** Where shots would open portals now. */

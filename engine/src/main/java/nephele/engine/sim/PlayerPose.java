@@ -48,6 +48,25 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         return portals.size() == 0 ? there : there.back(ahead, crossed, portals).toEye(portals);
     }
 
+    /**
+     * Where the middle of what is held is from the eye, metres to its right, up and back, along the portals between them;
+     * {@code null} where nothing is held or one of these portals has just been closed.
+     */
+    public static Vec3 heldFromEye(SimState state) {
+        Holding holding = state.around().holding();
+        Portals portals = state.around().portals();
+        if (!holding.isHolding() || !holding.isOpen(portals)) {
+            return null;
+        }
+        Vector3d way = holding.pointHere(state.around().bodies().centre(holding.body(), new Vector3d()), portals)
+                .sub(state.player().eye().toVector());
+        Basis view = PlayerEye.view(state.player());
+        return new Vec3(
+                way.dot(view.right().toVector()),
+                way.dot(view.up().toVector()),
+                way.dot(view.back().toVector()));
+    }
+
     private static double yaw(Heading a, Heading b, double share) {
         return a.yawRadians() + share * a.yawRadiansTo(b);
     }

@@ -35,6 +35,8 @@ public final class ThingCopies {
     private final ThingChanges changes;
     private final ThingPlaces places = new ThingPlaces();
     private final int[] groupStart;
+    private final int[] bodyStart;
+    private final int[] bodyEnd;
     private final FigurePose pose = new FigurePose();
     private final Vector3d anchorOfFigure = new Vector3d();
     private final ThingShape[] figureShapes =
@@ -57,6 +59,8 @@ public final class ThingCopies {
         this.anchor = anchor;
         changes = new ThingChanges(things.shapes().size());
         groupStart = new int[things.groups().size() + 1];
+        bodyStart = new int[things.shapes().size()];
+        bodyEnd = new int[things.shapes().size()];
         skyOfBodies = new float[SkyProbes.VALUES * things.shapes().size()];
         Arrays.fill(seen, 1);
     }
@@ -91,6 +95,7 @@ public final class ThingCopies {
         places.begin(1);
         places.place(0, centre, turn, centre);
         oneShape[0] = things.shapes().get(body);
+        bodyStart[body] = instances;
         places.spread(moment.portals(), oneShape);
         for (int copy = 0; copy < places.copies(); copy++) {
             if (copy == 0) {
@@ -100,6 +105,7 @@ public final class ThingCopies {
             }
             pack(ThingPlaces.slot(copy, 0), oneShape[0], things.materialOf()[body]);
         }
+        bodyEnd[body] = instances;
     }
 
     private void addFigure(Moment moment) {
@@ -200,6 +206,16 @@ public final class ThingCopies {
     /** The first instance of a group; that of the group after the last is the number of instances. */
     public int start(int group) {
         return groupStart[group];
+    }
+
+    /** The first instance of a body; the others follow it. */
+    int bodyStart(int body) {
+        return bodyStart[body];
+    }
+
+    /** The instance after a body's last one. */
+    int bodyEnd(int body) {
+        return bodyEnd[body];
     }
 
     /** Whether the last part of the copy that begins with {@code instance} encloses a point. */

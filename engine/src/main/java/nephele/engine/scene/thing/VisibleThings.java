@@ -31,8 +31,8 @@ public final class VisibleThings {
         this.copies = copies;
     }
 
-    /** In the whole of a view's picture; {@code pictureHeight} in pixels. */
-    public void find(View view, int pictureHeight) {
+    /** In the whole of a view's picture; {@code pictureHeight} in pixels. Leaves out what is held. */
+    public void find(View view, int pictureHeight, HeldSight held) {
         double right = view.projection().tanHalfWidth();
         double up = view.projection().tanHalfHeight();
         whole.restart(view.eyeX(), view.eyeY(), view.eyeZ());
@@ -40,7 +40,7 @@ public final class VisibleThings {
         keep(view.direction(-1, 0, -right, normal));
         keep(view.direction(0, 1, -up, normal));
         keep(view.direction(0, -1, -up, normal));
-        find(view, whole, pictureHeight);
+        find(view, whole, pictureHeight, held);
     }
 
     private void keep(Vector3d inwards) {
@@ -48,23 +48,23 @@ public final class VisibleThings {
     }
 
     /** @param pictureHeight pixels */
-    public void find(View view, Frustum frustum, int pictureHeight) {
+    public void find(View view, Frustum frustum, int pictureHeight, HeldSight held) {
         eye.set(view.eyeX(), view.eyeY(), view.eyeZ());
-        find(frustum, pictureHeight / (2 * view.projection().tanHalfHeight()));
+        find(frustum, pictureHeight / (2 * view.projection().tanHalfHeight()), held);
     }
 
     /** @param pixelsPerTangent how large a metre is at distance 1 */
     public void find(Frustum frustum, Vec3 from, double pixelsPerTangent) {
         eye.set(from.x(), from.y(), from.z());
-        find(frustum, pixelsPerTangent);
+        find(frustum, pixelsPerTangent, null);
     }
 
-    private void find(Frustum frustum, double pixelsPerTangent) {
+    private void find(Frustum frustum, double pixelsPerTangent, HeldSight held) {
         runs = 0;
         for (int group = 0; group < things.groups().size(); group++) {
             ThingGroup shape = things.groups().get(group);
             for (int i = copies.start(group); i < copies.start(group + 1); i += shape.parts()) {
-                if (maySee(frustum, i, shape.parts())) {
+                if ((held == null || !held.contains(i)) && maySee(frustum, i, shape.parts())) {
                     double pixels = copies.ball(i, 3) * pixelsPerTangent / distance(i);
                     add(group, i, mesh(shape, pixels, i));
                 }
@@ -89,6 +89,18 @@ public final class VisibleThings {
             for (int i = copies.start(group); i < copies.start(group + 1); i += shape.parts()) {
                 add(group, i, shape.steps()[0]);
             }
+        }
+    }
+
+    /** What is held and nothing else, with its finest mesh. */
+    public void take(HeldSight held) {
+        runs = 0;
+        for (int i = 0; i < held.size(); i++) {
+            int group = 0;
+            while (copies.start(group + 1) <= held.instance(i)) {
+                group++;
+            }
+            add(group, held.instance(i), things.groups().get(group).steps()[0]);
         }
     }
 

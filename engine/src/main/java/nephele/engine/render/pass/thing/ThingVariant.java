@@ -18,16 +18,16 @@ import nephele.engine.scene.ViewTree;
  * Which code a group's shader holds; equal variants share a program. What has no texture is given details – except in
  * output PLAIN, which shows values as stored.
  */
-record ThingVariant(boolean lambert, boolean textured, boolean normalMapped, boolean detailed) {
+record ThingVariant(boolean lambert, boolean textured, boolean normalMapped, boolean detailed, ThingLook look) {
     static final int COLOUR_UNIT = 0;
     static final int NORMAL_UNIT = 1;
 
     private static final String FOLDER = "/nephele/engine/render/pass/thing/";
 
-    static ThingVariant of(SolidBatch.Kind kind, Output output) {
+    static ThingVariant of(SolidBatch.Kind kind, Output output, ThingLook look) {
         boolean bare = !kind.isTextured() && !kind.isNormalMapped();
         return new ThingVariant(
-                kind.lambert(), kind.isTextured(), kind.isNormalMapped(), bare && output != Output.PLAIN);
+                kind.lambert(), kind.isTextured(), kind.isNormalMapped(), bare && output != Output.PLAIN, look);
     }
 
     GlProgram<ThingUniforms> program(LoadContext context, int materialsPerBlock) {
@@ -38,6 +38,7 @@ record ThingVariant(boolean lambert, boolean textured, boolean normalMapped, boo
                 .withIf(textured, "TEXTURED")
                 .withIf(normalMapped, "NORMAL_MAP")
                 .withIf(detailed, "DETAIL")
+                .withIf(look == ThingLook.SEE_THROUGH, "SEE_THROUGH")
                 .values();
         return new GlProgram<>(
                 context.gl(),

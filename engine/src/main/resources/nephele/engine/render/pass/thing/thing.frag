@@ -12,6 +12,9 @@ uniform sampler2DArray colours;
 #ifdef DETAIL
 #include "thing-detail.glsl"
 #endif
+#ifdef SEE_THROUGH
+#include "held-look.glsl"
+#endif
 
 flat in int instance;
 flat in float materialIndex;
@@ -83,4 +86,8 @@ void main() {
     s.skyVisibility = skySeen(instance, s.normal);
 #endif
     writeRadiance(surfaceRadiance(s) + material.emissionMetallic.rgb, relativePosition);
+#ifdef SEE_THROUGH
+    float towardsEye = dot(s.faceNormal, -normalize(relativePosition));
+    pixel.a = heldOpacity(int(instanceTexel(instance, 2).w), inPart, n, size.xyz, towardsEye);
+#endif
 }

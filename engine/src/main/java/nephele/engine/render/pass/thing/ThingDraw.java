@@ -1,0 +1,110 @@
+package nephele.engine.render.pass.thing;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.MaterialBlocks;
+import nephele.engine.render.frame.PictureArrays;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.SolidMesh;
+import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.frame.ThingMeshes;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.scene.SolidBatch;
+import nephele.engine.scene.ViewTree;
+import nephele.engine.scene.thing.ThingGroup;
+import nephele.engine.scene.thing.VisibleThings;
+
+/** Draws runs of instances: a program for each group of them, all of one look. */
+final class ThingDraw implements AutoCloseable {
+    /** The view's plane and two of a thing's own. */
+    private static final int CLIP_DISTANCES = 3;
+
+    /** Openings are drawn a pixel's slope nearer than they are. */
+    private static final double SEAM_PIXELS = 1.5;
+
+    private final GlContext gl;
+    private final ThingLook look;
+    private final SharedResources shared;
+    private final ThingMeshes meshes;
+    private final PictureArrays colours;
+    private final PictureArrays normals;
+    private final SurfaceLight light;
+    private final boolean cuts;
+    private final MaterialBlocks materials;
+    private final Map<ThingVariant, GlProgram<ThingUniforms>> programs = new HashMap<>();
+    private final List<GlProgram<ThingUniforms>> programOfGroup = new ArrayList<>();
+    private final float[] eye = new float[6];
+    private float seamPerMetre;
+
+    ThingDraw(LoadContext context, ThingLook look) {
+        this.look = look;
+        gl = context.gl();
+        shared = context.shared();
+        meshes = shared.things(context);
+        colours = shared.colourPictures(context);
+        normals = shared.normalPictures(context);
+        light = shared.surfaceLight(context);
+        cuts = ViewTree.mayGrow(context.scene().level());
+        materials = new MaterialBlocks(gl, meshes.things().materials());
+        for (ThingGroup group : meshes.things().groups()) {
+            // Nobody holds a figure, the only thing of several parts.
+            if (look == ThingLook.SOLID || group.parts() == 1) {
+                ThingVariant variant = ThingVariant.of(group.kind(), context.output(), look);
+                programOfGroup.add(programs.computeIfAbsent(
+                        variant, wanted -> wanted.program(context, materials.materialsPerBlock())));
+            }
+        }
+    }
+
+    void draw(FrameContext frame, VisibleThings visible) {
+        frame.surface().bind();
+        gl.state().set(depth(), blend(), Cull.BACK, cuts ? CLIP_DISTANCES : 0);
+        light.bindForThings(shared);
+        meshes.bind();
+        double pixel =
+                2 * frame.view().projection().tanHalfHeight() / frame.surface().height();
+        seamPerMetre = (float) (SEAM_PIXELS * pixel);
+        SolidMesh.eyeInCell(frame.view(), light.anchor(), eye);
+        for (int run = 0; run < visible.runs(); run++) {
+            drawRun(visible, run);
+        }
+    }
+
+    private Depth depth() {
+        return look == ThingLook.SOLID ? Depth.LESS_AND_WRITE : Depth.LESS_OR_EQUAL;
+    }
+
+    private Blend blend() {
+        return look == ThingLook.SOLID ? Blend.REPLACE : Blend.OVER;
+    }
+
+    private void drawRun(VisibleThings visible, int run) {
+        int group = visible.group(run);
+        SolidBatch.Kind kind = meshes.things().groups().get(group).kind();
+        GlProgram<ThingUniforms> program = programOfGroup.get(group);
+        program.use();
+        program.uniforms().view(eye, seamPerMetre);
+        materials.bind(kind.materialBlock());
+        if (kind.isTextured()) {
+            colours.get(kind.colourArray()).bind(ThingVariant.COLOUR_UNIT);
+        }
+        if (kind.isNormalMapped()) {
+            normals.get(kind.normalArray()).bind(ThingVariant.NORMAL_UNIT);
+        }
+        meshes.draw(visible, run, program.uniforms().run());
+    }
+
+    @Override
+    public void close() {
+        programs.values().forEach(GlProgram::close);
+        materials.close();
+    }
+}
