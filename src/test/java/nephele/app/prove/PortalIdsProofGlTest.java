@@ -1,6 +1,8 @@
 package nephele.app.prove;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -53,6 +55,21 @@ class PortalIdsProofGlTest {
                         .findFirst()
                         .orElseThrow()
                         .value());
+    }
+
+    /** The sill of an opening: floor in front of it and floor behind it, and for single pixels the wall between. */
+    @Test
+    void anOpeningsEdgeIsOneThoughTheSameFloorGoesOnBehindIt() {
+        var opened = new LevelName("levels/samples/hall-of-mirrors.json").open();
+        var traced = TracedLevel.of(IdLevel.of(opened.level()), opened.assets(), Decoding.AS_STORED);
+        View view = new SeededCameras(opened.level(), traced, 16.0 / 9).view(30);
+        var sight = new SightPicture(traced, view, 320, 180);
+        int row = 179 - 57;
+        for (int i = 0; i < 9; i++) {
+            assertEquals(IdLevel.colour(0), sight.at(79 + i % 3, row - 1 + i / 3));
+        }
+        assertFalse(sight.isPlain(80, row));
+        assertTrue(sight.isPlain(80, row - 2), "floor all around, in front of the opening");
     }
 
     @Test

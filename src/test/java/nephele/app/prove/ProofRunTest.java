@@ -114,6 +114,10 @@ class ProofRunTest {
                 .filter(line -> line.startsWith("| sevens "))
                 .toList();
         assertEquals(1, rows.size());
+        assertTrue(rows.get(0).contains(" | 50 numbers | "), rows.get(0));
+        var part = new ProofResult(8, 0, List.of(), List.of());
+        table.write(proof, part, new ProofTable.Circumstances("2026-01-03", "fed", "a machine"));
+        assertTrue(Files.readString(folder.resolve("docs/proofs.md")).contains(" | 8 of 50 numbers | "));
         assertTrue(rows.get(0).contains("| pause 1.2500 ms | 2026-01-02 | def |"), rows.get(0));
     }
 

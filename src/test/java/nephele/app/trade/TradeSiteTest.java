@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import nephele.app.levels.LevelName;
+import nephele.app.levels.LevelState;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.LevelFile;
 import org.junit.jupiter.api.Test;

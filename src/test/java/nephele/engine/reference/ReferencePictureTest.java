@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.util.Arrays;
+import nephele.engine.level.Body;
+import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
@@ -39,6 +41,27 @@ class ReferencePictureTest {
         assertFalse(Arrays.equals(first, second));
         assertEquals(mean(first), mean(second), 2e-3);
         assertEquals(mean(picture(1024, 3, 2)), mean(first), 2e-3);
+    }
+
+    /** One number for all that is traced; when it changes, raise the version, so that no older picture is used on. */
+    @Test
+    void aPictureKeptUnderThisVersionIsStillRight() {
+        assertEquals(1, ReferencePicture.VERSION);
+        var light = new Light.Point("lamp", new Vec3(1, 2.5, 1), Stage.grey(3), 8, true);
+        var body = new Body.Sphere("ball", new Vec3(1.2, 0.3, 1), 0.3, 1, "gloss", 0.5, 0.5);
+        float[] rgb = stage().sun(new Vec3(0.3, 0.8, 0.4), 2)
+                .fog(0.05, new Vec3(0.3, 0.4, 0.5))
+                .gloss("gloss", new Vec3(0.8, 0.5, 0.2), 0.3, 0.7)
+                .light(light)
+                .body(body)
+                .portal("a", "b", new Vec3(0, 1, 0.5), new Vec3(0, 0, 1))
+                .portal("b", "a", new Vec3(-0.5, 1, 0), new Vec3(-1, 0, 0))
+                .picture(EYE, new TraceSettings(48, 36, 16, 1, 2));
+        double weighted = 0;
+        for (int i = 0; i < rgb.length; i++) {
+            weighted += rgb[i] * (1 + i % 97);
+        }
+        assertEquals(22.65127248, weighted / rgb.length, 1e-6);
     }
 
     private static double mean(float[] values) {

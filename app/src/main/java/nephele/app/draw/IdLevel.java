@@ -39,19 +39,7 @@ public final class IdLevel {
             bodies.add(painted(body, material.id()));
         }
         var flatLight = new Environment(null, null, ONE, 0, ToneCurve.CLIP, null, List.of());
-        return new Level(
-                level.name(),
-                level.description(),
-                flatLight,
-                level.player(),
-                level.cameras(),
-                materials,
-                solids,
-                List.of(),
-                level.portals(),
-                level.models(),
-                bodies,
-                level.portalGun());
+        return level.with(flatLight, List.of()).with(materials, solids, bodies);
     }
 
     /**

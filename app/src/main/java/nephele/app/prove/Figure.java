@@ -1,6 +1,10 @@
 package nephele.app.prove;
 
-/** A measured number of a proof, with the rule that joins the numbers of two batches. */
+/**
+ * A measured number of a proof, with the rule that joins the numbers of two batches.
+ *
+ * @param unit of the number; of a greatest or least one it may go on with where that was found
+ */
 public record Figure(String name, double value, String unit, Join join) {
     /** How the figures of two batches become one. */
     public enum Join {
@@ -23,12 +27,10 @@ public record Figure(String name, double value, String unit, Join join) {
 
     /** The figure of both batches together. */
     public Figure joined(Figure other) {
-        double joinedValue =
-                switch (join) {
-                    case SUM -> value + other.value;
-                    case LEAST -> Math.min(value, other.value);
-                    case GREATEST -> Math.max(value, other.value);
-                };
-        return new Figure(name, joinedValue, unit, join);
+        return switch (join) {
+            case SUM -> new Figure(name, value + other.value, unit, join);
+            case LEAST -> Double.compare(other.value, value) < 0 ? other : this;
+            case GREATEST -> Double.compare(other.value, value) > 0 ? other : this;
+        };
     }
 }

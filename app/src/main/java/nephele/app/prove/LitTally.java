@@ -2,7 +2,6 @@ package nephele.app.prove;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
 
@@ -11,75 +10,20 @@ final class LitTally {
     static final double MOST_FLIP = 0.05;
     static final double MOST_BIAS = 0.01;
 
-    private final List<String> failures = new ArrayList<>();
-    private long pictures;
-    private double worstLevelFlip;
-    private double worstLevelBias;
-    private double worstPictureFlip;
-    private double flipOfAll;
-    private double onceOfAll;
-    private double worstLevelOnce;
+    private ProofResult sums = ProofResult.NOTHING;
 
-    /** The pictures of one level by one technique. */
-    final class OfLevel {
-        private final String what;
-        private int count;
-        private double flip;
-        private double worstFlip;
-        private String worst = "";
-        private double drawn;
-        private double traced;
-        private double once;
-
-        private OfLevel(String what) {
-            this.what = what;
-        }
-
-        void compare(LinearPicture reference, LinearPicture test, String camera) {
-            double error = HdrFlip.of(reference, test).mean();
-            if (error >= worstFlip) {
-                worstFlip = error;
-                worst = camera;
-            }
-            count++;
-            flip += error;
-            drawn += sum(test);
-            traced += sum(reference);
-        }
-
-        /** What the same picture as a player gets it, drawn once a pixel, is off: reported, not judged. */
-        void once(LinearPicture reference, LinearPicture test) {
-            once += HdrFlip.of(reference, test).mean();
-        }
-
-        /** Where nothing shines both are dark. */
-        private double bias() {
-            return traced == 0 ? drawn : drawn / traced - 1;
-        }
-
-        void end() {
-            pictures += count;
-            flipOfAll += flip;
-            onceOfAll += once;
-            worstLevelOnce = Math.max(worstLevelOnce, once / count);
-            worstPictureFlip = Math.max(worstPictureFlip, worstFlip);
-            worstLevelFlip = Math.max(worstLevelFlip, flip / count);
-            worstLevelBias = Math.max(worstLevelBias, Math.abs(bias()));
-            if (flip / count > MOST_FLIP || Math.abs(bias()) > MOST_BIAS) {
-                failures.add(String.format(
-                        Locale.ROOT,
-                        "%s: mean FLIP %.4f, bias %+.2f %%; worst %.4f in %s",
-                        what,
-                        flip / count,
-                        100 * bias(),
-                        worstFlip,
-                        worst));
-            }
-        }
-    }
-
-    OfLevel level(String what) {
-        return new OfLevel(what);
+    /**
+     * Adds a picture to a series.
+     *
+     * @param camera where it is and how to draw it again
+     * @param once the picture that is judged
+     * @param averaged the same, drawn larger and averaged: reported, not judged
+     */
+    void compare(String series, String camera, LinearPicture reference, LinearPicture once, LinearPicture averaged) {
+        double flip = HdrFlip.of(reference, once).mean();
+        var picture = new LitSums(
+                1, flip, HdrFlip.of(reference, averaged).mean(), sum(once), sum(reference), flip, "in " + camera);
+        sums = sums.and(new ProofResult(0, 0, picture.figures(series), List.of()));
     }
 
     private static double sum(LinearPicture picture) {
@@ -90,18 +34,24 @@ final class LitTally {
         return sum;
     }
 
+    /** The sums of every series, which nobody has judged yet. */
     ProofResult result(long units) {
-        return new ProofResult(
-                units,
-                failures.size(),
-                List.of(
-                        Figure.sum("pictures", pictures, ""),
-                        Figure.sum("sum of their mean FLIP", flipOfAll, ""),
-                        Figure.sum("sum of their mean FLIP drawn once a pixel", onceOfAll, ""),
-                        Figure.greatest("greatest mean FLIP of a level drawn once a pixel", worstLevelOnce, ""),
-                        Figure.greatest("greatest mean FLIP of a picture", worstPictureFlip, ""),
-                        Figure.greatest("greatest mean FLIP of a level", worstLevelFlip, ""),
-                        Figure.greatest("greatest bias of a level", 100 * worstLevelBias, "%")),
-                failures);
+        return new ProofResult(units, 0, sums.figures(), List.of());
+    }
+
+    /** The same with what the sums of each series mean instead of them. */
+    static ProofResult judged(ProofResult soFar, List<String> series) {
+        var failures = new ArrayList<String>();
+        var summary = ProofResult.NOTHING;
+        for (String name : series) {
+            var found = LitSums.of(soFar, name);
+            if (found.isPresent()) {
+                summary = summary.and(new ProofResult(0, 0, found.get().summary(name), List.of()));
+                if (found.get().flip() > MOST_FLIP || Math.abs(found.get().bias()) > MOST_BIAS) {
+                    failures.add(found.get().inWords(name));
+                }
+            }
+        }
+        return new ProofResult(soFar.units(), failures.size(), summary.figures(), failures);
     }
 }

@@ -31,6 +31,14 @@ public interface Proof {
      */
     ProofResult run(long from, long count, Progress progress) throws Exception;
 
+    /**
+     * What the results of all units so far show together; by default, what each of them showed. A claim about more units
+     * than a batch has gives their sums as figures and judges these here.
+     */
+    default ProofResult judged(ProofResult soFar) {
+        return soFar;
+    }
+
     /** Listens to a running proof. */
     @FunctionalInterface
     interface Progress {

@@ -41,7 +41,7 @@ public record ProofResult(long units, long failures, List<Figure> figures, List<
         return new ProofResult(units + other.units, failures + other.failures, joined, allExamples);
     }
 
-    private Optional<Figure> figure(String name) {
+    Optional<Figure> figure(String name) {
         return figures.stream().filter(figure -> figure.name().equals(name)).findFirst();
     }
 }

@@ -38,7 +38,7 @@ public final class ProofRun {
             state = new ProofState(commit, state.soFar().and(learnt));
             state.save(stateFile);
         }
-        return state.soFar();
+        return proof.judged(state.soFar());
     }
 
     private void show(long done, long count) {

@@ -16,7 +16,7 @@ public final class ProofTable {
             """
             # Proofs
 
-            Written by `nephele prove`; every row is the last full run of one proof. `nephele prove NAME` repeats it.
+            Written by `nephele prove`; every row is the last run of one proof, a full one unless it says of how many. `nephele prove NAME` repeats it.
 
             | proof | claim | count | failures | figures | date | commit | machine |
             |---|---|---|---|---|---|---|---|
@@ -61,7 +61,7 @@ public final class ProofTable {
                         " | ",
                         proof.name(),
                         proof.claim(),
-                        String.format(Locale.ROOT, "%,d %s", result.units(), proof.unit()),
+                        count(proof, result),
                         Long.toString(result.failures()),
                         figures,
                         found.date(),
@@ -70,11 +70,16 @@ public final class ProofTable {
                 + " |";
     }
 
+    private static String count(Proof proof, ProofResult result) {
+        String of = result.units() < proof.fullCount() ? String.format(Locale.ROOT, " of %,d", proof.fullCount()) : "";
+        return String.format(Locale.ROOT, "%,d%s %s", result.units(), of, proof.unit());
+    }
+
     /** The result for the terminal: verdict, count, figures and the first failures. */
     public static String summary(Proof proof, ProofResult result) {
         var verdict = result.holds() ? "holds" : "FAILS (" + result.failures() + " failures)";
         var text = new StringBuilder(
-                String.format(Locale.ROOT, "%s: %s after %,d %s", proof.name(), verdict, result.units(), proof.unit()));
+                String.format(Locale.ROOT, "%s: %s after %s", proof.name(), verdict, count(proof, result)));
         result.figures().forEach(figure -> text.append("\n  ").append(text(figure)));
         result.examples().forEach(example -> text.append("\n  failed: ").append(example));
         return text.toString();

@@ -21,6 +21,7 @@ final class SightPicture {
     private final int width;
     private final int height;
     private final int[] rgb;
+    private final long[] passed;
 
     SightPicture(TracedLevel level, View view, int width, int height) {
         this.level = level;
@@ -28,19 +29,18 @@ final class SightPicture {
         this.height = height;
         eye = ReferenceEye.of(view);
         rgb = new int[width * height];
+        passed = new long[width * height];
         IntStream.range(0, height).parallel().forEach(this::row);
     }
 
     private void row(int row) {
         SurfaceSight sight = level.sight(eye);
         for (int column = 0; column < width; column++) {
-            rgb[row * width + column] = colour(sight, column + 0.5, row + 0.5);
+            int pixel = row * width + column;
+            int surface = sight.at((column + 0.5) / width, (row + 0.5) / height);
+            rgb[pixel] = surface == SurfaceSight.NOTHING ? 0 : IdLevel.colour(surface);
+            passed[pixel] = sight.passed();
         }
-    }
-
-    private int colour(SurfaceSight sight, double x, double y) {
-        int surface = sight.at(x / width, y / height);
-        return surface == SurfaceSight.NOTHING ? 0 : IdLevel.colour(surface);
     }
 
     int height() {
@@ -52,11 +52,16 @@ final class SightPicture {
         return rgb[row * width + column];
     }
 
-    /** Whether every pixel of the three by three around this one shows the same: no edge is near. */
+    /**
+     * Whether every pixel of the three by three around this one shows the same surface through the same portals: no edge
+     * is near, none of an opening that the same floor goes on behind either.
+     */
     boolean isPlain(int column, int row) {
+        int middle = row * width + column;
         for (int y = Math.max(row - 1, 0); y <= Math.min(row + 1, height - 1); y++) {
             for (int x = Math.max(column - 1, 0); x <= Math.min(column + 1, width - 1); x++) {
-                if (at(x, y) != at(column, row)) {
+                int pixel = y * width + x;
+                if (rgb[pixel] != rgb[middle] || passed[pixel] != passed[middle]) {
                     return false;
                 }
             }

@@ -39,8 +39,8 @@ public final class CodeState {
             try (Stream<Path> files = Files.exists(entry) ? Files.walk(entry) : Stream.empty()) {
                 for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
                     String name = entry.relativize(file).toString();
-                    hash = BitHash.join(hash, TradeSite.hash(name));
-                    hash = BitHash.join(hash, TradeSite.hash(Files.readAllBytes(file)));
+                    hash = BitHash.join(hash, BitHash.of(name));
+                    hash = BitHash.join(hash, BitHash.of(Files.readAllBytes(file)));
                 }
             } catch (IOException unreadable) {
                 throw new UncheckedIOException(unreadable);

@@ -1,24 +1,21 @@
 package nephele.app.trade;
 
-import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.function.DoubleConsumer;
 import nephele.app.draw.ReferenceEye;
+import nephele.app.draw.TracedPictures;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
+import nephele.app.levels.LevelState;
 import nephele.app.levels.PrintedProgress;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.appearance.Decoding;
-import nephele.engine.math.BitHash;
 import nephele.engine.measure.LinearPicture;
+import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
-import nephele.engine.render.Capture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
@@ -99,52 +96,16 @@ public final class TradeSite implements AutoCloseable {
 
     /** The exact twin's radiance of this view, the bottom row first. */
     public LinearPicture oracle() {
-        Path file = folder.resolve("oracle-" + oracleKey() + ".pfm");
-        try {
-            if (Files.exists(file)) {
-                return new LinearPicture(extent.width, extent.height, RadianceFile.read(file));
-            }
-            float[] rgb = trace(PrintedProgress.ofTrace(tell));
-            Capture.pfm(rgb, extent.width, extent.height, file);
-            return new LinearPicture(extent.width, extent.height, rgb);
-        } catch (IOException failure) {
-            throw new java.io.UncheckedIOException(failure);
-        }
-    }
-
-    private float[] trace(DoubleConsumer progress) {
-        var level = AssetComplaint.named(opened, () -> TracedLevel.of(opened.level(), opened.assets(), Decoding.SRGB));
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
-        return ReferencePicture.trace(level, ReferenceEye.of(seen.view()), settings, progress);
+        var eye = ReferenceEye.of(seen.view());
+        return new TracedPictures(folder, CodeState.key())
+                .picture(LevelState.key(opened), eye, settings, () -> trace(eye, settings));
     }
 
-    /** Of everything that the oracle's picture depends on, its own code included. */
-    private String oracleKey() {
-        View view = seen.view();
-        return Long.toHexString(hash(String.join(
-                " ",
-                CodeState.key(),
-                LevelState.key(opened),
-                extent.toString(),
-                view.eye().toString(),
-                view.right().toString(),
-                view.up().toString(),
-                view.back().toString(),
-                view.projection().toString())));
-    }
-
-    /** Of a text, for names and keys. */
-    public static long hash(String text) {
-        return hash(text.getBytes(StandardCharsets.UTF_8));
-    }
-
-    static long hash(byte[] content) {
-        long hash = 0;
-        for (byte unit : content) {
-            hash = BitHash.join(hash, unit);
-        }
-        return hash;
+    private float[] trace(Pinhole eye, TraceSettings settings) {
+        var level = AssetComplaint.named(opened, () -> TracedLevel.of(opened.level(), opened.assets(), Decoding.SRGB));
+        return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(tell));
     }
 
     @Override

@@ -38,6 +38,11 @@ public record Level(
 
     /** The same with other solids, made of other materials. */
     public Level with(List<Material> otherMaterials, List<Solid> otherSolids) {
+        return with(otherMaterials, otherSolids, bodies);
+    }
+
+    /** The same with other solids and bodies, made of other materials. */
+    public Level with(List<Material> otherMaterials, List<Solid> otherSolids, List<Body> otherBodies) {
         return new Level(
                 name,
                 description,
@@ -49,7 +54,7 @@ public record Level(
                 lights,
                 portals,
                 models,
-                bodies,
+                otherBodies,
                 portalGun);
     }
 }

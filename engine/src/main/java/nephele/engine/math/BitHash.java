@@ -1,8 +1,23 @@
 package nephele.engine.math;
 
+import java.nio.charset.StandardCharsets;
+
 /** Joins numbers to a 64-bit hash, in order: the finaliser of SplitMix64 (Steele, Lea and Flood 2014) after each. */
 public final class BitHash {
     private BitHash() {}
+
+    /** Of a text, for names and keys. */
+    public static long of(String text) {
+        return of(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    public static long of(byte[] content) {
+        long hash = 0;
+        for (byte unit : content) {
+            hash = join(hash, unit);
+        }
+        return hash;
+    }
 
     public static long join(long hash, long bits) {
         long z = (hash ^ bits) + 0x9e3779b97f4a7c15L;

@@ -1,5 +1,6 @@
 package nephele.engine.reference;
 
+import nephele.engine.math.BitHash;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
 import nephele.engine.portal.Crossing;
@@ -33,6 +34,7 @@ final class EyePath {
     private Ray ray;
     private int item;
     private double metres;
+    private long passed;
 
     EyePath(SurfaceRays surfaces, Portals portals) {
         this.surfaces = surfaces;
@@ -52,6 +54,7 @@ final class EyePath {
         double walked = 0;
         item = -1;
         metres = Double.POSITIVE_INFINITY;
+        passed = 0;
         for (int crossings = 0; crossings < MOST_CROSSINGS; crossings++) {
             ray = SurfaceRays.ray(origin, direction);
             double left = far - walked;
@@ -65,6 +68,7 @@ final class EyePath {
                 return isMet;
             }
             walked += crossing.seconds();
+            passed = BitHash.join(passed, crossing.portal());
             Passage passage = portals.passage(crossing.portal());
             passage.point(origin.set(crossing.place()));
             passage.direction(direction);
@@ -90,6 +94,11 @@ final class EyePath {
     /** How long the way is, portals included; infinite where it ends on nothing. */
     double metres() {
         return metres;
+    }
+
+    /** Stands for the portals on the way, in their order; 0 where there is none. */
+    long passed() {
+        return passed;
     }
 
     /** Parameter of the last piece at its end. */

@@ -15,6 +15,9 @@ import org.joml.Vector3d;
 
 /** Traces a picture, row by row on several threads; what it shows does not depend on their number. */
 public final class ReferencePicture {
+    /** To be raised whenever a picture of any level changes: traced pictures are kept beside it. */
+    public static final int VERSION = 1;
+
     private static final Point MIDDLE = new Point(0.5, 0.5);
 
     private final TracedLevel level;

@@ -54,6 +54,11 @@ public final class SurfaceSight {
                         <= SAME_METRES;
     }
 
+    /** Stands for the portals that the ray of the last {@link #at} went through, in their order; 0 for none. */
+    public long passed() {
+        return path.passed();
+    }
+
     /** Where the ray of the last {@link #at} that met something ended. */
     public Vec3 place() {
         return path.ray().at(path.end());

@@ -1,4 +1,4 @@
-package nephele.app.trade;
+package nephele.app.levels;
 
 import java.util.List;
 import java.util.regex.MatchResult;
@@ -20,7 +20,7 @@ public final class LevelState {
     /** Equal for equal levels with equal assets. An asset that is missing or no file counts as empty. */
     public static String key(LevelFile.Opened opened) {
         Level level = opened.level();
-        long hash = TradeSite.hash(LevelJson.write(level));
+        long hash = BitHash.of(LevelJson.write(level));
         // Solids name materials, never assets, and there may be a hundred thousand of them.
         String naming = LevelJson.write(level.with(level.materials(), List.of()));
         var ids = STRING.matcher(naming)
@@ -30,7 +30,7 @@ public final class LevelState {
                 .distinct()
                 .toList();
         for (String id : ids) {
-            hash = BitHash.join(hash, TradeSite.hash(content(id, opened.assets())));
+            hash = BitHash.join(hash, BitHash.of(content(id, opened.assets())));
         }
         return Long.toHexString(hash);
     }
