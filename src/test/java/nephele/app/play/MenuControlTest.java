@@ -6,15 +6,18 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Menu;
+import nephele.app.play.hud.MenuPanel;
+import nephele.app.play.hud.SettingsPage;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
+import nephele.engine.sim.SimSettings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class MenuControlTest {
     private static final Area AREA = new Area(1280, 720);
-    private final MenuControl control = new MenuControl();
     private final Input input = new Input();
+    private final MenuControl control = new MenuControl(input);
 
     @BeforeEach
     void open() {
@@ -53,7 +56,7 @@ class MenuControlTest {
             control.open();
             input.point(2 * 640, 2 * y);
             input.click();
-            var choice = control.choiceOf(input, AREA, 2);
+            var choice = control.choiceOf(AREA, 2);
             quits += choice instanceof Menu.Choice.Quit ? 1 : 0;
             continues += choice instanceof Menu.Choice.Continue ? 1 : 0;
         }
@@ -65,7 +68,76 @@ class MenuControlTest {
     void aClickBesideTheMenuChoosesNothing() {
         input.point(10, 360);
         input.click();
-        assertNull(control.choiceOf(input, AREA, 1));
+        assertNull(control.choiceOf(AREA, 1));
         assertEquals(0, control.page().selected());
+    }
+
+    /** The system puts the pointer back where the game took it, over whatever lies there. */
+    @Test
+    void aClickBeforeThePointerMovesChoosesNothing() {
+        for (int y = 0; y < 720; y++) {
+            input.point(640, y);
+            control.open();
+            input.click();
+            assertNull(control.choiceOf(AREA, 1), "y " + y);
+            assertEquals("Nephele", control.page().title());
+        }
+    }
+
+    /** It selects what it would choose. */
+    @Test
+    void thatClickShowsWhatTheNextOneChooses() {
+        input.point(640, row(5));
+        control.open();
+        input.click();
+        assertNull(control.choiceOf(AREA, 1));
+        assertInstanceOf(Menu.Choice.Quit.class, control.page().chosen());
+        input.click();
+        assertInstanceOf(Menu.Choice.Quit.class, control.choiceOf(AREA, 1));
+    }
+
+    /** A double click on a row does not choose what the next page has there. */
+    @Test
+    void aClickThatTurnsThePageDoesNotGoOnThere() {
+        input.point(640, row(3));
+        input.click();
+        assertNull(control.choiceOf(AREA, 1));
+        assertEquals("Choose a level", control.page().title());
+        input.click();
+        assertNull(control.choiceOf(AREA, 1));
+        assertEquals("Choose a level", control.page().title());
+    }
+
+    /** A slow frame hears of a click and of the way that the pointer went after it. */
+    @Test
+    void aClickMeansTheRowWhereTheButtonWentDown() {
+        input.point(640, row(1));
+        input.click();
+        input.point(640, row(5));
+        assertInstanceOf(Menu.Choice.Continue.class, control.choiceOf(AREA, 1));
+    }
+
+    @Test
+    void escapeLeadsFromEveryOtherPageBack() {
+        input.point(640, row(3));
+        input.click();
+        control.choiceOf(AREA, 1);
+        assertNull(control.choiceOf(Control.MENU));
+        assertEquals("Nephele", control.page().title());
+        control.turnTo(SettingsPage.of(SimSettings.DEFAULT));
+        assertNull(control.choiceOf(Control.MENU));
+        assertEquals("Nephele", control.page().title());
+        assertInstanceOf(Menu.Choice.Continue.class, control.choiceOf(Control.MENU));
+    }
+
+    /** The middle of a row of the pause menu, counted from 1. */
+    private static double row(int number) {
+        int rows = Menu.pause().entries().size();
+        int y = 0;
+        while (new MenuPanel(Menu.pause(), AREA).rowAt(640, y) < 0) {
+            y++;
+        }
+        assertEquals(5, rows);
+        return y + 46 * (number - 0.5);
     }
 }

@@ -62,7 +62,7 @@ class InputTest {
         input.forgetMouse();
         input.look(900, 900);
         assertEquals(0, input.takeCountsRight());
-        assertFalse(input.takeClick());
+        assertNull(input.takeClick());
         assertTrue(input.holds(Control.FORWARD));
         assertEquals(Control.FORWARD, input.nextPressed());
         assertEquals(Control.RESTART, input.nextPressed());
@@ -120,7 +120,28 @@ class InputTest {
         assertFalse(input.takeHold(Control.FIRE_FIRST));
     }
 
-    /** So the menu's first row stays chosen when it opens, and a click means the row below the pointer. */
+    /** Where the system puts a pointer back nobody meant it to be: that click points, the next one clicks. */
+    @Test
+    void aPointerThatNobodyMovedDoesNotClick() {
+        input.point(30, 40);
+        input.forgetMouse();
+        input.click();
+        assertNull(input.takeClick());
+        assertTrue(input.takePointerMoved());
+        input.click();
+        assertEquals(new Input.Click(30, 40), input.takeClick());
+        assertNull(input.takeClick());
+    }
+
+    @Test
+    void aClickStaysWhereTheButtonWentDown() {
+        input.point(30, 40);
+        input.click();
+        input.point(300, 400);
+        assertEquals(new Input.Click(30, 40), input.takeClick());
+    }
+
+    /** So the menu's first row stays chosen when it opens. */
     @Test
     void aMouseThatChangesHandsLeavesThePointerWhereItLies() {
         input.point(30, 40);

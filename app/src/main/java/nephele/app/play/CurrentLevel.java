@@ -2,6 +2,7 @@ package nephele.app.play;
 
 import nephele.app.terminal.CommandFailure;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.sim.SimSettings;
 
 /** The level being played, if there is one yet, with its figures and what is recorded of it. */
 final class CurrentLevel implements AutoCloseable {
@@ -40,9 +41,9 @@ final class CurrentLevel implements AutoCloseable {
     }
 
     /** The same level from its beginning; what was played so far is a recording of its own. */
-    void restart() {
+    void restart(SimSettings settings) {
         keepRecordingOrSay();
-        session.restart();
+        session.restart(settings);
     }
 
     private void keepRecordingOrSay() {

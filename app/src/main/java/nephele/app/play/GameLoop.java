@@ -3,6 +3,7 @@ package nephele.app.play;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
+import nephele.app.play.hud.SettingsPage;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
@@ -19,7 +20,7 @@ public final class GameLoop implements AutoCloseable {
     private final Input input;
     private final Display display;
     private final StageMachine stages = new StageMachine();
-    private final MenuControl menu = new MenuControl();
+    private final MenuControl menu;
     private final Message message = new Message();
     private final CurrentLevel current;
     private PlayRequest request;
@@ -35,6 +36,7 @@ public final class GameLoop implements AutoCloseable {
         this.window = window;
         this.gl = gl;
         this.input = input;
+        menu = new MenuControl(input);
         current = new CurrentLevel(gl, new Recordings(request.record()), message);
         display = new Display(window, gl, Screenshots.inUsualFolder());
         start(request);
@@ -112,13 +114,12 @@ public final class GameLoop implements AutoCloseable {
             return;
         }
         menu.open();
-        input.forgetMouse();
         stages.change(Stage.MENU);
     }
 
     private void obeyPointer() {
         if (stages.in(Stage.MENU)) {
-            choose(menu.choiceOf(input, display.area(), window.scale()));
+            choose(menu.choiceOf(display.area(), window.scale()));
         }
     }
 
@@ -133,7 +134,18 @@ public final class GameLoop implements AutoCloseable {
         } else if (choice instanceof Menu.Choice.Start next) {
             menu.close();
             start(request.of(next.level()));
+        } else if (choice instanceof Menu.Choice.ShowSettings) {
+            menu.turnTo(SettingsPage.of(request.simulation()));
+        } else if (choice instanceof Menu.Choice.TurnUpright asked) {
+            turnUpright(asked.degreesPerSecond());
         }
+    }
+
+    /** A walk that has begun keeps its rate: its recording names one for all of it. */
+    private void turnUpright(int degreesPerSecond) {
+        request = request.with(request.simulation().withUprightDegreesPerSecond(degreesPerSecond));
+        menu.rewrite(SettingsPage.of(request.simulation()));
+        message.say("Upright " + SettingsPage.inWords(degreesPerSecond) + " from the next start or restart on");
     }
 
     private void resume(Stage stage) {
@@ -152,7 +164,7 @@ public final class GameLoop implements AutoCloseable {
         if (stages.in(Stage.STARTING)) {
             loadWhenPrepared();
         } else if (stages.in(Stage.RESTARTING)) {
-            current.restart();
+            current.restart(request.simulation());
             stages.change(Stage.RUNNING);
         }
     }

@@ -9,10 +9,26 @@ import nephele.app.window.Input;
 
 /** Turns keys and pointer into what the player chooses in the menu; pages lead to each other here. */
 final class MenuControl {
+    private final Input input;
     private Menu menu;
 
+    MenuControl(Input input) {
+        this.input = input;
+    }
+
     void open() {
-        menu = Menu.pause();
+        turnTo(Menu.pause());
+    }
+
+    /** What lies under the pointer now is another entry than the one that it was put on. */
+    void turnTo(Menu page) {
+        menu = page;
+        input.forgetMouse();
+    }
+
+    /** The same page with other words. */
+    void rewrite(Menu page) {
+        menu = page.pointedAt(menu.selected());
     }
 
     void close() {
@@ -33,7 +49,7 @@ final class MenuControl {
                 return followed(menu.chosen());
             }
             case MENU -> {
-                return new Menu.Choice.Continue();
+                return followed(menu.escape());
             }
             default -> {}
         }
@@ -45,28 +61,28 @@ final class MenuControl {
      *
      * @param pixelsPerPoint the overlay's scale
      */
-    Menu.Choice choiceOf(Input input, Area area, double pixelsPerPoint) {
-        double x = input.pointerX() / pixelsPerPoint;
-        double y = input.pointerY() / pixelsPerPoint;
-        int row = new MenuPanel(menu, area).rowAt(x, y);
+    Menu.Choice choiceOf(Area area, double pixelsPerPoint) {
+        var panel = new MenuPanel(menu, area);
         if (input.takePointerMoved()) {
-            menu = menu.pointedAt(row);
+            menu = menu.pointedAt(panel.rowAt(input.pointerX() / pixelsPerPoint, input.pointerY() / pixelsPerPoint));
         }
-        if (input.takeClick() && row >= 0) {
-            menu = menu.pointedAt(row);
-            return followed(menu.chosen());
+        var click = input.takeClick();
+        int row = click == null ? -1 : panel.rowAt(click.x() / pixelsPerPoint, click.y() / pixelsPerPoint);
+        if (row < 0) {
+            return null;
         }
-        return null;
+        menu = menu.pointedAt(row);
+        return followed(menu.chosen());
     }
 
     /** Choices that only turn a page end here. */
     private Menu.Choice followed(Menu.Choice choice) {
         if (choice instanceof Menu.Choice.SelectLevel) {
-            menu = Menu.levels(LevelShelf.numbered());
+            turnTo(Menu.levels(LevelShelf.numbered()));
             return null;
         }
         if (choice instanceof Menu.Choice.Back) {
-            menu = Menu.pause();
+            turnTo(Menu.pause());
             return null;
         }
         return choice;

@@ -25,6 +25,10 @@ public record PlayRequest(
     /** How large, and whether over the whole screen. */
     public record Picture(int width, int height, boolean fullScreen) {}
 
+    PlayRequest with(SimSettings changed) {
+        return new PlayRequest(level, from, quality, replay, record, changed, picture);
+    }
+
     /** The same for another level, played by hand. */
     PlayRequest of(LevelName other) {
         return new PlayRequest(other, null, quality, null, record, simulation, picture);

@@ -24,7 +24,7 @@ final class Session implements AutoCloseable {
         this.notice = prepared.opened().notice();
         this.renderer = renderer;
         this.input = input;
-        restart();
+        restart(request.simulation());
     }
 
     /** Builds what the level requires; its problems are thrown before anything is kept. */
@@ -37,10 +37,10 @@ final class Session implements AutoCloseable {
         return new Session(request, prepared, renderer, input);
     }
 
-    /** The same level from its beginning. */
-    void restart() {
+    /** The same level from its beginning; a replay brings its own settings. */
+    void restart(SimSettings asked) {
         var replay = request.replay();
-        SimSettings settings = replay != null ? replay.settings() : request.simulation();
+        SimSettings settings = replay != null ? replay.settings() : asked;
         var from = request.from() == null && replay != null ? replay.start() : request.from();
         var hands = replay != null ? new ReplayInput(replay) : new LiveInput(input);
         walk = new Walk(level, new Walk.Beginning(request.level().fileName(), settings, from), hands);

@@ -20,7 +20,8 @@ public final class Input {
     private double pointerX;
     private double pointerY;
     private boolean pointerMoved;
-    private boolean clicked;
+    private boolean pointerShown;
+    private Click clicked;
 
     void key(int code, boolean down) {
         for (var control : Control.values()) {
@@ -56,15 +57,27 @@ public final class Input {
         lastY = y;
     }
 
+    /** Where the free pointer was when its button went down. */
+    public record Click(double x, double y) {}
+
     /** The free pointer is over this pixel. */
     public void point(double x, double y) {
         pointerX = x;
         pointerY = y;
         pointerMoved = true;
+        pointerShown = true;
     }
 
+    /**
+     * The button went down. A pointer that has not moved since it was given back lies where nobody has put it: its first
+     * click only points, so that the player sees what the next one would do.
+     */
     public void click() {
-        clicked = true;
+        if (pointerShown) {
+            clicked = new Click(pointerX, pointerY);
+        }
+        pointerMoved |= !pointerShown;
+        pointerShown = true;
     }
 
     /** Forgets every key, motion and click: the focus went away. */
@@ -81,8 +94,9 @@ public final class Input {
         countsDown = 0;
         lastX = Double.NaN;
         lastY = Double.NaN;
-        clicked = false;
+        clicked = null;
         pointerMoved = false;
+        pointerShown = false;
         held.removeIf(Control::isOnMouse);
         struck.removeIf(Control::isOnMouse);
     }
@@ -123,10 +137,10 @@ public final class Input {
         return taken;
     }
 
-    /** True once after a click. */
-    public boolean takeClick() {
-        boolean taken = clicked;
-        clicked = false;
+    /** The last click, once; else null. */
+    public Click takeClick() {
+        Click taken = clicked;
+        clicked = null;
         return taken;
     }
 

@@ -7,8 +7,10 @@ import nephele.app.levels.LevelName;
 /**
  * One page of the menu as a value: entries, and the one that is selected. Keys move the selection around the ends, the
  * mouse picks an entry by its row.
+ *
+ * @param escape what Esc chooses
  */
-public record Menu(String title, List<Entry> entries, int selected) {
+public record Menu(String title, List<Entry> entries, int selected, Choice escape) {
     /** A line of the menu and what choosing it means. */
     public record Entry(String label, Choice choice) {}
 
@@ -19,6 +21,11 @@ public record Menu(String title, List<Entry> entries, int selected) {
         record Restart() implements Choice {}
 
         record SelectLevel() implements Choice {}
+
+        record ShowSettings() implements Choice {}
+
+        /** How fast the view turns upright after a portal. */
+        record TurnUpright(int degreesPerSecond) implements Choice {}
 
         record Start(LevelName level) implements Choice {}
 
@@ -41,24 +48,26 @@ public record Menu(String title, List<Entry> entries, int selected) {
                         new Entry("Continue", new Choice.Continue()),
                         new Entry("Restart", new Choice.Restart()),
                         new Entry("Choose a level", new Choice.SelectLevel()),
+                        new Entry("Settings", new Choice.ShowSettings()),
                         new Entry("Quit", new Choice.Quit())),
-                0);
+                0,
+                new Choice.Continue());
     }
 
     public static Menu levels(List<LevelName> levels) {
         var entries = new ArrayList<Entry>();
         levels.forEach(level -> entries.add(new Entry(level.title(), new Choice.Start(level))));
         entries.add(new Entry("Back", new Choice.Back()));
-        return new Menu("Choose a level", entries, 0);
+        return new Menu("Choose a level", entries, 0, new Choice.Back());
     }
 
     public Menu moved(int steps) {
-        return new Menu(title, entries, Math.floorMod(selected + steps, entries.size()));
+        return new Menu(title, entries, Math.floorMod(selected + steps, entries.size()), escape);
     }
 
     /** The menu with that row selected; rows outside change nothing. */
     public Menu pointedAt(int row) {
-        return row >= 0 && row < entries.size() ? new Menu(title, entries, row) : this;
+        return row >= 0 && row < entries.size() ? new Menu(title, entries, row, escape) : this;
     }
 
     public Choice chosen() {

@@ -37,7 +37,11 @@ public final class MenuPanel {
             drawRow(canvas, row);
         }
         double foot = firstRow() + menu.entries().size() * ROW_HEIGHT + FOOT_HEIGHT;
-        canvas.text(left() + PADDING, foot, FOOT_EM, Palette.QUIET_INK, "↑ ↓  Enter  or mouse     Esc  back");
+        canvas.text(left() + PADDING, foot, FOOT_EM, Palette.QUIET_INK, "↑ ↓  Enter  or mouse     Esc  " + escape());
+    }
+
+    private String escape() {
+        return menu.escape() instanceof Menu.Choice.Back ? "back" : "continue";
     }
 
     private void drawRow(OverlayCanvas canvas, int row) {
