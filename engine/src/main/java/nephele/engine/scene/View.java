@@ -10,7 +10,12 @@ import org.joml.Vector3d;
 
 /**
  * From where and how the scene is seen. Right, up and back are orthonormal world directions (right-handed: the view
- * looks along −back). A value to everybody but the {@link ViewNode} that fills its own anew for every frame.
+ * looks along −back).
+ *
+ * <p>Whoever is given one cannot change it; one that was made by constructor or factory never changes and may be kept. The view of a
+ * {@link ViewNode} behind a portal, however, is filled anew whenever its {@link ViewTree} grows, so that it allocates
+ * nothing: it is good for that frame, and longer only for {@link ViewHistory}, whose tree does not grow meanwhile. For
+ * that reason a view equals nothing but itself.
  */
 public final class View {
     /** The player's or the author's own view, as opposed to one through a portal. */
@@ -50,7 +55,7 @@ public final class View {
         to.set(from.x(), from.y(), from.z());
     }
 
-    /** One that is filled anew for every frame. */
+    /** For a node, to {@link #carry} anew for every frame. */
     static View reusable() {
         return new View();
     }
@@ -179,5 +184,10 @@ public final class View {
                 0,
                 b,
                 0);
+    }
+
+    @Override
+    public String toString() {
+        return "View " + id + " from " + eye() + " looking along " + Vec3.of(back.negate(new Vector3d()));
     }
 }
