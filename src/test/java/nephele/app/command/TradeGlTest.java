@@ -11,13 +11,38 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** `nephele trade` from the command line, with OpenGL: GlContext.offscreen. */
 class TradeGlTest {
+    /** Two doors that face each other in the plainest light there is: little to compile. */
+    private static final String TWO_DOORS =
+            """
+            {
+              "format": "nephele-level",
+              "version": 1,
+              "environment": {"ambient": [0.5, 0.5, 0.5]},
+              "player": {"feet": [0, 0, 2]},
+              "cameras": [{"id": "main", "position": [0.4, 1.6, 2], "target": [0, 1, -3]}],
+              "materials": [
+                {"id": "red", "baseColour": [0.8, 0.2, 0.1]},
+                {"id": "blue", "baseColour": [0.1, 0.3, 0.8]}
+              ],
+              "solids": [
+                {"id": "floor", "kind": "box", "material": "red", "centre": [0, -0.5, 0], "size": [9, 1, 9]},
+                {"id": "wall", "kind": "box", "material": "blue", "centre": [0, 2, -3.5], "size": [9, 4, 1]}
+              ],
+              "portals": [
+                {"id": "a", "linkedTo": "b", "centre": [0, 1.2, -3], "normal": [0, 0, 1], "widthMetres": 1.4, "heightMetres": 2.4},
+                {"id": "b", "linkedTo": "a", "centre": [3, 1.2, 4], "normal": [0, 0, -1], "widthMetres": 1.4, "heightMetres": 2.4}
+              ]
+            }
+            """;
+
     @TempDir
     Path folder;
 
     @Test
     void reportsPicturesOfALevel() throws IOException {
+        Path level = Files.writeString(folder.resolve("two-doors.json"), TWO_DOORS);
         Path out = folder.resolve("report");
-        var run = measured(out);
+        var run = measured(level, out);
         assertEquals("", run.exitCode() == 0 ? "" : run.err());
         assertEquals(out.resolve("index.html") + "\n", run.out());
         String page = Files.readString(out.resolve("index.html"));
@@ -34,7 +59,7 @@ class TradeGlTest {
                         .count());
         assertTrue(Files.size(out.resolve("pictures/portalTechnique-exact.png")) > 0);
 
-        var resumed = measured(out);
+        var resumed = measured(level, out);
         assertTrue(resumed.err().contains("was measured before"), resumed.err());
         assertTrue(
                 graphics(page).length() > 3
@@ -46,7 +71,7 @@ class TradeGlTest {
         return page.replaceFirst("(?s).*?(llvmpipe[^<]*|softpipe[^<]*|$).*", "$1");
     }
 
-    private static Captured measured(Path out) {
+    private static Captured measured(Path level, Path out) {
         return Captured.run(
                 "trade",
                 "portalTechnique",
@@ -58,7 +83,7 @@ class TradeGlTest {
                 "--spp",
                 "1",
                 "--level",
-                "levels/samples/portals.json",
+                level.toString(),
                 "--out",
                 out.toString());
     }

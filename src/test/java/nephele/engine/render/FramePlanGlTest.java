@@ -23,6 +23,8 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Target;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** The passes that a plan builds: what they hand on, and that nothing of them stays. */
 class FramePlanGlTest {
@@ -74,8 +76,8 @@ class FramePlanGlTest {
                 offscreen.pixels(everything().level(), tiles(), view, RenderSettings.of(output));
             }
             for (int i = 3; i < 100; i++) {
-                // Every tenth has all features: compiling their shaders takes most of the time.
-                TestLevel level = i % 10 == 0 ? everything() : plain();
+                // Once for each output with all features: compiling their shaders takes most of the time.
+                TestLevel level = i % 31 == 0 ? everything() : plain();
                 RenderSettings settings = RenderSettings.of(Output.values()[i % 3], Quality.LOW);
                 Renderer.load(offscreen.gl, level.level(), tiles(), settings).close();
             }
@@ -110,37 +112,42 @@ class FramePlanGlTest {
     }
 
     /** The twin replays the engine's frames to the last bit, after foreign use of the context too. */
-    @Test
-    void theBareTwinDrawsTheSamePictures() {
-        for (Output output : Output.values()) {
-            try (Offscreen offscreen = new Offscreen(64, 64);
-                    Renderer renderer =
-                            Renderer.load(offscreen.gl, everything().level(), tiles(), RenderSettings.of(output))) {
-                List<View> views = List.of(
-                        offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO), offscreen.view(new Vec3(3, 1, 1), Vec3.ZERO));
-                try (BareTwin twin = new BareTwin(offscreen.gl, renderer, views, offscreen.picture)) {
-                    for (int frame = 0; frame < 4; frame++) {
-                        renderer.draw(views.get(frame % 2), offscreen.picture);
-                        int[] expected = offscreen.pixels();
-                        offscreen.picture.clear(1, 0, 1);
-                        twin.draw(frame);
-                        assertArrayEquals(expected, offscreen.pixels());
-                    }
+    @ParameterizedTest
+    @EnumSource
+    void theBareTwinDrawsTheSamePictures(Output output) {
+        try (Offscreen offscreen = new Offscreen(64, 64);
+                Renderer renderer =
+                        Renderer.load(offscreen.gl, everything().level(), tiles(), RenderSettings.of(output))) {
+            List<View> views =
+                    List.of(offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO), offscreen.view(new Vec3(3, 1, 1), Vec3.ZERO));
+            try (BareTwin twin = new BareTwin(offscreen.gl, renderer, views, offscreen.picture)) {
+                for (int frame = 0; frame < 4; frame++) {
+                    renderer.draw(views.get(frame % 2), offscreen.picture);
+                    int[] expected = offscreen.pixels();
+                    offscreen.picture.clear(1, 0, 1);
+                    twin.draw(frame);
+                    assertArrayEquals(expected, offscreen.pixels());
                 }
             }
         }
     }
 
+    private static Level lit(Vec3 candela) {
+        return new TestLevel()
+                .light(new Light.Point("lamp", new Vec3(1, 1, 1), candela, 10, false))
+                .box(null, new Vec3(0, -1, 0), new Vec3(9, 1, 9))
+                .level();
+    }
+
     /** The twin binds the lists of lamps too ({@code GL_TEXTURE_BUFFER}), although another level has bound its own. */
     @Test
     void theBareTwinBindsItsOwnLamps() {
-        Level red = everything()
-                .light(new Light.Point("red", new Vec3(1, 1, 1), new Vec3(9, 0, 0), 10, false))
-                .level();
+        Level red = lit(new Vec3(9, 0, 0));
+        Level white = lit(new Vec3(4, 4, 4));
         RenderSettings settings = RenderSettings.of(Output.DIRECT);
         try (Offscreen offscreen = new Offscreen(64, 64);
-                Renderer renderer = Renderer.load(offscreen.gl, red, tiles(), settings);
-                Renderer other = Renderer.load(offscreen.gl, everything().level(), tiles(), settings)) {
+                Renderer renderer = Renderer.load(offscreen.gl, red, TestAssets.NONE, settings);
+                Renderer other = Renderer.load(offscreen.gl, white, TestAssets.NONE, settings)) {
             View view = offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO);
             renderer.draw(view, offscreen.picture);
             int[] expected = offscreen.pixels();

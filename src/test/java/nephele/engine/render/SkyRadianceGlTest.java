@@ -10,6 +10,7 @@ import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Output;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
@@ -39,23 +40,23 @@ class SkyRadianceGlTest {
                 new Sky.Constant(new Vec3(0.1, 0.2, 0.3)),
                 new Sky.Atmosphere());
         TestAssets assets = pictures();
-        try (Offscreen offscreen = new Offscreen(3, 3)) {
-            for (Sky sky : skies) {
-                SkyRadiance radiance = SkyRadiance.of(
-                                sky, id -> PictureDecoder.decode(id, assets.bytes(id)), Decoding.SRGB)
-                        .orElseThrow();
+        for (Sky sky : skies) {
+            SkyRadiance radiance = SkyRadiance.of(sky, id -> PictureDecoder.decode(id, assets.bytes(id)), Decoding.SRGB)
+                    .orElseThrow();
+            try (Offscreen offscreen = new Offscreen(3, 3);
+                    Renderer renderer = Renderer.load(
+                            offscreen.gl, new TestLevel().sky(sky).level(), assets, RenderSettings.of(Output.HDR))) {
                 SplittableRandom random = new SplittableRandom(5);
                 for (int i = 0; i < 24; i++) {
                     Vector3d d = quarterMiddle(random, i % 6);
-                    float[] drawn = offscreen.radiance(
-                            new TestLevel().sky(sky).level(),
-                            assets,
-                            offscreen.view(Vec3.ZERO, new Vec3(d.x, d.y, d.z)));
+                    renderer.draw(offscreen.view(Vec3.ZERO, new Vec3(d.x, d.y, d.z)), offscreen.picture);
+                    float[] drawn = renderer.readRadiance();
                     Vector3d expected = radiance.from(d.x, d.y, d.z);
                     for (int c = 0; c < 3; c++) {
                         assertEquals(expected.get(c), drawn[12 + c], 4e-3, sky.getClass() + " towards " + d);
                     }
                 }
+                offscreen.gl.requireNoError("test frames");
             }
         }
     }
