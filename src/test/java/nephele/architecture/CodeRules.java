@@ -29,7 +29,7 @@ final class CodeRules {
                     .that()
                     .resideInAPackage("nephele.engine..")
                     .should(PackageTable.useOnlyWhatTheTableAllows())
-                    .as("engine packages use only what the table in DESIGN allows"),
+                    .as("engine packages use only what the table in ARCHITECTURE allows"),
             classes()
                     .that()
                     .resideInAPackage("nephele.engine.render.pass..")

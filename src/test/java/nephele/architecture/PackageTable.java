@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** DESIGN section 1: which package uses which. "Uses" is transitive; a subpackage belongs to the row above it. */
+/** The table of docs/ARCHITECTURE.md: which package uses which. "Uses" is transitive; a subpackage belongs to the row above it. */
 final class PackageTable {
     private static final String ENGINE = "nephele.engine.";
 
@@ -47,7 +47,7 @@ final class PackageTable {
                 .toList();
     }
 
-    /** The longest row that holds the package; {@code null} for one that DESIGN does not know. */
+    /** The longest row that holds the package; {@code null} for one that the table does not know. */
     static String row(String packageName) {
         String best = null;
         for (String row : USES.keySet()) {
@@ -92,7 +92,7 @@ final class PackageTable {
     }
 
     static ArchCondition<JavaClass> useOnlyWhatTheTableAllows() {
-        return new ArchCondition<>("use only what the table in DESIGN allows") {
+        return new ArchCondition<>("use only what the table in ARCHITECTURE allows") {
             @Override
             public void check(JavaClass origin, ConditionEvents events) {
                 String row = row(origin.getPackageName());

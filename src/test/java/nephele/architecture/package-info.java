@@ -1,2 +1,2 @@
-/** The package table of DESIGN and the house style as rules, and planted violations that each rule must find. */
+/** The package table of docs/ARCHITECTURE.md and the house style as rules, and planted violations that each rule must find. */
 package nephele.architecture;

@@ -10,7 +10,7 @@ import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
 class LevelJsonTest {
-    /** DESIGN section 4, word by word. */
+    /** A level of one cloud, with keys that may be left out. */
     static final String PUFF =
             """
             {

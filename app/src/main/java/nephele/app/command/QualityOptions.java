@@ -18,9 +18,9 @@ final class QualityOptions {
             names = "--set",
             paramLabel = "KEY=VALUE",
             parameterConsumer = SettingConsumer.class,
-            description =
-                    "Change single settings: anisotropy, shadowTexels, samples; debug=ids draws every solid in its own"
-                            + " colour.")
+            description = "Change single settings: anisotropy, shadowTexels, samples, portalTechnique, viewBudget,"
+                    + " portalResolution, culling, narrowing, rims; debug=ids draws every solid in its own"
+                    + " colour.")
     private Map<String, String> settings = new LinkedHashMap<>();
 
     QualityChoice choice() {

@@ -7,7 +7,7 @@ import nephele.engine.math.Vec3;
 
 /** A start from which the player can move. */
 final class PlayerRules {
-    /** The body's axis without its ends, which may touch floor and ceiling (DESIGN section 3). */
+    /** The body's axis without its ends, which may touch floor and ceiling. */
     private static final double AXIS_LOW_METRES = 0.02;
 
     private static final double AXIS_HIGH_METRES = 1.78;

@@ -3,7 +3,7 @@ package nephele.engine.sim;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Sweep;
 
-/** The player's measures and abilities; metres, seconds (DESIGN, section 3). */
+/** The player's measures and abilities; metres, seconds. */
 public final class PlayerBody {
     public static final double RADIUS = 0.3;
     public static final double MASS_KILOGRAMS = 80;

@@ -6,7 +6,7 @@ import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portal;
 
 /**
- * How the student report goes through a portal (sources, part D): who is near it is moved in front of the other one and
+ * How the student report goes through a portal: who is near it is moved in front of the other one and
  * looks along its normal. Kept to be measured.
  */
 final class SourceTeleport {

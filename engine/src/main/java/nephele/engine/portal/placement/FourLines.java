@@ -6,7 +6,7 @@ import nephele.engine.math.TriangleSoup;
 import nephele.engine.math.Vec3;
 
 /**
- * The test of the student report on renderable portals (sources, part D): from the centre of the portal's rectangle four
+ * The test of the student report on renderable portals: from the centre of the portal's rectangle four
  * lines to its corners, each walked over adjacent triangles as long as these are coplanar with the first; the portal
  * fits when all four end inside. It sees nothing that lies between the lines, and no T-junctions. An approximation kept
  * for measuring it against {@link Placement}.
