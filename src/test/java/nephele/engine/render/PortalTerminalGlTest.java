@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.engine.level.Level;
@@ -81,24 +83,51 @@ class PortalTerminalGlTest {
         }
     }
 
-    /** portals.md 5, row 38: the first frame is complete; only the deepest opening shows its wall instead of a view. */
+    /** portals.md 5, row 38: the first frame is complete; only the deepest opening shows a membrane instead of a view. */
     @Test
     void theFirstFrameIsFullyDrawn() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
             int[] whole = frames(offscreen, budget(60), 1);
+            int[] marked = frames(offscreen, budget(3).with(Deepest.MARK), 1);
             for (PortalTechnique technique : PortalTechnique.values()) {
                 RenderSettings few = budget(3);
                 int[] first = frames(offscreen, few.with(few.quality().withPortalTechnique(technique)), 1);
                 int differing = 0;
                 for (int i = 0; i < whole.length; i++) {
                     assertTrue(first[i] != 0 && first[i] != MAGENTA);
-                    if (first[i] != whole[i]) {
-                        assertEquals(WALL_PIXEL, first[i]);
+                    if (marked[i] == NestedViews.MARK) {
+                        assertTrue(first[i] != WALL_PIXEL, "the wall behind an opening");
                         differing++;
+                    } else {
+                        assertEquals(whole[i], first[i]);
                     }
                 }
                 assertTrue(differing > 0 && differing < whole.length / 100, differing + " pixels");
             }
+        }
+    }
+
+    /** Never the wall, never black, never one colour, whether or not rims are drawn. */
+    @Test
+    void anOpeningThatNothingFillsIsNeverFlat() {
+        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
+            int[] marked = frames(offscreen, budget(0).with(Deepest.MARK), 1);
+            int[] bare = frames(offscreen, budget(0), 1);
+            int[] rimmed = frames(offscreen, budget(0).with(Decoration.ON), 1);
+            Map<Integer, Integer> counts = new HashMap<>();
+            int inside = 0;
+            int alike = 0;
+            for (int i = 0; i < marked.length; i++) {
+                if (marked[i] == NestedViews.MARK) {
+                    assertTrue(bare[i] != WALL_PIXEL && bare[i] != 0 && bare[i] != MAGENTA);
+                    counts.merge(bare[i], 1, Integer::sum);
+                    alike += rimmed[i] == bare[i] ? 1 : 0;
+                    inside++;
+                }
+            }
+            int most = counts.values().stream().max(Integer::compare).orElseThrow();
+            assertTrue(counts.size() > 100 && most < inside / 10, counts.size() + " colours, " + most + " of one");
+            assertTrue(alike > 0.8 * inside, alike + " of " + inside + " as between rims");
         }
     }
 

@@ -5,6 +5,7 @@ import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
 import nephele.engine.render.pass.rim.RimPass;
+import nephele.engine.render.pass.rim.UnfilledPass;
 import nephele.engine.render.pass.shadow.LampShadowPass;
 import nephele.engine.render.pass.shadow.SkyVisibilityPass;
 import nephele.engine.render.pass.shadow.SunShadowPass;
@@ -29,6 +30,7 @@ public final class RenderFeatures {
             GradientSkyPass.FEATURE,
             SkyboxPass.FEATURE,
             RimPass.FEATURE,
+            UnfilledPass.FEATURE,
             PortalPass.FEATURE,
             HeldPass.FEATURE,
             ToneMapPass.FEATURE);

@@ -57,7 +57,7 @@ public record RenderSettings(
 
     /** What fills the openings that the view budget does not reach. */
     public enum Deepest {
-        /** The picture before this one; where there is none, the wall that the opening lies in shows. */
+        /** The picture before this one; where there is none, a membrane before the wall that the opening lies in. */
         HISTORY,
         /** A colour that nothing else has, see {@code Renderer.MARK}. */
         MARK

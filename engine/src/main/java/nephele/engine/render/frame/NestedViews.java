@@ -7,7 +7,7 @@ import nephele.engine.scene.ViewNode;
 public interface NestedViews {
     /** What fills an opening. */
     enum Filling {
-        /** The wall that it lies in shows. */
+        /** Nothing of its own: the wall that it lies in is drawn, and a membrane before it. */
         NOTHING,
         /** The view behind it, {@link #draw drawn} in place. */
         VIEW,

@@ -1,13 +1,10 @@
 package nephele.engine.render.pass.rim;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Level;
-import nephele.engine.portal.Aperture;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
@@ -20,22 +17,22 @@ import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.scene.Moment;
-import nephele.engine.scene.ViewNode;
 
 /**
  * Rims around portals, in every view and before the openings are filled: a ring that stands before a neighbour's opening
- * stays, its glow, which writes no depth, never lies over one. A portal that leads nowhere, and one beyond the frame's views that nothing fills, gets a membrane over its wall.
+ * stays, its glow, which writes no depth, never lies over one. A portal that leads nowhere gets a membrane over its wall.
  */
 public final class RimPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("portal.rim", RimPass::requiredBy);
 
     private final GlContext gl;
-    private final List<RimShape> shapes = new ArrayList<>();
+    private final RimShapes shapes;
     private final RimLook look = new RimLook();
     private RimPrograms programs;
 
     private RimPass(GlContext gl) {
         this.gl = gl;
+        shapes = new RimShapes(gl);
     }
 
     private static List<Required> requiredBy(Level level) {
@@ -65,7 +62,7 @@ public final class RimPass implements Pass {
         for (int i = 0; i < moment.portals().size(); i++) {
             look.of(moment, i, frame.view());
             if (look.isIn(frame.surface().height())) {
-                drawRim(frame, !look.isOpen || isLeftUnfilled(frame, i));
+                drawRim(frame);
             }
         }
         for (int i = 0; i < moment.ghosts().size(); i++) {
@@ -77,18 +74,8 @@ public final class RimPass implements Pass {
         gl.state().depthOf(DepthOf.SURFACE);
     }
 
-    private static boolean isLeftUnfilled(FrameContext frame, int portal) {
-        List<ViewNode> children = frame.node().children();
-        for (int i = 0; i < children.size(); i++) {
-            if (children.get(i).portal() == portal && frame.nested().filling(children.get(i)) == Filling.NOTHING) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private void drawRim(FrameContext frame, boolean isClosed) {
-        RimShape shape = shape(look.portal.aperture());
+    private void drawRim(FrameContext frame) {
+        RimShape shape = shapes.of(look.portal.aperture());
         look.cells = shape.cells();
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, frame.clipDistances());
         use(programs.ring());
@@ -96,14 +83,14 @@ public final class RimPass implements Pass {
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.OVER, Cull.NONE, frame.clipDistances());
         use(programs.glow());
         shape.drawGlow();
-        if (isClosed) {
+        if (!look.isOpen) {
             use(programs.membrane());
             shape.drawArea();
         }
     }
 
     private void drawGhost(FrameContext frame) {
-        RimShape shape = shape(look.portal.aperture());
+        RimShape shape = shapes.of(look.portal.aperture());
         look.cells = shape.cells();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.OVER, Cull.NONE, frame.clipDistances());
         use(programs.ring());
@@ -115,23 +102,11 @@ public final class RimPass implements Pass {
         program.uniforms().set(look);
     }
 
-    /** Made when the first portal of its shape is drawn. */
-    private RimShape shape(Aperture aperture) {
-        for (int i = 0; i < shapes.size(); i++) {
-            if (shapes.get(i).isOf(aperture)) {
-                return shapes.get(i);
-            }
-        }
-        RimShape made = new RimShape(gl, aperture);
-        shapes.add(made);
-        return made;
-    }
-
     @Override
     public void close() {
         if (programs != null) {
             programs.close();
         }
-        shapes.forEach(RimShape::close);
+        shapes.close();
     }
 }

@@ -19,7 +19,11 @@ final class RimPrograms implements AutoCloseable {
     RimPrograms(LoadContext context) {
         ring = program(context, "ring.frag");
         glow = program(context, "glow.frag");
-        membrane = program(context, "membrane.frag");
+        membrane = membrane(context);
+    }
+
+    static GlProgram<Placing> membrane(LoadContext context) {
+        return program(context, "membrane.frag");
     }
 
     private static GlProgram<Placing> program(LoadContext context, String fragment) {

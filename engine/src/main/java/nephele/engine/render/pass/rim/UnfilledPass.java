@@ -1,0 +1,81 @@
+package nephele.engine.render.pass.rim;
+
+import java.util.List;
+import java.util.Set;
+import nephele.engine.level.Level;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.NestedViews.Filling;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.PortalNeeds;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.DrawState.DepthOf;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.scene.ViewNode;
+
+/**
+ * A membrane over each opening that the frame's views do not reach and no picture before fills, as in the first frame:
+ * neither the wall behind nor one colour shows there. Not a decoration: with rims or without, the opening is there.
+ */
+public final class UnfilledPass implements Pass {
+    public static final RenderFeature FEATURE = new RenderFeature("portal.unfilled", UnfilledPass::requiredBy);
+
+    private final GlContext gl;
+    private final RimShapes shapes;
+    private final RimLook look = new RimLook();
+    private GlProgram<RimPrograms.Placing> membrane;
+
+    private UnfilledPass(GlContext gl) {
+        this.gl = gl;
+        shapes = new RimShapes(gl);
+    }
+
+    private static List<Required> requiredBy(Level level) {
+        return PortalNeeds.of(level, "openings that nothing fills", UnfilledPass::new);
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.SURFACE);
+    }
+
+    @Override
+    public void load(LoadContext context) {
+        membrane = RimPrograms.membrane(context);
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        List<ViewNode> children = frame.node().children();
+        for (int i = 0; i < children.size(); i++) {
+            if (frame.nested().filling(children.get(i)) == Filling.NOTHING) {
+                cover(frame, children.get(i).portal());
+            }
+        }
+    }
+
+    private void cover(FrameContext frame, int portal) {
+        look.of(frame.moment(), portal, frame.view());
+        frame.surface().bind();
+        gl.state().depthOf(DepthOf.OPENING);
+        gl.state().set(Depth.LESS_OR_EQUAL, Blend.OVER, Cull.NONE, frame.clipDistances());
+        membrane.use();
+        membrane.uniforms().set(look);
+        shapes.of(look.portal.aperture()).drawArea();
+        gl.state().depthOf(DepthOf.SURFACE);
+    }
+
+    @Override
+    public void close() {
+        if (membrane != null) {
+            membrane.close();
+        }
+        shapes.close();
+    }
+}
