@@ -17,6 +17,7 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -110,10 +111,10 @@ public final class SolidPass implements Pass {
         program.uniforms().cell(cell, light.anchor());
         materials.bind(batch.kind().materialBlock());
         if (batch.kind().isTextured()) {
-            colours.get(batch.kind().colourArray()).bind(SolidVariant.COLOUR_UNIT);
+            colours.get(batch.kind().colourArray()).bind(SurfaceVariant.COLOUR_UNIT);
         }
         if (batch.kind().isNormalMapped()) {
-            normals.get(batch.kind().normalArray()).bind(SolidVariant.NORMAL_UNIT);
+            normals.get(batch.kind().normalArray()).bind(SurfaceVariant.NORMAL_UNIT);
         }
         mesh.draw(index, frame.visible());
     }

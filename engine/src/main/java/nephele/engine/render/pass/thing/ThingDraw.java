@@ -11,6 +11,7 @@ import nephele.engine.render.frame.PictureArrays;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.frame.ThingMeshes;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -94,10 +95,10 @@ final class ThingDraw implements AutoCloseable {
         program.uniforms().view(eye, seamPerMetre);
         materials.bind(kind.materialBlock());
         if (kind.isTextured()) {
-            colours.get(kind.colourArray()).bind(ThingVariant.COLOUR_UNIT);
+            colours.get(kind.colourArray()).bind(SurfaceVariant.COLOUR_UNIT);
         }
         if (kind.isNormalMapped()) {
-            normals.get(kind.normalArray()).bind(ThingVariant.NORMAL_UNIT);
+            normals.get(kind.normalArray()).bind(SurfaceVariant.NORMAL_UNIT);
         }
         meshes.draw(visible, run, program.uniforms().run());
     }

@@ -2,11 +2,10 @@ package nephele.engine.render.pass.thing;
 
 import java.util.Optional;
 import nephele.engine.render.frame.Defines;
-import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MaterialBlocks;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.frame.ThingMeshes.RunUniforms;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.ShaderSource;
@@ -18,25 +17,17 @@ import nephele.engine.scene.ViewTree;
  * Which code a group's shader holds; equal variants share a program. What has no texture is given details – except in
  * output PLAIN, which shows values as stored.
  */
-record ThingVariant(boolean lambert, boolean textured, boolean normalMapped, boolean detailed, ThingLook look) {
-    static final int COLOUR_UNIT = 0;
-    static final int NORMAL_UNIT = 1;
-
+record ThingVariant(SurfaceVariant surface, boolean detailed, ThingLook look) {
     private static final String FOLDER = "/nephele/engine/render/pass/thing/";
 
     static ThingVariant of(SolidBatch.Kind kind, Output output, ThingLook look) {
         boolean bare = !kind.isTextured() && !kind.isNormalMapped();
-        return new ThingVariant(
-                kind.lambert(), kind.isTextured(), kind.isNormalMapped(), bare && output != Output.PLAIN, look);
+        return new ThingVariant(SurfaceVariant.of(kind), bare && output != Output.PLAIN, look);
     }
 
     GlProgram<ThingUniforms> program(LoadContext context, int materialsPerBlock) {
         SurfaceLight light = context.shared().surfaceLight(context);
-        var defines = light.addForThings(Defines.of(context))
-                .with("MATERIAL_COUNT", materialsPerBlock)
-                .with(lambert ? "LAMBERT" : "METALLIC_ROUGHNESS")
-                .withIf(textured, "TEXTURED")
-                .withIf(normalMapped, "NORMAL_MAP")
+        var defines = surface.addTo(light.addForThings(Defines.of(context)), materialsPerBlock)
                 .withIf(detailed, "DETAIL")
                 .withIf(look == ThingLook.SEE_THROUGH, "SEE_THROUGH")
                 .values();
@@ -49,14 +40,7 @@ record ThingVariant(boolean lambert, boolean textured, boolean normalMapped, boo
     }
 
     private ThingUniforms uniforms(Uniforms uniforms, SurfaceLight light, boolean cut) {
-        uniforms.block("Frame", FrameUniforms.BINDING);
-        uniforms.block("Materials", MaterialBlocks.BINDING);
-        if (textured) {
-            uniforms.sampler("colours", COLOUR_UNIT);
-        }
-        if (normalMapped) {
-            uniforms.sampler("normals", NORMAL_UNIT);
-        }
+        surface.set(uniforms);
         light.setForThings(uniforms);
         return new ThingUniforms(
                 uniforms.vector3("eyeHigh"),

@@ -1,0 +1,34 @@
+package nephele.engine.render.frame;
+
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.scene.SolidBatch;
+
+/** Which code for materials a shader holds, of solids or of things. */
+public record SurfaceVariant(boolean lambert, boolean textured, boolean normalMapped) {
+    public static final int COLOUR_UNIT = 0;
+    public static final int NORMAL_UNIT = 1;
+
+    public static SurfaceVariant of(SolidBatch.Kind kind) {
+        return new SurfaceVariant(kind.lambert(), kind.isTextured(), kind.isNormalMapped());
+    }
+
+    /** @param materialsPerBlock length of the array of materials */
+    public Defines addTo(Defines defines, int materialsPerBlock) {
+        return defines.with("MATERIAL_COUNT", materialsPerBlock)
+                .with(lambert ? "LAMBERT" : "METALLIC_ROUGHNESS")
+                .withIf(textured, "TEXTURED")
+                .withIf(normalMapped, "NORMAL_MAP");
+    }
+
+    /** Sets what a program compiled with {@link #addTo} needs, once and for all. */
+    public void set(Uniforms uniforms) {
+        uniforms.block("Frame", FrameUniforms.BINDING);
+        uniforms.block("Materials", MaterialBlocks.BINDING);
+        if (textured) {
+            uniforms.sampler("colours", COLOUR_UNIT);
+        }
+        if (normalMapped) {
+            uniforms.sampler("normals", NORMAL_UNIT);
+        }
+    }
+}
