@@ -10,6 +10,7 @@ import nephele.app.prove.DoorwayRooms;
 import nephele.app.prove.DoorwayRooms.Doors;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.level.Level;
+import nephele.engine.level.RoomLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.PlayerInput;
@@ -74,7 +75,7 @@ class BoomTest {
     /** A wall before the player's eyes is not in the boom's way, nor is one that the shoulder touches behind it. */
     @Test
     void theWallThatOneFacesLeavesTheBoomOut() {
-        Level level = new PlayRoom().box(-3, 0, -0.6, 3, 4, -0.3).level();
+        Level level = new RoomLevel().box(-3, 0, -0.6, 3, 4, -0.3).level();
         var reach = new BoomReach(CollisionWorld.of(level));
         for (double right = 0; right < 3; right += 0.25) {
             assertEquals(1, reach.free(Portals.of(level), new Vector3d(0, 1.5, 0), new Vector3d(right, 0.3, 2.6)), 0);

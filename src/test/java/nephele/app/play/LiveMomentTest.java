@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import nephele.engine.level.PortalShape;
 import nephele.engine.level.PortalSpec;
+import nephele.engine.level.RoomLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
@@ -30,7 +31,7 @@ class LiveMomentTest {
                         portal("floor", "wall", Vec3.ZERO, UP),
                         portal("wall", "floor", new Vec3(40, 3, 5), new Vec3(1, 0.2, 0.4))),
                 List.of(1, 0));
-        var live = new LiveMoment(PlayRoom.hall().level());
+        var live = new LiveMoment(RoomLevel.hall().level());
         live.moment().portals(portals);
         for (double height : new double[] {1.8, 1.1}) {
             for (double yaw = -3; yaw < 3; yaw += 0.7) {

@@ -1,6 +1,7 @@
 package nephele.app.play;
 
 import nephele.engine.level.Level;
+import nephele.engine.level.RoomLevel;
 import nephele.engine.math.Vec3;
 
 /** Walls with portals 0.6 m before one another, far apart in the level, and a wall behind the last. */
@@ -14,7 +15,7 @@ final class TightRow {
     private TightRow() {}
 
     static Level level(int doors, double wallMetres) {
-        var room = new PlayRoom();
+        var room = new RoomLevel();
         for (int door = 0; door < doors; door++) {
             double x = APART * door;
             room.box(x - 3, 0, TO_DOOR, x + 3, 4, TO_DOOR + 0.3);

@@ -8,6 +8,7 @@ import nephele.app.levels.LevelName;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Level;
+import nephele.engine.level.RoomLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerInput;
 import nephele.engine.sim.SimSettings;
@@ -68,7 +69,7 @@ class WalkTest {
     /** Whoever falls out of the level begins again: the picture before has nothing to do with it. */
     @Test
     void aBeginningAndALeapAreCuts() {
-        PlayRoom room = new PlayRoom().box(-1, -1, -1, 1, 0, 1).startAt(0, 0, 0, 0, 0);
+        HandWalk room = new HandWalk(new RoomLevel().box(-1, -1, -1, 1, 0, 1).level());
         assertTrue(room.walk().takeCut(), "the first picture");
         assertFalse(room.ticks(60).walk().takeCut());
         room.hold(PlayerInput.FORWARD);
@@ -85,9 +86,10 @@ class WalkTest {
     /** Straight on through a portal is no cut. */
     @Test
     void aCrossingIsNoCut() {
-        PlayRoom room = PlayRoom.hall()
+        HandWalk room = new HandWalk(RoomLevel.hall()
                 .pair(new Vec3(0, 1.05, -8), new Vec3(0, 0, 1), new Vec3(-8, 1.05, 0), new Vec3(1, 0, 0))
-                .startAt(0, 0, -6, 0, 0);
+                .startAt(0, 0, -6, 0, 0)
+                .level());
         assertTrue(room.walk().takeCut());
         room.hold(PlayerInput.FORWARD).ticks(120);
         assertTrue(room.walk().state().player().feet().x() < -5, "crossed");
