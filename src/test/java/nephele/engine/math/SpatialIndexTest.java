@@ -106,6 +106,22 @@ class SpatialIndexTest {
         }
     }
 
+    @Test
+    void whatPassesATestIsWhatPassesItBoxByBox() {
+        var random = new SplittableRandom(11);
+        List<Aabb> boxes = randomBoxes(random, 800);
+        SpatialIndex index = SpatialIndex.of(boxes);
+        ItemList found = new ItemList();
+        for (int query = 0; query < 500; query++) {
+            Aabb box = FrustumTest.randomBox(random, Vec3.ZERO, 30);
+            found.clear();
+            index.passing((bounds, at) -> bounds[at] <= box.maxX() && box.minX() <= bounds[at + 3], found);
+            found.sort();
+            var slab = new Aabb(box.minX(), -INF, -INF, box.maxX(), INF, INF);
+            assertArrayEquals(overlapping(boxes, slab), items(found));
+        }
+    }
+
     private static int[] overlapping(List<Aabb> boxes, Aabb box) {
         return java.util.stream.IntStream.range(0, boxes.size())
                 .filter(i -> !boxes.get(i).isEmpty() && boxes.get(i).overlaps(box))

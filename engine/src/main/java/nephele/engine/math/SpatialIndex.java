@@ -176,6 +176,35 @@ public final class SpatialIndex {
         return rays.anyHit(ray, limit, test);
     }
 
+    /** Every item whose box passes, in the order of the tree. */
+    public void passing(BoxTest test, ItemVisitor found) {
+        passing(test, 0, tree.unbounded(), found);
+        if (tree.nodes() > 0) {
+            passing(test, 0, found);
+        }
+    }
+
+    private void passing(BoxTest test, int node, ItemVisitor found) {
+        if (!test.passes(tree.nodeBounds(), 6 * node)) {
+            return;
+        }
+        int right = tree.right()[node];
+        if (right < 0) {
+            passing(test, tree.first()[node], tree.end()[node], found);
+        } else {
+            passing(test, node + 1, found);
+            passing(test, right, found);
+        }
+    }
+
+    private void passing(BoxTest test, int firstSlot, int endSlot, ItemVisitor found) {
+        for (int slot = firstSlot; slot < endSlot; slot++) {
+            if (test.passes(tree.slotBounds(), 6 * slot)) {
+                found.item(tree.itemAtSlot()[slot]);
+            }
+        }
+    }
+
     /** Every item whose box {@code box} may touch on its way along {@code motion}, in the order of the tree. */
     public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
         Aabb whole = box.union(new Aabb(

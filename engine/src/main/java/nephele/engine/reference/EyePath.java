@@ -32,7 +32,7 @@ final class EyePath {
     private final Vector3d origin = new Vector3d();
     private final Vector3d direction = new Vector3d();
     private Ray ray;
-    private int item;
+    private int item = -1;
     private double metres;
     private long passed;
 
@@ -52,13 +52,14 @@ final class EyePath {
         direction.set(along);
         double length = along.length();
         double walked = 0;
+        int likely = item;
         item = -1;
         metres = Double.POSITIVE_INFINITY;
         passed = 0;
         for (int crossings = 0; crossings < MOST_CROSSINGS; crossings++) {
             ray = SurfaceRays.ray(origin, direction);
             double left = far - walked;
-            boolean isMet = surfaces.nearest(ray, Math.max(near - walked, 0), left, hit);
+            boolean isMet = surfaces.nearest(ray, Math.max(near - walked, 0), left, likely, hit);
             double free = (isMet ? hit.distance() : left) + FLUSH_METRES / length;
             if (!crossing.find(portals, origin, direction, STRAIGHT, free)) {
                 if (isMet) {

@@ -1,12 +1,15 @@
 package nephele.engine.reference;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Lamp;
 import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.SampleSequence.PixelSample;
@@ -23,8 +26,7 @@ final class Illumination {
     static final int SKY_RAYS = 4;
 
     private static final int SUN = 0;
-    private static final int SKY = 1;
-    private static final int FIRST_LAMP = 2;
+    private static final int FIRST_LAMP = 1;
 
     /** Rays leave this far above their face: over rounding, under anything that is seen. */
     private static final double LIFT_METRES = 1e-7;
@@ -46,9 +48,13 @@ final class Illumination {
         skyLight = ambient == null ? sky.map(SkyLight::new) : Optional.empty();
     }
 
-    /** Lights are numbered below this. */
-    int lights() {
-        return FIRST_LAMP + lamps.size();
+    /** For each light but the sky, where it comes from. */
+    List<Function<Aabb, BeamShape>> beams() {
+        Vec3 sunwards = Vec3.of(towardsSun);
+        List<Function<Aabb, BeamShape>> beams = new ArrayList<>();
+        beams.add(from -> BeamShape.along(sunwards, sunwards, from));
+        lamps.forEach(lamp -> beams.add(from -> BeamShape.to(lamp.position(), from)));
+        return beams;
     }
 
     private static Vector3dc unit(Vec3 v) {
@@ -116,7 +122,7 @@ final class Illumination {
         int free = 0;
         for (int i = 0; i < SKY_RAYS; i++) {
             Vector3d direction = onHemisphere(sample.sky(i), across, up, surface.faceNormal());
-            boolean isBlocked = shadows.isBlocked(SKY, origin, direction, Double.POSITIVE_INFINITY, surface.item());
+            boolean isBlocked = shadows.isSkyBlocked(origin, direction, surface.item());
             free += isBlocked ? 0 : 1;
         }
         if (free > 0) {

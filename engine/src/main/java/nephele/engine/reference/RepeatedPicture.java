@@ -26,18 +26,20 @@ final class RepeatedPicture {
         int top = (int) Math.floor(y);
         double fx = x - left;
         double fy = y - top;
+        int right = left + 1 == picture.width() ? 0 : left + 1;
+        int bottom = top + 1 == picture.height() ? 0 : top + 1;
+        left = left < 0 ? picture.width() - 1 : left;
+        top = top < 0 ? picture.height() - 1 : top;
         Arrays.fill(rgba, 0);
         add(left, top, (1 - fx) * (1 - fy), rgba);
-        add(left + 1, top, fx * (1 - fy), rgba);
-        add(left, top + 1, (1 - fx) * fy, rgba);
-        add(left + 1, top + 1, fx * fy, rgba);
+        add(right, top, fx * (1 - fy), rgba);
+        add(left, bottom, (1 - fx) * fy, rgba);
+        add(right, bottom, fx * fy, rgba);
     }
 
     private void add(int column, int row, double weight, double[] rgba) {
-        int x = Math.floorMod(column, picture.width());
-        int y = Math.floorMod(row, picture.height());
         byte[] samples = picture.samples();
-        int at = 4 * (y * picture.width() + x);
+        int at = 4 * (row * picture.width() + column);
         for (int channel = 0; channel < 3; channel++) {
             rgba[channel] += weight * linear[samples[at + channel] & 0xff];
         }

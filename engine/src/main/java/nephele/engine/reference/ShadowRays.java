@@ -1,37 +1,35 @@
 package nephele.engine.reference;
 
-import java.util.Arrays;
 import nephele.engine.math.Ray;
 import org.joml.Vector3dc;
 
-/**
- * Asks whether light arrives. What shaded the last place from a light likely shades the next one, so that is tried
- * first; the answer does not depend on it. One for each thread.
- */
+/** Asks whether light arrives. One for each thread. */
 final class ShadowRays {
     private final SurfaceRays surfaces;
-    private final int[] lastBlockers;
+    private final Beams beams;
+    private final Ray ray = Ray.reusable();
+    private Beams.Cube cube;
 
-    /** @param lights numbers of lights are less than this */
-    ShadowRays(SurfaceRays surfaces, int lights) {
+    ShadowRays(SurfaceRays surfaces, Beams beams) {
         this.surfaces = surfaces;
-        lastBlockers = new int[lights];
-        Arrays.fill(lastBlockers, -1);
+        this.beams = beams;
     }
 
     /**
-     * @param light tells apart whose light it is
+     * @param light number of the sun or a lamp, which lies in {@code direction}
      * @param limit parameter of the ray up to which something is in the way
      * @param except the item that is lit: a convex thing does not shade itself
      */
     boolean isBlocked(int light, Vector3dc origin, Vector3dc direction, double limit, int except) {
-        Ray ray = SurfaceRays.ray(origin, direction);
-        int last = lastBlockers[light];
-        if (last >= 0 && last != except && surfaces.isBlockedBy(last, ray, limit)) {
-            return true;
-        }
-        int blocker = surfaces.blocker(ray, limit, except);
-        lastBlockers[light] = blocker >= 0 ? blocker : last;
-        return blocker >= 0;
+        ray.aim(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+        cube = beams.cube(origin, cube);
+        return cube == null
+                ? surfaces.blocker(ray, limit, except) >= 0
+                : beams.beam(cube, light).isBlocked(ray, limit, except);
+    }
+
+    /** Whether the sky is out of sight in a direction. */
+    boolean isSkyBlocked(Vector3dc origin, Vector3dc direction, int except) {
+        return isBlocked(beams.patch(direction), origin, direction, Double.POSITIVE_INFINITY, except);
     }
 }

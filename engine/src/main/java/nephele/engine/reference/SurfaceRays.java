@@ -1,7 +1,10 @@
 package nephele.engine.reference;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
@@ -18,17 +21,24 @@ final class SurfaceRays {
     /** Two faces that a ray meets within this share of its way are met on their edge. */
     private static final double EDGE = 1e-12;
 
+    /** By this factor of its way a ray goes on behind a surface before nothing there can be in front by rounding. */
+    private static final double BEHIND = 1 + 1e-9;
+
     private final double[][] planes;
     private final BodyPiece[] pieces;
+    private final double[] bounds;
     private final SpatialIndex index;
 
     SurfaceRays(List<Brush> brushes, List<BodyPiece> pieces) {
         planes = brushes.stream().map(brush -> brush.shape().flatPlanes()).toArray(double[][]::new);
         this.pieces = pieces.toArray(BodyPiece[]::new);
-        List<Aabb> bounds = new ArrayList<>();
-        brushes.forEach(brush -> bounds.add(brush.shape().bounds()));
-        pieces.forEach(piece -> bounds.add(piece.bounds()));
-        index = SpatialIndex.of(bounds);
+        List<Aabb> boxes = new ArrayList<>();
+        brushes.forEach(brush -> boxes.add(brush.shape().bounds()));
+        pieces.forEach(piece -> boxes.add(piece.bounds()));
+        bounds = boxes.stream()
+                .flatMapToDouble(b -> DoubleStream.of(b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()))
+                .toArray();
+        index = SpatialIndex.of(boxes);
     }
 
     static Ray ray(Vector3dc origin, Vector3dc direction) {
@@ -54,15 +64,25 @@ final class SurfaceRays {
         return entry(ray, planes[solid], 0);
     }
 
-    /** The first item that the ray enters at a parameter from {@code least} to {@code most}. */
-    boolean nearest(Ray ray, double least, double most, RayHit hit) {
-        return index.nearest(
-                ray,
-                most,
-                (r, item, limit) -> item < planes.length
-                        ? entry(r, planes[item], least)
-                        : piece(item).entry(r, least),
-                hit);
+    /**
+     * The first item that the ray enters at a parameter from {@code least} to {@code most}.
+     *
+     * @param likely an item that the ray may well enter first, or −1: what is clearly behind it is not looked at, the
+     *     answer does not depend on it
+     */
+    boolean nearest(Ray ray, double least, double most, int likely, RayHit hit) {
+        double behind = likely < 0 ? Double.POSITIVE_INFINITY : BEHIND * entry(ray, likely, least);
+        return behind < most && nearest(ray, least, behind, hit) || nearest(ray, least, most, hit);
+    }
+
+    private boolean nearest(Ray ray, double least, double most, RayHit hit) {
+        return index.nearest(ray, most, (r, item, limit) -> entry(r, item, least), hit);
+    }
+
+    private double entry(Ray ray, int item, double least) {
+        return item < planes.length
+                ? entry(ray, planes[item], least)
+                : piece(item).entry(ray, least);
     }
 
     /** Which of its faces the ray enters a solid by; on an edge, the one that it meets more squarely. */
@@ -88,6 +108,42 @@ final class SurfaceRays {
         Blocker found = new Blocker(except);
         index.anyHit(ray, limit, found);
         return found.item;
+    }
+
+    /** All items that rays of the beam may meet. */
+    int[] near(BeamShape shape) {
+        IntStream.Builder items = IntStream.builder();
+        index.passing(shape, items::add);
+        return items.build().toArray();
+    }
+
+    /**
+     * Those of some items that rays of the beam may meet, nearest first.
+     *
+     * @param items all that are {@link #near} this beam or a wider one
+     */
+    Beam beam(BeamShape shape, int[] items) {
+        int[] met = new int[items.length];
+        double[] entries = new double[items.length];
+        int count = 0;
+        for (int item : items) {
+            double entry = shape.entry(bounds, 6 * item);
+            if (entry < Double.POSITIVE_INFINITY) {
+                int at = count++;
+                for (; at > 0 && entries[at - 1] > entry; at--) {
+                    entries[at] = entries[at - 1];
+                    met[at] = met[at - 1];
+                }
+                entries[at] = entry;
+                met[at] = item;
+            }
+        }
+        return new Beam(this, Arrays.copyOf(met, count));
+    }
+
+    /** The first of some items whose box the ray meets up to the parameter {@code limit}, as {@link Ray#firstBox}. */
+    int firstBox(Ray ray, double limit, int[] items, int from, int to) {
+        return ray.firstBox(limit, bounds, items, from, to);
     }
 
     /** Whether the ray meets one item up to the parameter {@code limit}. */

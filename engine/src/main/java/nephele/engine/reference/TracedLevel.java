@@ -20,6 +20,7 @@ public final class TracedLevel {
     private final Surfaces surfaces;
     private final BodySurfaces bodies;
     private final Illumination light;
+    private final Beams beams;
     private final Optional<SkyRadiance> sky;
     private final Optional<FogVeil> fog;
     private final Portals portals;
@@ -34,6 +35,7 @@ public final class TracedLevel {
         sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         fog = FogVeil.of(level.environment());
         light = new Illumination(level, sky);
+        beams = new Beams(rays, light.beams());
     }
 
     /**
@@ -47,7 +49,7 @@ public final class TracedLevel {
     }
 
     Tracer tracer(Pinhole eye) {
-        return new Tracer(this, eye, new EyePath(rays, portals), new ShadowRays(rays, light.lights()));
+        return new Tracer(this, eye, new EyePath(rays, portals), new ShadowRays(rays, beams));
     }
 
     /** For one thread. */

@@ -1,0 +1,75 @@
+package nephele.engine.reference;
+
+import nephele.engine.math.Aabb;
+import nephele.engine.math.BoxTest;
+import nephele.engine.math.Vec3;
+
+/**
+ * Where rays of light run that arrive in one box of space: at parameter t from 0 to {@code end} within the box whose
+ * every bound has moved on by t times its own rate. Wider than the rays by far more than what rounding moves them.
+ */
+final class BeamShape implements BoxTest {
+    /** Metres, and metres per unit of the parameter. */
+    private static final double MARGIN = 1e-4;
+
+    private final double[] low;
+    private final double[] high;
+    private final double[] lowRate;
+    private final double[] highRate;
+    private final double end;
+
+    private BeamShape(Aabb from, double[] lowRate, double[] highRate, double end) {
+        Aabb wide = from.grown(MARGIN);
+        low = new double[] {wide.minX(), wide.minY(), wide.minZ()};
+        high = new double[] {wide.maxX(), wide.maxY(), wide.maxZ()};
+        this.lowRate = lowRate;
+        this.highRate = highRate;
+        this.end = end;
+    }
+
+    /** The ways to a lamp. */
+    static BeamShape to(Vec3 lamp, Aabb from) {
+        double[] lowRate = {lamp.x() - from.minX(), lamp.y() - from.minY(), lamp.z() - from.minZ()};
+        double[] highRate = {lamp.x() - from.maxX(), lamp.y() - from.maxY(), lamp.z() - from.maxZ()};
+        return new BeamShape(from, lowRate, highRate, 1);
+    }
+
+    /** The ways into the open in all directions between two, component by component. */
+    static BeamShape along(Vec3 least, Vec3 most, Aabb from) {
+        double[] lowRate = {least.x() - MARGIN, least.y() - MARGIN, least.z() - MARGIN};
+        double[] highRate = {most.x() + MARGIN, most.y() + MARGIN, most.z() + MARGIN};
+        return new BeamShape(from, lowRate, highRate, Double.POSITIVE_INFINITY);
+    }
+
+    @Override
+    public boolean passes(double[] bounds, int at) {
+        return entry(bounds, at) < Double.POSITIVE_INFINITY;
+    }
+
+    /** The parameter at which the beam comes to a box; infinity where it never does. */
+    double entry(double[] bounds, int at) {
+        double enter = 0;
+        double leave = end;
+        for (int axis = 0; axis < 3; axis++) {
+            double below = bounds[at + axis] - high[axis];
+            double above = bounds[at + 3 + axis] - low[axis];
+            double highMoves = highRate[axis];
+            double lowMoves = lowRate[axis];
+            if (highMoves > 0) {
+                enter = Math.max(enter, below / highMoves);
+            } else if (highMoves < 0) {
+                leave = Math.min(leave, below / highMoves);
+            } else if (below > 0) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (lowMoves > 0) {
+                leave = Math.min(leave, above / lowMoves);
+            } else if (lowMoves < 0) {
+                enter = Math.max(enter, above / lowMoves);
+            } else if (above < 0) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        return enter <= leave ? enter : Double.POSITIVE_INFINITY;
+    }
+}

@@ -1,0 +1,151 @@
+package nephele.engine.reference;
+
+import java.util.List;
+import java.util.function.Function;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.BitHash;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3dc;
+
+/**
+ * Sorts rays of light into beams, each from one cube of space to one lamp, to the sun or to a patch of the sky, and finds
+ * once for all rays of a beam what they may meet. A beam is made when its first ray asks. Shared by all threads: they may
+ * make a beam twice, but never see half of one.
+ */
+final class Beams {
+    private static final double CUBE_METRES = 1;
+
+    /** Farther from the origin in metres, cubes are not told apart. */
+    private static final double FARTHEST_METRES = 1e6;
+
+    /** Patches of the sky along each side of a face of the cube of directions. */
+    private static final int SIDE = 4;
+
+    private static final int FACE_PATCHES = SIDE * SIDE;
+
+    /** Cubes kept at a time, a few kilobytes each; a power of two. */
+    private static final int MOST_CUBES = 1 << 14;
+
+    private final SurfaceRays surfaces;
+    private final List<Function<Aabb, BeamShape>> lights;
+    private final Cube[] cubes = new Cube[MOST_CUBES];
+
+    /** The beams that start in one cube of space. */
+    static final class Cube {
+        private final int x;
+        private final int y;
+        private final int z;
+        private final Beam[] beams;
+
+        private Cube(int x, int y, int z, int beams) {
+            this.x = x;
+            this.y = y;
+            this.z = z;
+            this.beams = new Beam[beams];
+        }
+
+        private boolean isAt(int otherX, int otherY, int otherZ) {
+            return x == otherX && y == otherY && z == otherZ;
+        }
+
+        private Aabb box() {
+            return new Aabb(
+                    x * CUBE_METRES,
+                    y * CUBE_METRES,
+                    z * CUBE_METRES,
+                    (x + 1) * CUBE_METRES,
+                    (y + 1) * CUBE_METRES,
+                    (z + 1) * CUBE_METRES);
+        }
+    }
+
+    /** @param lights the ways from a box to each light but the sky */
+    Beams(SurfaceRays surfaces, List<Function<Aabb, BeamShape>> lights) {
+        this.surfaces = surfaces;
+        this.lights = List.copyOf(lights);
+    }
+
+    /** The number of the beams into a direction of the sky; beams to lights are numbered as these. */
+    int patch(Vector3dc direction) {
+        double x = Math.abs(direction.x());
+        double y = Math.abs(direction.y());
+        double z = Math.abs(direction.z());
+        if (x >= y && x >= z) {
+            return patch(direction.x() < 0 ? 1 : 0, direction.y() / x, direction.z() / x);
+        }
+        return y >= z
+                ? patch(direction.y() < 0 ? 3 : 2, direction.x() / y, direction.z() / y)
+                : patch(direction.z() < 0 ? 5 : 4, direction.x() / z, direction.y() / z);
+    }
+
+    private int patch(int face, double s, double t) {
+        int column = Math.min((int) ((s + 1) / 2 * SIDE), SIDE - 1);
+        int row = Math.min((int) ((t + 1) / 2 * SIDE), SIDE - 1);
+        return lights.size() + face * FACE_PATCHES + row * SIDE + column;
+    }
+
+    /**
+     * The cube around a place, or {@code null} too far from the origin.
+     *
+     * @param likely returned if it is the one; may be {@code null}
+     */
+    Cube cube(Vector3dc place, Cube likely) {
+        int x = (int) Math.floor(place.x() / CUBE_METRES);
+        int y = (int) Math.floor(place.y() / CUBE_METRES);
+        int z = (int) Math.floor(place.z() / CUBE_METRES);
+        return likely != null && likely.isAt(x, y, z) ? likely : cube(x, y, z);
+    }
+
+    private Cube cube(int x, int y, int z) {
+        long farthest = Math.max(Math.abs((long) x), Math.max(Math.abs((long) y), Math.abs((long) z)));
+        if (farthest > FARTHEST_METRES / CUBE_METRES) {
+            return null;
+        }
+        int slot = (int) BitHash.join(BitHash.join(BitHash.join(0, x), y), z) & MOST_CUBES - 1;
+        Cube known = cubes[slot];
+        if (known == null || !known.isAt(x, y, z)) {
+            known = new Cube(x, y, z, lights.size() + 6 * FACE_PATCHES);
+            cubes[slot] = known;
+        }
+        return known;
+    }
+
+    /** @param number of a light, or of a {@link #patch} */
+    Beam beam(Cube cube, int number) {
+        if (cube.beams[number] == null) {
+            make(cube, number);
+        }
+        return cube.beams[number];
+    }
+
+    /** All patches of a face of the sky at once: what is near one of them is near the face. */
+    private void make(Cube cube, int number) {
+        Aabb box = cube.box();
+        if (number < lights.size()) {
+            BeamShape shape = lights.get(number).apply(box);
+            cube.beams[number] = surfaces.beam(shape, surfaces.near(shape));
+            return;
+        }
+        int face = (number - lights.size()) / FACE_PATCHES;
+        int[] near = surfaces.near(BeamShape.along(onCube(face, 0, 0), onCube(face, SIDE, SIDE), box));
+        for (int patch = 0; patch < FACE_PATCHES; patch++) {
+            int column = patch % SIDE;
+            int row = patch / SIDE;
+            Vec3 least = onCube(face, column, row);
+            Vec3 most = onCube(face, column + 1, row + 1);
+            Beam beam = surfaces.beam(BeamShape.along(least, most, box), near);
+            cube.beams[lights.size() + face * FACE_PATCHES + patch] = beam;
+        }
+    }
+
+    private static Vec3 onCube(int face, int column, int row) {
+        double side = (face & 1) == 0 ? 1 : -1;
+        double s = 2.0 * column / SIDE - 1;
+        double t = 2.0 * row / SIDE - 1;
+        return switch (face / 2) {
+            case 0 -> new Vec3(side, s, t);
+            case 1 -> new Vec3(s, side, t);
+            default -> new Vec3(s, t, side);
+        };
+    }
+}

@@ -1,0 +1,113 @@
+package nephele.engine.reference;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import nephele.engine.level.Brush;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+class BeamsTest {
+    private static final int RAYS = 100_000;
+    private static final int BOXES = 150;
+    private static final Vec3 LAMP = new Vec3(3.2, 1.1, -4.7);
+    private static final Vector3d TOWARDS_SUN = new Vector3d(0.3, 0.9, 0).normalize();
+
+    private final SplittableRandom random = new SplittableRandom(7);
+    private final SurfaceRays surfaces = surfaces();
+    private final ShadowRays shadows = new ShadowRays(surfaces, beams());
+    private int blocked;
+
+    /** Some beside the other, some far away, some so thin that only few rays of a beam meet them. */
+    private SurfaceRays surfaces() {
+        Stage stage = new Stage();
+        for (int i = 0; i < BOXES; i++) {
+            stage.box("grey", new Vec3(within(8), within(8), within(8)), new Vec3(size(), size(), size()));
+        }
+        List<Brush> brushes = stage.level().solids().stream().map(Brush::of).toList();
+        return new SurfaceRays(brushes, List.of());
+    }
+
+    private Beams beams() {
+        Vec3 sunwards = Vec3.of(TOWARDS_SUN);
+        List<Function<Aabb, BeamShape>> lights = new ArrayList<>();
+        lights.add(from -> BeamShape.along(sunwards, sunwards, from));
+        lights.add(from -> BeamShape.to(LAMP, from));
+        return new Beams(surfaces, lights);
+    }
+
+    private double within(double metres) {
+        return metres * (2 * random.nextDouble() - 1);
+    }
+
+    private double size() {
+        return Math.pow(10, -2 + 2.6 * random.nextDouble());
+    }
+
+    /** One in four on the side of a cube. */
+    private Vector3d place() {
+        Vector3d place = new Vector3d(within(9), within(9), within(9));
+        return random.nextInt(4) == 0 ? place.setComponent(random.nextInt(3), random.nextInt(-9, 10)) : place;
+    }
+
+    private void agree(boolean isBlocked, Vector3d origin, Vector3d direction, double limit, int except) {
+        Ray ray = SurfaceRays.ray(origin, direction);
+        assertEquals(surfaces.blocker(ray, limit, except) >= 0, isBlocked, () -> origin + " along " + direction);
+        blocked += isBlocked ? 1 : 0;
+    }
+
+    @Test
+    void theSunIsBlockedByWhatIsInTheWay() {
+        for (int i = 0; i < RAYS; i++) {
+            Vector3d from = place();
+            int except = random.nextInt(BOXES);
+            boolean isBlocked = shadows.isBlocked(0, from, TOWARDS_SUN, Double.POSITIVE_INFINITY, except);
+            agree(isBlocked, from, TOWARDS_SUN, Double.POSITIVE_INFINITY, except);
+        }
+        assertTrue(blocked > RAYS / 10 && blocked < RAYS * 9 / 10, () -> blocked + " blocked");
+    }
+
+    @Test
+    void aLampIsBlockedByWhatIsBeforeIt() {
+        for (int i = 0; i < RAYS; i++) {
+            Vector3d from = place();
+            Vector3d way = LAMP.toVector().sub(from);
+            int except = random.nextInt(BOXES);
+            agree(shadows.isBlocked(1, from, way, 1, except), from, way, 1, except);
+        }
+        assertTrue(blocked > RAYS / 10 && blocked < RAYS * 9 / 10, () -> blocked + " blocked");
+    }
+
+    @Test
+    void theSkyIsBlockedInEveryDirectionByWhatIsInTheWay() {
+        for (int i = 0; i < RAYS; i++) {
+            Vector3d from = place();
+            // Small whole numbers meet the borders of patches.
+            Vector3d way = random.nextBoolean()
+                    ? new Vector3d(random.nextInt(-2, 3), random.nextInt(-2, 3), random.nextInt(-2, 3))
+                    : new Vector3d(within(1), within(1), within(1));
+            if (way.lengthSquared() > 0) {
+                way.normalize();
+                int except = random.nextInt(BOXES);
+                boolean isBlocked = shadows.isSkyBlocked(from, way, except);
+                agree(isBlocked, from, way, Double.POSITIVE_INFINITY, except);
+            }
+        }
+        assertTrue(blocked > RAYS / 10 && blocked < RAYS * 9 / 10, () -> blocked + " blocked");
+    }
+
+    @Test
+    void farFromTheOriginEveryRayAsksForItself() {
+        Vector3d from = new Vector3d(3e6, 0, 0);
+        Vector3d way = new Vector3d(-1, 0, 0);
+        boolean isBlocked = shadows.isSkyBlocked(from, way, -1);
+        agree(isBlocked, from, way, Double.POSITIVE_INFINITY, -1);
+    }
+}
