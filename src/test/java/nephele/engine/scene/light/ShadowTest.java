@@ -91,28 +91,6 @@ class ShadowTest {
                                 || other.shape().vertices().stream().allMatch(v -> plane.signedDistance(v) >= -1e-6)));
     }
 
-    /** A plane never shades itself, at any slope and place, because each texel is compared with its own depth. */
-    @Test
-    void aSlopingPlaneIsLitEverywhere() {
-        SplittableRandom random = new SplittableRandom(7);
-        for (int i = 0; i < 2000; i++) {
-            double gx = (random.nextDouble() - 0.5) * 0.1;
-            double gy = (random.nextDouble() - 0.5) * 0.1;
-            double x = random.nextDouble() * 50;
-            double y = random.nextDouble() * 50;
-            ShadowFilter.DepthMap map = (column, row) -> 0.5 + gx * (column + 0.5 - x) + gy * (row + 0.5 - y);
-            assertEquals(1, ShadowFilter.litShare(map, x, y, 0.5 - 1e-9, gx, gy), 1e-9, "plane " + i);
-        }
-    }
-
-    @Test
-    void anEdgeIsSharpWithinOneTexel() {
-        ShadowFilter.DepthMap map = (column, row) -> column < 10 ? 0.2 : 1;
-        assertEquals(0, ShadowFilter.litShare(map, 9.5, 5, 0.5, 0, 0));
-        assertEquals(0.5, ShadowFilter.litShare(map, 10, 5, 0.5, 0, 0), 1e-12);
-        assertEquals(1, ShadowFilter.litShare(map, 10.5, 5, 0.5, 0, 0));
-    }
-
     /** Six pictures around a lamp see every direction, each with two texels to spare at the edges between them. */
     @Test
     void cubeLayersOverlapByTheirGuardBand() {

@@ -109,7 +109,7 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
         Vector3d right = axis == 6 ? right(lamp) : unit((axis / 2 + 1) % 3);
         Vector3d up = axis == 6 ? new Vector3d(forward).cross(right) : unit((axis / 2 + 2) % 3);
         double near = NEAR_METRES;
-        double far = Math.max(lamp.rangeMetres(), 2 * near);
+        double far = farMetres(lamp);
         double cot = cotangent(lamp, side);
         Matrix4d clip = new Matrix4d(
                 cot,
@@ -132,6 +132,15 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
                 right.x, up.x, forward.x, 0, right.y, up.y, forward.y, 0, right.z, up.z, forward.z, 0, 0, 0, 0, 1);
         Vec3 p = lamp.position();
         return clip.mul(view).translate(anchor.x() - p.x(), anchor.y() - p.y(), anchor.z() - p.z());
+    }
+
+    private static double farMetres(Lamp lamp) {
+        return Math.max(lamp.rangeMetres(), 2 * NEAR_METRES);
+    }
+
+    /** What a picture holds is its distance along the axis times this. */
+    public static double depthPerMetre(Lamp lamp) {
+        return 1 / farMetres(lamp);
     }
 
     private static Vector3d unit(int axis) {

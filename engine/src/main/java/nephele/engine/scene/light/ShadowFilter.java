@@ -1,42 +1,92 @@
 package nephele.engine.scene.light;
 
+import nephele.engine.math.Vec3;
+
 /**
  * The lit share of a 2 × 2 texel footprint of a depth map for a plane receiver; the twin of {@code shadow-filter.glsl}.
  * Comparing each texel with the plane's depth at that texel, instead of at the receiver's point with a bias, is Isidoro's
- * receiver plane ("Shadow Mapping: GPU-based Tips and Techniques", GDC 2006), here from the exact normal.
+ * receiver plane ("Shadow Mapping: GPU-based Tips and Techniques", GDC 2006), here from the exact normal. Depth grows
+ * away from the light.
  */
 public final class ShadowFilter {
+    /** Bits of a stored depth that tell which way a face looks. */
+    private static final int OCTANT = 7;
+
     private ShadowFilter() {}
 
-    /** Depths 0–1 by column and row; outside the map everything is lit. */
-    @FunctionalInterface
-    public interface DepthMap {
-        double depth(int column, int row);
-    }
-
-    /** Depth by which something must be nearer to the light before it shades. */
-    public static double contactTolerance(double halfTexelDepth, double gradientX, double gradientY) {
-        return halfTexelDepth + Math.min(Math.abs(gradientX) + Math.abs(gradientY), 4 * halfTexelDepth);
+    /**
+     * The four texels around a position.
+     *
+     * @param dx from the position to their centres, texels, in the order of {@code textureGather}: upper left, upper
+     *     right, lower right, lower left
+     */
+    public record Footprint(double[] dx, double[] dy, double[] weight) {
+        /** @param x texels, centre of the first column at ½ */
+        public static Footprint at(double x, double y) {
+            double fx = x - 0.5 - Math.floor(x - 0.5);
+            double fy = y - 0.5 - Math.floor(y - 0.5);
+            double[] dx = {-fx, 1 - fx, 1 - fx, -fx};
+            double[] dy = {1 - fy, 1 - fy, -fy, -fy};
+            double[] weight = new double[4];
+            for (int i = 0; i < 4; i++) {
+                weight[i] = (1 - Math.abs(dx[i])) * (1 - Math.abs(dy[i]));
+            }
+            return new Footprint(dx, dy, weight);
+        }
     }
 
     /**
-     * @param x texels, centre of the first column at ½
-     * @param gradientX change of the receiver's depth from column to column
+     * @param nearerBy depth by which each texel is nearer to the light than the receiver's plane
+     * @param halfTexelDepth half a texel's side in units of depth
+     * @param slope change of the plane's depth from texel to texel, both axes together
      */
-    public static double litShare(
-            DepthMap map, double x, double y, double receiverDepth, double gradientX, double gradientY) {
-        int column = (int) Math.floor(x - 0.5);
-        int row = (int) Math.floor(y - 0.5);
-        double fx = x - 0.5 - column;
-        double fy = y - 0.5 - row;
-        double share = 0;
-        for (int corner = 0; corner < 4; corner++) {
-            int i = corner & 1;
-            int j = corner >> 1;
-            double plane = Math.min(receiverDepth + gradientX * (i - fx) + gradientY * (j - fy), 1);
-            double weight = (i == 0 ? 1 - fx : fx) * (j == 0 ? 1 - fy : fy);
-            share += map.depth(column + i, row + j) >= plane ? weight : 0;
+    public static double litShare(double[] nearerBy, double[] weight, double halfTexelDepth, double slope) {
+        double tolerance = halfTexelDepth + Math.min(slope, 4 * halfTexelDepth);
+        double lit = 0;
+        for (int i = 0; i < 4; i++) {
+            lit += nearerBy[i] <= tolerance ? weight[i] : 0;
         }
-        return share;
+        return lit;
+    }
+
+    /**
+     * As {@link #litShare}, for a receiver that is in the map itself.
+     *
+     * @param isLike which texels may show the receiver
+     */
+    public static double litShareOfMapped(
+            double[] nearerBy, boolean[] isLike, double[] weight, double halfTexelDepth, double slope) {
+        double rounding = 0.125 * halfTexelDepth + slope / 64;
+        double shading = 5 * halfTexelDepth + 2 * slope;
+        double lit = 0;
+        double shaded = 0;
+        double nearer = 0;
+        for (int i = 0; i < 4; i++) {
+            nearer += nearerBy[i] >= rounding ? weight[i] : 0;
+            lit += isLike[i] && nearerBy[i] >= -rounding && nearerBy[i] < rounding ? weight[i] : 0;
+            shaded += nearerBy[i] >= shading ? weight[i] : 0;
+        }
+        if (lit > 0) {
+            return lit / (lit + shaded);
+        }
+        return nearer > 0 ? 0 : 1;
+    }
+
+    /** Which way a face looks, 0–7; the six faces of a box differ. */
+    public static int octantOf(Vec3 normal) {
+        double first = 0.9 * normal.x() + 0.8 * normal.y() + 0.7 * normal.z();
+        double second = 0.8 * normal.x() - 0.9 * normal.y() + 0.6 * normal.z();
+        double third = 0.7 * normal.x() + 0.6 * normal.y() - 0.9 * normal.z();
+        return (first > 0 ? 1 : 0) | (second > 0 ? 2 : 0) | (third > 0 ? 4 : 0);
+    }
+
+    /** What a map of what never moves holds. */
+    public static float depthWithOctant(float depth, int octant) {
+        return Float.intBitsToFloat(Float.floatToRawIntBits(depth) & ~OCTANT | octant);
+    }
+
+    /** Whether a texel of such a map may show a face that looks this way. */
+    public static boolean looksLike(float depth, int octant) {
+        return (Float.floatToRawIntBits(depth) & OCTANT) == octant || depth >= 1;
     }
 }

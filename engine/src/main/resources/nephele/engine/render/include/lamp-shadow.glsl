@@ -1,9 +1,8 @@
 // Share of a lamp's light that arrives: layers of one depth texture, one for a narrow spot, six for the rest, drawn
 // once. Geometry: nephele.engine.scene.light.LampShadows. Needs lamps.glsl and shadow-filter.glsl.
 
+// Depth: distance along the picture's axis over the lamp's range; written by lamp-depth.glsl.
 uniform sampler2DArray lampShadowMaps;
-
-const float LAMP_NEAR_METRES = 0.05;
 
 // fromLamp: metres; faceNormal: of the lit face, towards the lamp.
 float lampLitShare(Lamp lamp, vec3 fromLamp, vec3 faceNormal) {
@@ -31,19 +30,24 @@ float lampLitShare(Lamp lamp, vec3 fromLamp, vec3 faceNormal) {
     float size = float(textureSize(lampShadowMaps, 0).x);
     float distance = max(q.z, 1e-3);
     vec2 texel = (q.xy * (cotangent / distance) * 0.5 + 0.5) * size;
-    // Window depth is far / (far - near) - slope / distance, and 1 / distance is linear over the picture of a plane.
-    float far = max(inversesqrt(lamp.position.w), 2.0 * LAMP_NEAR_METRES);
-    float scale = far / (far - LAMP_NEAR_METRES);
-    float slope = scale * LAMP_NEAR_METRES;
+    // Over the picture of a plane 1 / distance is linear.
+    float range = max(inversesqrt(lamp.position.w), 0.1);
     float planeDistance = min(dot(n, q), -0.01 * distance);
     float texelsToTangent = 2.0 / (size * cotangent);
-    vec2 gradient = n.xy * (-slope * texelsToTangent / planeDistance);
-    float halfTexel = slope * 0.5 * texelsToTangent / distance;
+    vec2 gradient = n.xy * (texelsToTangent / planeDistance);
+    float halfTexel = 0.5 * texelsToTangent * distance / range;
+    float slope = (abs(gradient.x) + abs(gradient.y)) * distance * distance / range;
+    Footprint four = footprintAt(texel);
+    vec4 perDistance = 1.0 / distance + gradient.x * four.dx + gradient.y * four.dy;
+    vec4 plane = 1.0 / max(perDistance * range, 1.0);
     vec3 coordinates = vec3(gatherPoint(texel) / size, layer);
     vec4 depths = textureGather(lampShadowMaps, coordinates);
 #ifdef THING_LAMP_SHADOW
     depths = nearerDepths(depths, coordinates);
 #endif
-    float depth = scale - slope / distance - contactTolerance(halfTexel, gradient);
-    return litShare(depths, texel, depth, gradient);
+#ifdef MOVING_RECEIVER
+    return litShare(plane - depths, four.weight, halfTexel, slope);
+#else
+    return litShareOfMapped(plane - depths, looksLike(depths, faceNormal), four.weight, halfTexel, slope);
+#endif
 }

@@ -2,25 +2,58 @@
 // depth evaluated at each texel's own centre, so a lit plane never shades itself, however it slopes, and no offset moves
 // the shadow's edge. Twin: nephele.engine.scene.light.ShadowFilter.
 
-// depths: as textureGather returns them around texelPosition (in texels); gradient: change of the receiver's depth from
-// texel to texel.
-float litShare(vec4 depths, vec2 texelPosition, float receiverDepth, vec2 gradient) {
+// The four texels around a position, in the order in which textureGather returns them.
+struct Footprint {
+    vec4 dx; // from the position to their centres, texels
+    vec4 dy;
+    vec4 weight;
+};
+
+Footprint footprintAt(vec2 texelPosition) {
     vec2 f = texelPosition - 0.5 - floor(texelPosition - 0.5);
     vec4 dx = vec4(-f.x, 1.0 - f.x, 1.0 - f.x, -f.x);
     vec4 dy = vec4(1.0 - f.y, 1.0 - f.y, -f.y, -f.y);
-    vec4 plane = min(receiverDepth + gradient.x * dx + gradient.y * dy, 1.0);
-    vec4 lit = step(plane, depths);
-    vec2 rows = mix(lit.wx, lit.zy, f.x);
-    return mix(rows.x, rows.y, f.y);
-}
-
-// A face that rises from another one reads texels of that other one at their joint: what lies this little nearer to the
-// light does not shade. Half a texel, and up to two more with the receiver's slope.
-float contactTolerance(float halfTexelDepth, vec2 gradient) {
-    return halfTexelDepth + min(abs(gradient.x) + abs(gradient.y), 4.0 * halfTexelDepth);
+    return Footprint(dx, dy, (1.0 - abs(dx)) * (1.0 - abs(dy)));
 }
 
 // Where textureGather reads the four texels around a position without doubt about rounding.
 vec2 gatherPoint(vec2 texelPosition) {
     return floor(texelPosition - 0.5) + 1.0;
+}
+
+// nearerBy: depth by which each texel is nearer to the light than the receiver's plane; slope: change of that plane's
+// depth from texel to texel. A face that rises from another one reads texels of that other one at their joint: what lies
+// half a texel nearer does not shade, and up to two more with the receiver's slope.
+float litShare(vec4 nearerBy, vec4 weight, float halfTexelDepth, float slope) {
+    return dot(weight, step(nearerBy, vec4(halfTexelDepth + min(slope, 4.0 * halfTexelDepth))));
+}
+
+// Which way a face looks, in three bits; the six faces of a box differ. The pictures of what never moves hold it in the
+// last bits of their depth.
+uint octantOf(vec3 normal) {
+    vec3 sides = normal * mat3(0.9, 0.8, 0.7, 0.8, -0.9, 0.6, 0.7, 0.6, -0.9);
+    return (sides.x > 0.0 ? 1u : 0u) | (sides.y > 0.0 ? 2u : 0u) | (sides.z > 0.0 ? 4u : 0u);
+}
+
+float depthWithOctant(float depth, uint octant) {
+    return uintBitsToFloat((floatBitsToUint(depth) & ~7u) | octant);
+}
+
+// 1 for texels that may show the receiver: they look its way, or beyond all depth.
+vec4 looksLike(vec4 depths, vec3 faceNormal) {
+    return max(vec4(equal(floatBitsToUint(depths) & 7u, uvec4(octantOf(faceNormal)))), step(1.0, depths));
+}
+
+// As litShare, for a receiver that is in the map itself, which then shows it in some of the four texels: only those that
+// show its plane and those that shade it count. What lies behind the plane is seen past an edge that is closer than a
+// texel, and no proof of light; what is before it, but not by much, is a face at a joint, and no proof of shade.
+float litShareOfMapped(vec4 nearerBy, vec4 isLike, vec4 weight, float halfTexelDepth, float slope) {
+    float rounding = 0.125 * halfTexelDepth + slope / 64.0;
+    vec4 nearer = step(rounding, nearerBy);
+    float lit = dot(weight * isLike, step(-rounding, nearerBy) - nearer);
+    float shaded = dot(weight, step(5.0 * halfTexelDepth + 2.0 * slope, nearerBy));
+    if (lit > 0.0) {
+        return lit / (lit + shaded);
+    }
+    return dot(weight, nearer) > 0.0 ? 0.0 : 1.0;
 }

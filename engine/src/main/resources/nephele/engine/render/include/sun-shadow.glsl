@@ -12,6 +12,13 @@ float sunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
     vec2 texel = m.xy * size;
     vec2 gradient = vec2(dot(faceNormal, sunMapRight.xyz), dot(faceNormal, sunMapUp.xyz))
             * (sunMapRight.w / max(nDotSun, 0.02));
+    float slope = abs(gradient.x) + abs(gradient.y);
+    Footprint four = footprintAt(texel);
     vec4 depths = textureGather(sunShadowMap, vec3(gatherPoint(texel) / size, 0.0));
-    return litShare(depths, texel, m.z - contactTolerance(sunMapUp.w, gradient), gradient);
+    vec4 nearerBy = min(m.z + gradient.x * four.dx + gradient.y * four.dy, 1.0) - depths;
+#ifdef MOVING_RECEIVER
+    return litShare(nearerBy, four.weight, sunMapUp.w, slope);
+#else
+    return litShareOfMapped(nearerBy, looksLike(depths, faceNormal), four.weight, sunMapUp.w, slope);
+#endif
 }

@@ -21,8 +21,10 @@ float thingSunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
     }
     vec2 gradient = vec2(dot(faceNormal, thingMapRight.xyz), dot(faceNormal, thingMapUp.xyz))
             * (thingMapRight.w / max(nDotSun, 0.02));
+    Footprint four = footprintAt(texel);
     vec4 depths = textureGather(thingSunMap, vec3(gatherPoint(texel) / size, 0.0));
-    return litShare(depths, texel, m.z - contactTolerance(thingMapUp.w, gradient), gradient);
+    vec4 nearerBy = min(m.z + gradient.x * four.dx + gradient.y * four.dy, 1.0) - depths;
+    return litShare(nearerBy, four.weight, thingMapUp.w, abs(gradient.x) + abs(gradient.y));
 }
 #endif
 

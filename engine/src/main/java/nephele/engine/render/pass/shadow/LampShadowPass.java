@@ -3,6 +3,7 @@ package nephele.engine.render.pass.shadow;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Level;
+import nephele.engine.level.appearance.Lamp;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
@@ -50,6 +51,7 @@ public final class LampShadowPass implements Pass {
     @Override
     public void load(LoadContext context) {
         SurfaceLight light = context.shared().surfaceLight(context);
+        List<Lamp> lamps = light.lamps().lamps();
         LampShadows shadows = light.lamps().shadows();
         Texture.Extent extent = new Texture.Extent(
                 shadows.side(), shadows.side(), shadows.layers().size());
@@ -58,10 +60,12 @@ public final class LampShadowPass implements Pass {
         try (DepthDraw depth = new DepthDraw(context)) {
             for (int layer = 0; layer < shadows.layers().size(); layer++) {
                 try (RenderTarget target = RenderTarget.depthLayer(gl, "lamp shadow " + layer, map, layer)) {
+                    Lamp lamp = lamps.get(shadows.layers().get(layer).lamp());
                     depth.draw(
                             target,
-                            shadows.clipFromAnchor(light.lamps().lamps(), layer, light.anchor()),
-                            light.anchor());
+                            shadows.clipFromAnchor(lamps, layer, light.anchor()),
+                            light.anchor(),
+                            LampShadows.depthPerMetre(lamp));
                 }
             }
         }

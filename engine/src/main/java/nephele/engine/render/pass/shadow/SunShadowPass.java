@@ -46,7 +46,7 @@ public final class SunShadowPass implements Pass {
         map = new Texture(gl, "sun shadow", Texture.Shape.ARRAY, PixelFormat.DEPTH32F, extent, Sampling.NEAREST_CLAMP);
         try (DepthDraw depth = new DepthDraw(context);
                 RenderTarget target = RenderTarget.depthLayer(gl, "sun shadow", map, 0)) {
-            depth.draw(target, frame.clipFromAnchor(), frame.anchor());
+            depth.draw(target, frame.clipFromAnchor(), frame.anchor(), DepthDraw.PARALLEL);
         }
         context.shared().publish(Target.SUN_SHADOW, map);
     }

@@ -12,6 +12,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Uniforms.Matrix4;
+import nephele.engine.render.gl.Uniforms.Scalar;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.thing.VisibleThings;
 import org.joml.Matrix4d;
@@ -20,7 +21,7 @@ import org.joml.Matrix4d;
 final class ThingDepthDraw implements AutoCloseable {
     private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
 
-    private record DepthUniforms(Matrix4 clipFromAnchor, RunUniforms run) {}
+    private record DepthUniforms(Matrix4 clipFromAnchor, Scalar depthPerMetre, RunUniforms run) {}
 
     private final GlContext gl;
     private final ThingMeshes meshes;
@@ -36,14 +37,22 @@ final class ThingDepthDraw implements AutoCloseable {
         program = new GlProgram<>(
                 gl,
                 ShaderSource.load(FOLDER + "thing-depth.vert", defines),
-                ShaderSource.load(FOLDER + "depth.frag", Map.of()),
-                uniforms -> new DepthUniforms(uniforms.matrix4("clipFromAnchor"), RunUniforms.of(uniforms)));
+                ShaderSource.load(FOLDER + "thing-depth.frag", Map.of()),
+                uniforms -> new DepthUniforms(
+                        uniforms.matrix4("clipFromAnchor"),
+                        uniforms.scalar("depthPerMetre"),
+                        RunUniforms.of(uniforms)));
     }
 
-    /** Into the bound target, after its depth was cleared. */
-    void draw(VisibleThings visible, Matrix4d clipFromAnchor) {
+    /**
+     * Into the bound target, after its depth was cleared.
+     *
+     * @param depthPerMetre as for {@link DepthDraw#draw}
+     */
+    void draw(VisibleThings visible, Matrix4d clipFromAnchor, double depthPerMetre) {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, clipDistances);
         program.use();
+        program.uniforms().depthPerMetre().set((float) depthPerMetre);
         program.uniforms().clipFromAnchor().set(clipFromAnchor.get(matrix));
         meshes.bind();
         for (int run = 0; run < visible.runs(); run++) {

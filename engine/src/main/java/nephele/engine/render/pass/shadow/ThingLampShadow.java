@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Frustum;
-import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
@@ -21,7 +20,7 @@ import org.joml.Matrix4d;
 /** The lamps' depth pictures of what moves: the same layers and projections as those of what never moves. */
 final class ThingLampShadow implements AutoCloseable {
     /** @param clipFromAnchor the layer's projection */
-    private record Layer(RenderTarget target, Matrix4d clipFromAnchor, Frustum frustum, Vec3 lamp) {}
+    private record Layer(RenderTarget target, Matrix4d clipFromAnchor, Frustum frustum, Lamp lamp) {}
 
     private final ThingShade shade;
     private final Texture maps;
@@ -46,7 +45,7 @@ final class ThingLampShadow implements AutoCloseable {
                 extent,
                 Sampling.NEAREST_CLAMP);
         for (int i = 0; i < shadows.layers().size(); i++) {
-            Vec3 lamp = lamps.get(shadows.layers().get(i).lamp()).position();
+            Lamp lamp = lamps.get(shadows.layers().get(i).lamp());
             Matrix4d clip = shadows.clipFromAnchor(lamps, i, light.anchor());
             layers.add(new Layer(
                     RenderTarget.depthLayer(context.gl(), "lamp shadow of things " + i, maps, i),
@@ -62,12 +61,12 @@ final class ThingLampShadow implements AutoCloseable {
     void draw(ThingDepthDraw depth) {
         for (int i = 0; i < used.length; i++) {
             Layer layer = layers.get(i);
-            visible.find(layer.frustum, layer.lamp, side / 2.0);
+            visible.find(layer.frustum, layer.lamp.position(), side / 2.0);
             used[i] = visible.runs() > 0;
             shade.layer(i, used[i]);
             if (used[i]) {
                 layer.target.clearDepth();
-                depth.draw(visible, layer.clipFromAnchor);
+                depth.draw(visible, layer.clipFromAnchor, LampShadows.depthPerMetre(layer.lamp));
             }
         }
     }

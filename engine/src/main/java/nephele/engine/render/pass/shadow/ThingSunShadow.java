@@ -61,7 +61,7 @@ final class ThingSunShadow implements AutoCloseable {
         target.clearDepth();
         visible.find(Frustum.everything(), eye, 1 / sunMap.texelMetres());
         sunMap.mapFromAnchor(anchor, matrix);
-        depth.draw(visible, clip(matrix));
+        depth.draw(visible, clip(matrix), DepthDraw.PARALLEL);
         gl.state().noScissor();
     }
 

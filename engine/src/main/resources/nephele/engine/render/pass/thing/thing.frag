@@ -1,3 +1,4 @@
+#define MOVING_RECEIVER
 #include "output.glsl"
 #include "materials.glsl"
 #include "surface-light.glsl"

@@ -1,0 +1,5 @@
+#include "lamp-depth.glsl"
+
+void main() {
+    gl_FragDepth = shadowDepth();
+}

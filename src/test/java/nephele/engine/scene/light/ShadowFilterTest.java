@@ -1,0 +1,116 @@
+package nephele.engine.scene.light;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import java.util.function.DoubleBinaryOperator;
+import java.util.stream.IntStream;
+import nephele.engine.math.Vec3;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class ShadowFilterTest {
+    private static final double HALF_TEXEL = 0.01;
+    private static final boolean[] ALL = {true, true, true, true};
+    private static final double[] EVENLY = {0.25, 0.25, 0.25, 0.25};
+
+    /** A plane never shades itself, at any slope and place, because each texel is compared with its own depth. */
+    @Test
+    void aSlopingPlaneIsLitEverywhere() {
+        SplittableRandom random = new SplittableRandom(7);
+        for (int i = 0; i < 2000; i++) {
+            double gx = random.nextDouble() - 0.5;
+            double gy = random.nextDouble() - 0.5;
+            double x = random.nextDouble() * 50;
+            double y = random.nextDouble() * 50;
+            var four = ShadowFilter.Footprint.at(x, y);
+            DoubleBinaryOperator plane = (column, row) -> 0.5 + gx * column + gy * row;
+            double receiver = plane.applyAsDouble(x, y);
+            double[] nearerBy = new double[4];
+            for (int texel = 0; texel < 4; texel++) {
+                double column = Math.floor(x - 0.5) + 0.5 + (texel == 1 || texel == 2 ? 1 : 0);
+                double row = Math.floor(y - 0.5) + 0.5 + (texel < 2 ? 1 : 0);
+                nearerBy[texel] =
+                        receiver + gx * four.dx()[texel] + gy * four.dy()[texel] - plane.applyAsDouble(column, row);
+            }
+            double slope = Math.abs(gx) + Math.abs(gy);
+            assertEquals(1, ShadowFilter.litShare(nearerBy, four.weight(), HALF_TEXEL, slope), 1e-9, "plane " + i);
+            assertEquals(1, ofMapped(nearerBy, four.weight(), slope), 1e-9, "plane " + i);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"9.5, 0", "9.75, 0.25", "10, 0.5", "10.5, 1"})
+    void anEdgeIsSharpWithinOneTexel(double x, double lit) {
+        var four = ShadowFilter.Footprint.at(x, 5);
+        int first = (int) Math.floor(x - 0.5);
+        double[] nearerBy = IntStream.range(0, 4)
+                .mapToDouble(i -> first + (i == 1 || i == 2 ? 1 : 0) < 10 ? 0.3 : 0)
+                .toArray();
+        assertEquals(lit, ShadowFilter.litShare(nearerBy, four.weight(), HALF_TEXEL, 0), 1e-12);
+        assertEquals(lit, ofMapped(nearerBy, four.weight(), 0), 1e-12);
+    }
+
+    /** Past the edge of a wall that is thinner than a texel the map shows what lies far behind the room. */
+    @Test
+    void whatLiesBehindAReceiverProvesNoLight() {
+        double[] nearerBy = {-3, -3, 0.2, 0.2};
+        assertEquals(0.5, ShadowFilter.litShare(nearerBy, EVENLY, HALF_TEXEL, 0));
+        assertEquals(0, ofMapped(nearerBy, EVENLY, 0));
+    }
+
+    /** The steep inner face of a wall, carried on through the roof, meets the roof's sunny side. */
+    @Test
+    void anotherFaceInTheReceiversPlaneProvesNoLight() {
+        boolean[] isLike = {false, false, true, true};
+        double[] nearerBy = {0, 0, 0.5, 0.5};
+        assertEquals(0.5, ofMapped(nearerBy, EVENLY, 0.1));
+        assertEquals(0, ShadowFilter.litShareOfMapped(nearerBy, isLike, EVENLY, HALF_TEXEL, 0.1));
+    }
+
+    /** At a lit joint the other face is a little before the plane. */
+    @Test
+    void aFaceAtAJointShadesNothing() {
+        assertEquals(1, ofMapped(new double[] {0.1, 0.1, 0, 0}, EVENLY, 0.2));
+        assertEquals(0, ofMapped(new double[] {0.1, 0.1, 0.1, 0.1}, EVENLY, 0.2), "nothing shows the receiver");
+    }
+
+    @Test
+    void aFaceNarrowerThanATexelBeforeNothingIsLit() {
+        assertEquals(1, ofMapped(new double[] {-1, -1, -1, -1}, EVENLY, 0.2));
+    }
+
+    @Test
+    void theSixFacesOfABoxDiffer() {
+        long octants = IntStream.range(0, 6)
+                .map(i -> {
+                    int sign = i < 3 ? 1 : -1;
+                    return ShadowFilter.octantOf(
+                            new Vec3(i % 3 == 0 ? sign : 0, i % 3 == 1 ? sign : 0, i % 3 == 2 ? sign : 0));
+                })
+                .distinct()
+                .count();
+        assertEquals(6, octants);
+    }
+
+    @Test
+    void aDepthKeepsItsFacing() {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int i = 0; i < 1000; i++) {
+            float depth = (float) random.nextDouble();
+            int octant = random.nextInt(8);
+            float stored = ShadowFilter.depthWithOctant(depth, octant);
+            assertEquals(depth, stored, 8 * Math.ulp(depth));
+            assertTrue(ShadowFilter.looksLike(stored, octant));
+            assertFalse(ShadowFilter.looksLike(stored, octant ^ 1));
+        }
+        assertTrue(ShadowFilter.looksLike(1, 5), "beyond all depth");
+    }
+
+    private static double ofMapped(double[] nearerBy, double[] weight, double slope) {
+        return ShadowFilter.litShareOfMapped(nearerBy, ALL, weight, HALF_TEXEL, slope);
+    }
+}
