@@ -30,7 +30,7 @@ class FrameAllocationGlTest {
     private static final int WARM_FRAMES = 40;
     private static final int FRAMES = 40;
 
-    /** What a frame of {@code level} makes while the eye moves and every body and the figure do. */
+    /** What a frame of {@code level} makes while the eye moves and every body and the figure do, which holds one. */
     private static long bytesPerFrame(String level, Output output, Quality quality) {
         LevelFile.Opened opened = new LevelName("levels/" + level).open();
         RenderSettings settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
@@ -40,6 +40,7 @@ class FrameAllocationGlTest {
             List<View> views = views(opened);
             List<Moment.Posture> postures = postures(opened, views);
             Moment moment = Moment.atStart(opened.level());
+            List<Vec3> held = fromEyes(moment, views);
             Stopwatch stopwatch = new Stopwatch();
             long before = 0;
             for (int frame = 0; frame < WARM_FRAMES + FRAMES; frame++) {
@@ -47,6 +48,9 @@ class FrameAllocationGlTest {
                     before = stopwatch.allocatedBytes();
                 }
                 move(moment, frame);
+                if (moment.bodies() > 0) {
+                    moment.held(0, held.get(frame), 1);
+                }
                 moment.figure(postures.get(frame));
                 renderer.draw(views.get(frame), moment, picture);
             }
@@ -68,6 +72,19 @@ class FrameAllocationGlTest {
             views.add(new View(View.MAIN, Vec3.of(eye), start.right(), start.up(), start.back(), start.projection()));
         }
         return views;
+    }
+
+    /** Where the first body is from each eye; what it moves is less than makes a difference. */
+    private static List<Vec3> fromEyes(Moment moment, List<View> views) {
+        List<Vec3> places = new ArrayList<>();
+        for (View view : moment.bodies() == 0 ? List.<View>of() : views) {
+            Vector3d way = moment.centre(0, new Vector3d()).sub(view.eye().toVector());
+            places.add(new Vec3(
+                    view.alongRight(way.x, way.y, way.z),
+                    view.alongUp(way.x, way.y, way.z),
+                    view.alongBack(way.x, way.y, way.z)));
+        }
+        return places;
     }
 
     private static List<Moment.Posture> postures(LevelFile.Opened opened, List<View> views) {

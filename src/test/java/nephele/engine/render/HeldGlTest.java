@@ -43,12 +43,16 @@ class HeldGlTest {
     }
 
     private static int[] draw(Offscreen offscreen, Level level, Quality quality, Vec3 heldFromEye) {
+        return draw(offscreen, level, quality, heldFromEye, 1);
+    }
+
+    private static int[] draw(Offscreen offscreen, Level level, Quality quality, Vec3 heldFromEye, double clarity) {
         RenderSettings settings =
                 RenderSettings.of(Output.PLAIN, quality).with(Decoration.OFF).with(FigurePresence.POSSIBLE);
         try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             Moment moment = Moment.atStart(level);
             if (heldFromEye != null) {
-                moment.held(0, heldFromEye);
+                moment.held(0, heldFromEye, clarity);
             }
             View view = offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1));
             renderer.draw(view, moment, offscreen.picture);
@@ -90,6 +94,18 @@ class HeldGlTest {
                 assertEquals(solid[i] == 0xffffff, held[i] == 0xffffff, "the silhouette");
             }
             assertTrue(edges > covered / 50 && edges < covered / 4, edges + " dark of " + covered);
+        }
+    }
+
+    /** From solid to see-through by shares of what it hides. */
+    @Test
+    void itClearsGradually() {
+        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
+            Level cube = cubeBeforeWhite(-1).level();
+            for (double clarity : new double[] {0.25, 0.75}) {
+                int[] held = draw(offscreen, cube, Quality.HIGH, BEFORE_THE_EYE, clarity);
+                assertEquals(clarity * THROUGH, Offscreen.red(middle(held)), 1);
+            }
         }
     }
 

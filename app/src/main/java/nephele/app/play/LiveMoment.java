@@ -73,12 +73,12 @@ final class LiveMoment {
         moment.body(body, centre, turn.normalize());
     }
 
-    /** @param fromEye of what is held, {@code null} for nothing or when not seen by the player's own eyes */
-    void held(SimState after, Vec3 fromEye) {
-        if (fromEye == null) {
+    /** @param fromCamera where what is held is from it, to the right, up and back */
+    void held(SimState after, Vec3 fromCamera, double clarity) {
+        if (clarity == 0) {
             moment.nothingHeld();
         } else {
-            moment.held(after.around().holding().body(), fromEye);
+            moment.held(after.around().holding().body(), fromCamera, clarity);
         }
     }
 

@@ -32,6 +32,9 @@ public final class Walk {
 
     private static final double LEAST_DEPTH_METRES = 0.1;
 
+    /** In which what is held becomes see-through, and solid again when the camera leaves the eye. */
+    private static final double CLEARING_SECONDS = 0.2;
+
     private final Simulation simulation;
     private final double secondsPerTick;
     private final TickInput input;
@@ -46,6 +49,7 @@ public final class Walk {
     private SimState after;
     private Seen seen;
     private Vec3 heldFromEye;
+    private double heldClarity;
     private boolean isCut = true;
     private Limbs limbsBefore = Limbs.STANDING;
     private Limbs limbsAfter = Limbs.STANDING;
@@ -90,7 +94,7 @@ public final class Walk {
         news.addAll(after.around().trace().events());
         ages.after(after);
         aiming.after(after);
-        heldFromEye = PlayerPose.heldFromEye(after);
+        clear(PlayerPose.heldFromEye(after));
         limbsBefore = limbsAfter;
         limbsAfter = limbsAfter.next(after, secondsPerTick);
         if (isLeap()) {
@@ -181,9 +185,24 @@ public final class Walk {
         double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
         live.moment().ghosts(aiming.ghosts(after));
         live.world(before, after, share, ages);
-        live.held(after, seen().isFirstPerson() ? heldFromEye : null);
+        live.held(after, heldFromCamera(share), heldClarity);
         live.figure(seen().player(), limbsBefore.towards(limbsAfter, share), seconds);
         return live.moment();
+    }
+
+    /** @param fromEye of what is held, {@code null} for nothing, which is never see-through */
+    private void clear(Vec3 fromEye) {
+        double step = (boom.isOut() ? -1 : 1) * secondsPerTick / CLEARING_SECONDS;
+        heldFromEye = fromEye;
+        heldClarity = fromEye == null ? 0 : Math.max(0, Math.min(1, heldClarity + step));
+    }
+
+    /** While the camera glides away the eye's sight of it fades. */
+    private Vec3 heldFromCamera(double share) {
+        if (heldClarity == 0 || !boom.isOut()) {
+            return heldFromEye;
+        }
+        return Vec3.of(heldFromEye.toVector().sub(boom.arm(before, after, share).toVector()));
     }
 
     /**

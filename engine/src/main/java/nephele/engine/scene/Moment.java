@@ -34,6 +34,7 @@ public final class Moment {
     private List<Ghost> ghosts = List.of();
     private int held = NOTHING;
     private Vec3 heldFromEye = Vec3.ZERO;
+    private double heldClarity;
 
     private Moment(int bodyCount) {
         bodies = new double[STRIDE * bodyCount];
@@ -135,9 +136,15 @@ public final class Moment {
         return heldFromEye;
     }
 
-    public void held(int body, Vec3 fromEye) {
+    /** How far it has become see-through: 0 solid, 1 as clear as it gets. */
+    public double heldClarity() {
+        return heldClarity;
+    }
+
+    public void held(int body, Vec3 fromEye, double clarity) {
         held = body;
         heldFromEye = fromEye;
+        heldClarity = clarity;
     }
 
     /** Whatever is held is as solid as the rest. */

@@ -44,6 +44,7 @@ final class ThingDraw implements AutoCloseable {
     private final List<GlProgram<ThingUniforms>> programOfGroup = new ArrayList<>();
     private final float[] eye = new float[6];
     private float seamPerMetre;
+    private float clarity;
 
     ThingDraw(LoadContext context, ThingLook look) {
         this.look = look;
@@ -73,6 +74,7 @@ final class ThingDraw implements AutoCloseable {
         double pixel =
                 2 * frame.view().projection().tanHalfHeight() / frame.surface().height();
         seamPerMetre = (float) (SEAM_PIXELS * pixel);
+        clarity = (float) frame.moment().heldClarity();
         SolidMesh.eyeInCell(frame.view(), light.anchor(), eye);
         for (int run = 0; run < visible.runs(); run++) {
             drawRun(visible, run);
@@ -92,7 +94,7 @@ final class ThingDraw implements AutoCloseable {
         SolidBatch.Kind kind = meshes.things().groups().get(group).kind();
         GlProgram<ThingUniforms> program = programOfGroup.get(group);
         program.use();
-        program.uniforms().view(eye, seamPerMetre);
+        program.uniforms().view(eye, seamPerMetre, clarity);
         materials.bind(kind.materialBlock());
         if (kind.isTextured()) {
             colours.get(kind.colourArray()).bind(SurfaceVariant.COLOUR_UNIT);

@@ -46,6 +46,7 @@ record ThingVariant(SurfaceVariant surface, boolean detailed, ThingLook look) {
                 uniforms.vector3("eyeHigh"),
                 uniforms.vector3("eyeLow"),
                 cut ? Optional.of(uniforms.scalar("seamPerMetre")) : Optional.empty(),
+                look == ThingLook.SEE_THROUGH ? Optional.of(uniforms.scalar("clarity")) : Optional.empty(),
                 RunUniforms.of(uniforms));
     }
 }

@@ -15,6 +15,7 @@ uniform sampler2DArray colours;
 #endif
 #ifdef SEE_THROUGH
 #include "held-look.glsl"
+uniform float clarity;
 #endif
 
 flat in int instance;
@@ -89,6 +90,7 @@ void main() {
     writeRadiance(surfaceRadiance(s) + material.emissionMetallic.rgb, relativePosition);
 #ifdef SEE_THROUGH
     float towardsEye = dot(s.faceNormal, -normalize(relativePosition));
-    pixel.a = heldOpacity(int(instanceTexel(instance, 2).w), inPart, n, size.xyz, towardsEye);
+    float opacity = heldOpacity(int(instanceTexel(instance, 2).w), inPart, n, size.xyz, towardsEye);
+    pixel.a = mix(1.0, opacity, clarity);
 #endif
 }
