@@ -13,6 +13,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The same code as `prove portal-ids`, for two cameras of each level: one at a portal, one along a wall. */
@@ -27,6 +28,14 @@ class PortalIdsProofGlTest {
         var result = new PortalIdsProof(List.of(level)).run(3, 2, Proof.Progress.NONE);
         assertEquals(2, result.units());
         assertEquals(List.of(), result.examples());
+    }
+
+    /** What once was drawn wrong: a view five portals deep was missing; the inside of a wall was seen from a portal in it. */
+    @ParameterizedTest
+    @CsvSource({"edge-to-edge, 26", "portal-on-soup, 0", "portal-on-soup, 17"})
+    void noPixelShowsAnotherSurfaceAgain(String sample, int camera) throws Exception {
+        var proof = new PortalIdsProof(List.of("levels/samples/" + sample + ".json"));
+        assertEquals(List.of(), proof.run(camera, 1, Proof.Progress.NONE).examples());
     }
 
     /** A view that is missing is no edge: with every view to be drawn it is a failure, else a share of the picture. */

@@ -9,6 +9,9 @@ public final class PicturePolygon {
     /** More corners than this no cut may leave: cuts beyond are left out, and the polygon stays too large. */
     public static final int MOST_CORNERS = 64;
 
+    /** Rounding decides where a shorter edge points: between two corners that should be one, even backwards. */
+    private static final double SHORTEST_EDGE = 1e-8;
+
     private double[] corners = new double[3 * (MOST_CORNERS + 1)];
     private double[] cut = new double[3 * (MOST_CORNERS + 1)];
     private int size;
@@ -114,7 +117,9 @@ public final class PicturePolygon {
             double y0 = other.y(from) / other.w(from);
             double x1 = other.x(to) / other.w(to);
             double y1 = other.y(to) / other.w(to);
-            keep(y0 - y1, x1 - x0, x0 * y1 - x1 * y0);
+            if (Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0)) > SHORTEST_EDGE) {
+                keep(y0 - y1, x1 - x0, x0 * y1 - x1 * y0);
+            }
             from = to;
         }
     }

@@ -46,6 +46,19 @@ class FaceFragmentsTest {
         assertEquals(2 * 0.3, hidden, 1e-3);
     }
 
+    /** Between two solids that abut; through a portal one would see it when the eye is in the wall. */
+    @Test
+    void aFaceThatStaysWholeIsHiddenWhereAnotherSolidsFaceHoldsAllOfIt() {
+        List<Brush> abutting = List.of(ShadowTest.box(0, 0, 0, 1, 1, 1), ShadowTest.box(1, 0, 0, 1, 2, 2));
+        var fragments = FaceFragments.uncut(abutting);
+        for (int solid = 0; solid < 2; solid++) {
+            for (int face = 0; face < 6; face++) {
+                boolean hidden = solid == 0 && face == PLUS_X;
+                assertEquals(hidden, fragments.get(solid).get(face).get(0).cover() == FaceFragment.Cover.TOUCHING);
+            }
+        }
+    }
+
     @Test
     void aSolidThatTouchesNothingKeepsItsFaces() {
         List<Brush> apart = List.of(ShadowTest.box(0, 0, 0, 1, 1, 1), ShadowTest.box(5, 0, 0, 1, 1, 1));

@@ -43,9 +43,21 @@ public final class FaceFragments {
         return new FaceFragments(brushes).fragments(FaceFragments::cut);
     }
 
-    /** As {@link #of}, but every face stays whole: only its neighbours' corners are put on its edges. */
+    /** As {@link #of}, but every face stays whole: its neighbours' corners are put on its edges, or they hide all of it. */
     public static List<List<List<FaceFragment>>> uncut(List<Brush> brushes) {
-        return new FaceFragments(brushes).fragments((face, near) -> List.of(new Piece(Cover.NONE, face.polygon())));
+        return new FaceFragments(brushes)
+                .fragments((face, near) -> List.of(new Piece(coverOfAll(face, near), face.polygon())));
+    }
+
+    private static Cover coverOfAll(ConvexPolyhedron.Face face, List<Brush> near) {
+        boolean hidden = near.stream()
+                .anyMatch(other -> holds(other, face.polygon()) && coverBy(face.plane(), other) == Cover.TOUCHING);
+        return hidden ? Cover.TOUCHING : Cover.NONE;
+    }
+
+    private static boolean holds(Brush brush, List<Vec3> corners) {
+        return brush.shape().faces().stream().map(ConvexPolyhedron.Face::plane).allMatch(plane -> corners.stream()
+                .allMatch(corner -> plane.signedDistance(corner) <= 2 * CornerWeld.WELD_METRES));
     }
 
     private List<List<List<FaceFragment>>> fragments(
