@@ -13,6 +13,7 @@ class LitPartTest {
     @CsvSource({
         "0.25, 0.4, false, straight on; half the face is lit",
         "0.25, 0.51, true, straight on; wider than what is lit",
+        "0.75, 0.51, false, in the shade nothing is narrow",
         "0.01, 0.4, false, at the edge the way across is as long",
     })
     void narrowIsTheShortestWayAcross(double z, double metres, boolean isNarrower, String why) {

@@ -33,7 +33,7 @@ class ShadowEdgesProofGlTest {
             for (int unit : ROOMS) {
                 assertEquals(0, ShadowEdgesProof.litPixels(unit, 0, gl, picture), "room " + unit);
             }
-            for (int unit = 0; unit < 3; unit++) {
+            for (int unit = 0; unit < 5; unit++) {
                 through += ShadowEdgesProof.litPixels(unit, 0.2, gl, picture);
             }
             assertTrue(through > 0, "light comes through the gap");

@@ -83,23 +83,25 @@ class LightTwinsGlTest {
     @Test
     void shadowFilter() {
         SplittableRandom random = new SplittableRandom(4);
-        float[] in = new float[12 * COUNT];
+        float[] in = new float[16 * COUNT];
         for (int i = 0; i < COUNT; i++) {
             double x = random.nextInt(64) + 0.25 * random.nextInt(4) + 0.125;
             double y = random.nextInt(64) + 0.25 * random.nextInt(4) + 0.125;
-            fill(in, 12 * i, x, y, 1 / 128.0, random.nextInt(5) / 64.0);
+            fill(in, 16 * i, x, y, (random.nextInt(9) - 4) / 64.0, (random.nextInt(9) - 4) / 64.0);
             float[] n = unit(random);
-            double depth = random.nextInt(1, 20) / 32.0;
-            fill(in, 12 * i + 4, n[0], n[1], n[2], depth);
+            double depth = random.nextInt(1, 40) / 32.0;
+            fill(in, 16 * i + 4, n[0], n[1], n[2], depth);
             for (int texel = 0; texel < 4; texel++) {
                 int octant = random.nextBoolean() ? octant(n) : random.nextInt(8);
-                float stored = (float) (random.nextInt(3) == 0 ? random.nextDouble() : depth + odd(random) / 2048.0);
-                in[12 * i + 8 + texel] = i % 5 == 0 && texel == 3 ? 1 : ShadowFilter.depthWithOctant(stored, octant);
+                double near = Math.min(depth, 1) + odd(random) / 2048.0;
+                float stored = (float) (random.nextInt(3) == 0 ? random.nextDouble() : near);
+                in[16 * i + 8 + texel] = i % 5 == 0 && texel == 3 ? 1 : ShadowFilter.depthWithOctant(stored, octant);
             }
+            fill(in, 16 * i + 12, 1 / 128.0, 1 + random.nextInt(30), 0, 0);
         }
         float[] gpu = TwinProgram.run("shadow-filter.frag", in, COUNT, uniforms -> {});
         for (int i = 0; i < COUNT; i++) {
-            assertClose(shadowFilterTwin(in, 12 * i), gpu, i, 0, 1e-5);
+            assertClose(shadowFilterTwin(in, 16 * i), gpu, i, 1e-5, 1e-5);
         }
     }
 
@@ -113,18 +115,24 @@ class LightTwinsGlTest {
 
     private static Vector3d shadowFilterTwin(float[] in, int at) {
         var four = ShadowFilter.Footprint.at(in[at], in[at + 1]);
+        double gx = in[at + 2];
+        double gy = in[at + 3];
         int octant = octant(new float[] {in[at + 4], in[at + 5], in[at + 6]});
-        double[] nearerBy = new double[4];
+        double[] depths = new double[4];
         boolean[] isLike = new boolean[4];
         for (int i = 0; i < 4; i++) {
-            float depth = in[at + 8 + i];
-            nearerBy[i] = in[at + 7] + in[at + 3] * (four.dx()[i] - four.dy()[i]) * 0.5 - depth;
-            isLike[i] = ShadowFilter.looksLike(depth, octant);
+            depths[i] = in[at + 8 + i];
+            isLike[i] = ShadowFilter.looksLike(in[at + 8 + i], octant);
         }
+        double half = in[at + 12];
+        double range = in[at + 13];
+        double slope = Math.abs(gx) + Math.abs(gy);
+        double[] nearerBy = ShadowFilter.nearerThanPlane(depths, in[at + 7], gx, gy, four);
+        double[] ofLamp = ShadowFilter.nearerThanPlaneOfLamp(depths, in[at + 7] * range, gx, gy, range, four);
         return new Vector3d(
-                ShadowFilter.litShare(nearerBy, four.weight(), in[at + 2], in[at + 3]),
-                ShadowFilter.litShareOfMapped(nearerBy, isLike, four.weight(), in[at + 2], in[at + 3]),
-                ShadowFilter.depthWithOctant(in[at + 8], octant) - in[at + 8]);
+                ShadowFilter.litShare(nearerBy, four.weight(), half, slope),
+                ShadowFilter.litShareOfMapped(nearerBy, isLike, four.weight(), half, slope),
+                ofLamp[0] + 2 * ofLamp[1] + 3 * ofLamp[2] + 4 * ofLamp[3]);
     }
 
     /** Row 43: degenerate texels and opposite vectors included. */

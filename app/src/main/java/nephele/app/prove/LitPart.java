@@ -10,6 +10,8 @@ import nephele.engine.math.Vec3;
  * The part of a face that a light reaches, as the light sees it: where it is narrower than a texel's diagonal it may fall
  * between the texels.
  *
+ * @param brushes all that may shade, and the face's own
+ * @param place on the face
  * @param normal of the face
  * @param way to the light, of unit length
  * @param reachMetres how far to look for what shades
@@ -32,8 +34,11 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
         return new LitPart(brushes, place, normal, way, reachMetres);
     }
 
-    /** Whether some way across it, through the place, is shorter than this. */
+    /** Whether some way across it, through the place, is shorter than this; never where no light arrives. */
     boolean isNarrowerThan(double metres) {
+        if (!isLit(place)) {
+            return false;
+        }
         Vec3 across = Directions.perpendicular(way);
         Vec3 up = Directions.cross(way, across);
         for (int i = 0; i < DIRECTIONS; i++) {

@@ -35,6 +35,9 @@ public final class ShadowEdgesProof implements Proof {
     /** Up to so many texels a wrong pixel's distance is measured. */
     private static final double FARTHEST_TEXELS = 4;
 
+    /** Share of pixels that may stay dark because no texel shows what they show. */
+    private static final double MOST_NARROW = 1e-4;
+
     private static final double[] RADII = {0.25, 0.5, 0.75, 1, 1.5, 2, 3, FARTHEST_TEXELS};
     private static final int DIRECTIONS = 24;
 
@@ -95,8 +98,9 @@ public final class ShadowEdgesProof implements Proof {
             int row = i / WIDTH;
             if (open[3 * i] > 1e-4 && sights.isPlain(column, row)) {
                 sight.at((column + 0.5) / WIDTH, (row + 0.5) / HEIGHT);
-                double texels = offTexels(scene, sight, shaded[3 * i] / open[3 * i] > 0.5);
-                if (texels > 1 && scene.isTooNarrow(sight.place())) {
+                boolean isLit = shaded[3 * i] / open[3 * i] > 0.5;
+                double texels = offTexels(scene, sight, isLit);
+                if (texels > 1 && !isLit && scene.isTooNarrow(sight.place())) {
                     tally.takeNarrow();
                 } else {
                     tally.take(texels, "picture " + unit + " pixel (" + column + ", " + (HEIGHT - 1 - row) + ")");
@@ -183,6 +187,9 @@ public final class ShadowEdgesProof implements Proof {
         }
 
         ProofResult result(long units) {
+            if (onNarrowFaces > MOST_NARROW * pixels) {
+                failures.add(onNarrowFaces + " of " + pixels + " pixels stay dark on narrow parts");
+            }
             return new ProofResult(
                     units,
                     failures.size(),
@@ -190,7 +197,7 @@ public final class ShadowEdgesProof implements Proof {
                             Figure.sum("pixels", pixels, ""),
                             Figure.sum("pixels that differ within a texel of an edge", nearEdge, ""),
                             Figure.sum("pixels that differ farther off", off, ""),
-                            Figure.sum("pixels that differ on narrower parts", onNarrowFaces, ""),
+                            Figure.sum("pixels that stay dark on narrower parts", onNarrowFaces, ""),
                             Figure.sum("lit pixels of closed rooms", leaks, "")),
                     failures);
         }

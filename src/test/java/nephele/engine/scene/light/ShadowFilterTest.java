@@ -1,5 +1,6 @@
 package nephele.engine.scene.light;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -27,19 +28,51 @@ class ShadowFilterTest {
             double x = random.nextDouble() * 50;
             double y = random.nextDouble() * 50;
             var four = ShadowFilter.Footprint.at(x, y);
-            DoubleBinaryOperator plane = (column, row) -> 0.5 + gx * column + gy * row;
+            DoubleBinaryOperator plane = (column, row) -> -100 + gx * column + gy * row;
             double receiver = plane.applyAsDouble(x, y);
-            double[] nearerBy = new double[4];
+            double[] depths = new double[4];
             for (int texel = 0; texel < 4; texel++) {
                 double column = Math.floor(x - 0.5) + 0.5 + (texel == 1 || texel == 2 ? 1 : 0);
                 double row = Math.floor(y - 0.5) + 0.5 + (texel < 2 ? 1 : 0);
-                nearerBy[texel] =
-                        receiver + gx * four.dx()[texel] + gy * four.dy()[texel] - plane.applyAsDouble(column, row);
+                depths[texel] = plane.applyAsDouble(column, row);
             }
+            double[] nearerBy = ShadowFilter.nearerThanPlane(depths, receiver, gx, gy, four);
+            assertArrayEquals(new double[4], nearerBy, 1e-12, "plane " + i);
             double slope = Math.abs(gx) + Math.abs(gy);
             assertEquals(1, ShadowFilter.litShare(nearerBy, four.weight(), HALF_TEXEL, slope), 1e-9, "plane " + i);
             assertEquals(1, ofMapped(nearerBy, four.weight(), slope), 1e-9, "plane " + i);
         }
+    }
+
+    /** Seen from a lamp at the origin, along z: a plane's distance at any texel, from that and its slope at one. */
+    @Test
+    void aPlaneIsItselfInALampsPicture() {
+        double range = 40;
+        Vec3 n = new Vec3(0.3, -0.2, -0.9);
+        double texelsToTangent = 2.0 / 512;
+        SplittableRandom random = new SplittableRandom(8);
+        for (int i = 0; i < 1000; i++) {
+            double x = random.nextDouble() * 512;
+            double y = random.nextDouble() * 512;
+            var four = ShadowFilter.Footprint.at(x, y);
+            double[] depths = new double[4];
+            for (int texel = 0; texel < 4; texel++) {
+                depths[texel] = distance(n, texelsToTangent, x + four.dx()[texel], y + four.dy()[texel]) / range;
+            }
+            double[] nearerBy = ShadowFilter.nearerThanPlaneOfLamp(
+                    depths,
+                    distance(n, texelsToTangent, x, y),
+                    n.x() * texelsToTangent / -5,
+                    n.y() * texelsToTangent / -5,
+                    range,
+                    four);
+            assertArrayEquals(new double[4], nearerBy, 1e-12, "texel " + x + ", " + y);
+        }
+    }
+
+    /** Of the plane n · q = −5, seen at a texel. */
+    private static double distance(Vec3 n, double texelsToTangent, double x, double y) {
+        return -5 / (n.x() * (x - 256) * texelsToTangent + n.y() * (y - 256) * texelsToTangent + n.z());
     }
 
     @ParameterizedTest
@@ -84,7 +117,7 @@ class ShadowFilterTest {
     }
 
     @Test
-    void theSixFacesOfABoxDiffer() {
+    void theSixFacesOfAnUprightBoxDiffer() {
         long octants = IntStream.range(0, 6)
                 .map(i -> {
                     int sign = i < 3 ? 1 : -1;
@@ -94,6 +127,28 @@ class ShadowFilterTest {
                 .distinct()
                 .count();
         assertEquals(6, octants);
+    }
+
+    /** Rise over run in whole numbers, stored in 16 bits: far enough from where a bit changes. */
+    @Test
+    void noPlainSlopeLiesOnABorder() {
+        for (int i = 0; i < 13 * 13 * 13; i++) {
+            double x = i % 13 - 6;
+            double y = i / 13 % 13 - 6;
+            double z = i / 169 - 6;
+            double length = Math.sqrt(x * x + y * y + z * z);
+            if (length > 0) {
+                var normal = new Vec3(x / length, y / length, z / length);
+                for (int axis = 0; axis < 3; axis++) {
+                    double shift = 5e-5;
+                    var stored = new Vec3(
+                            normal.x() + (axis == 0 ? shift : -shift),
+                            normal.y() + (axis == 1 ? shift : -shift),
+                            normal.z() + (axis == 2 ? shift : -shift));
+                    assertEquals(ShadowFilter.octantOf(normal), ShadowFilter.octantOf(stored), () -> "" + normal);
+                }
+            }
+        }
     }
 
     @Test

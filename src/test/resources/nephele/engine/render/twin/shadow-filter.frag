@@ -3,15 +3,19 @@
 uniform samplerBuffer inputs;
 layout(location = 0) out vec4 result;
 
-// Per pixel: texel position, half a texel's depth, slope; the receiver's normal and depth; the four depths as gathered.
+// Per pixel: texel position, gradient; the receiver's normal and depth; the four depths as gathered; half a texel's depth
+// and the lamp's range.
 void main() {
-    int at = 3 * int(gl_FragCoord.x);
+    int at = 4 * int(gl_FragCoord.x);
     vec4 place = texelFetch(inputs, at);
     vec4 receiver = texelFetch(inputs, at + 1);
     vec4 depths = texelFetch(inputs, at + 2);
+    vec4 scale = texelFetch(inputs, at + 3);
     Footprint four = footprintAt(place.xy);
-    vec4 nearerBy = receiver.w + place.w * (four.dx - four.dy) * 0.5 - depths;
-    float share = litShare(nearerBy, four.weight, place.z, place.w);
-    float ofMapped = litShareOfMapped(nearerBy, looksLike(depths, receiver.xyz), four.weight, place.z, place.w);
-    result = vec4(share, ofMapped, depthWithOctant(depths.x, octantOf(receiver.xyz)) - depths.x, 1.0);
+    float slope = abs(place.z) + abs(place.w);
+    vec4 nearerBy = nearerThanPlane(depths, receiver.w, place.zw, four);
+    vec4 ofLamp = nearerThanPlaneOfLamp(depths, receiver.w * scale.y, place.zw, scale.y, four);
+    float share = litShare(nearerBy, four.weight, scale.x, slope);
+    float ofMapped = litShareOfMapped(nearerBy, looksLike(depths, receiver.xyz), four.weight, scale.x, slope);
+    result = vec4(share, ofMapped, dot(ofLamp, vec4(1.0, 2.0, 3.0, 4.0)), 1.0);
 }

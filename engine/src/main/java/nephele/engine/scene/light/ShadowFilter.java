@@ -36,6 +36,36 @@ public final class ShadowFilter {
     }
 
     /**
+     * Depth by which each texel is nearer to the light than a plane; beyond depth 1 nothing is farther.
+     *
+     * @param gradientX change of the plane's depth from column to column
+     */
+    public static double[] nearerThanPlane(
+            double[] depths, double planeDepth, double gradientX, double gradientY, Footprint four) {
+        double[] nearerBy = new double[4];
+        for (int i = 0; i < 4; i++) {
+            double plane = planeDepth + gradientX * four.dx()[i] + gradientY * four.dy()[i];
+            nearerBy[i] = Math.min(plane, 1) - depths[i];
+        }
+        return nearerBy;
+    }
+
+    /**
+     * The same where depth is distance over range: over the picture of a plane 1 / distance is linear.
+     *
+     * @param gradientX change of that from column to column
+     */
+    public static double[] nearerThanPlaneOfLamp(
+            double[] depths, double distance, double gradientX, double gradientY, double range, Footprint four) {
+        double[] nearerBy = new double[4];
+        for (int i = 0; i < 4; i++) {
+            double perDistance = 1 / distance + gradientX * four.dx()[i] + gradientY * four.dy()[i];
+            nearerBy[i] = 1 / Math.max(perDistance * range, 1) - depths[i];
+        }
+        return nearerBy;
+    }
+
+    /**
      * @param nearerBy depth by which each texel is nearer to the light than the receiver's plane
      * @param halfTexelDepth half a texel's side in units of depth
      * @param slope change of the plane's depth from texel to texel, both axes together
@@ -72,11 +102,11 @@ public final class ShadowFilter {
         return nearer > 0 ? 0 : 1;
     }
 
-    /** Which way a face looks, 0–7; the six faces of a box differ. */
+    /** Which way a face looks, 0–7; the six faces of an upright box differ. */
     public static int octantOf(Vec3 normal) {
-        double first = 0.9 * normal.x() + 0.8 * normal.y() + 0.7 * normal.z();
-        double second = 0.8 * normal.x() - 0.9 * normal.y() + 0.6 * normal.z();
-        double third = 0.7 * normal.x() + 0.6 * normal.y() - 0.9 * normal.z();
+        double first = 0.8971 * normal.x() + 0.8113 * normal.y() + 0.7019 * normal.z();
+        double second = 0.7907 * normal.x() - 0.9043 * normal.y() + 0.6133 * normal.z();
+        double third = 0.6803 * normal.x() + 0.5941 * normal.y() - 0.9187 * normal.z();
         return (first > 0 ? 1 : 0) | (second > 0 ? 2 : 0) | (third > 0 ? 4 : 0);
     }
 

@@ -30,7 +30,6 @@ float lampLitShare(Lamp lamp, vec3 fromLamp, vec3 faceNormal) {
     float size = float(textureSize(lampShadowMaps, 0).x);
     float distance = max(q.z, 1e-3);
     vec2 texel = (q.xy * (cotangent / distance) * 0.5 + 0.5) * size;
-    // Over the picture of a plane 1 / distance is linear.
     float range = max(inversesqrt(lamp.position.w), 0.1);
     float planeDistance = min(dot(n, q), -0.01 * distance);
     float texelsToTangent = 2.0 / (size * cotangent);
@@ -38,16 +37,15 @@ float lampLitShare(Lamp lamp, vec3 fromLamp, vec3 faceNormal) {
     float halfTexel = 0.5 * texelsToTangent * distance / range;
     float slope = (abs(gradient.x) + abs(gradient.y)) * distance * distance / range;
     Footprint four = footprintAt(texel);
-    vec4 perDistance = 1.0 / distance + gradient.x * four.dx + gradient.y * four.dy;
-    vec4 plane = 1.0 / max(perDistance * range, 1.0);
     vec3 coordinates = vec3(gatherPoint(texel) / size, layer);
     vec4 depths = textureGather(lampShadowMaps, coordinates);
 #ifdef THING_LAMP_SHADOW
     depths = nearerDepths(depths, coordinates);
 #endif
+    vec4 nearerBy = nearerThanPlaneOfLamp(depths, distance, gradient, range, four);
 #ifdef MOVING_RECEIVER
-    return litShare(plane - depths, four.weight, halfTexel, slope);
+    return litShare(nearerBy, four.weight, halfTexel, slope);
 #else
-    return litShareOfMapped(plane - depths, looksLike(depths, faceNormal), four.weight, halfTexel, slope);
+    return litShareOfMapped(nearerBy, looksLike(depths, faceNormal), four.weight, halfTexel, slope);
 #endif
 }

@@ -21,6 +21,19 @@ vec2 gatherPoint(vec2 texelPosition) {
     return floor(texelPosition - 0.5) + 1.0;
 }
 
+// Depth by which each texel is nearer to the light than a plane; beyond all depth nothing is farther. gradient: change of
+// the plane's depth from texel to texel.
+vec4 nearerThanPlane(vec4 depths, float planeDepth, vec2 gradient, Footprint four) {
+    return min(planeDepth + gradient.x * four.dx + gradient.y * four.dy, 1.0) - depths;
+}
+
+// The same where depth is distance over range: over the picture of a plane 1 / distance is linear. gradient: change of
+// that from texel to texel.
+vec4 nearerThanPlaneOfLamp(vec4 depths, float distance, vec2 gradient, float range, Footprint four) {
+    vec4 perDistance = 1.0 / distance + gradient.x * four.dx + gradient.y * four.dy;
+    return 1.0 / max(perDistance * range, 1.0) - depths;
+}
+
 // nearerBy: depth by which each texel is nearer to the light than the receiver's plane; slope: change of that plane's
 // depth from texel to texel. A face that rises from another one reads texels of that other one at their joint: what lies
 // half a texel nearer does not shade, and up to two more with the receiver's slope.
@@ -28,10 +41,10 @@ float litShare(vec4 nearerBy, vec4 weight, float halfTexelDepth, float slope) {
     return dot(weight, step(nearerBy, vec4(halfTexelDepth + min(slope, 4.0 * halfTexelDepth))));
 }
 
-// Which way a face looks, in three bits; the six faces of a box differ. The pictures of what never moves hold it in the
-// last bits of their depth.
+// Which way a face looks, in three bits; the six faces of an upright box differ. The pictures of what never moves hold it
+// in the last bits of their depth. No plain slope lies on a border, where rounding would decide.
 uint octantOf(vec3 normal) {
-    vec3 sides = normal * mat3(0.9, 0.8, 0.7, 0.8, -0.9, 0.6, 0.7, 0.6, -0.9);
+    vec3 sides = normal * mat3(0.8971, 0.8113, 0.7019, 0.7907, -0.9043, 0.6133, 0.6803, 0.5941, -0.9187);
     return (sides.x > 0.0 ? 1u : 0u) | (sides.y > 0.0 ? 2u : 0u) | (sides.z > 0.0 ? 4u : 0u);
 }
 

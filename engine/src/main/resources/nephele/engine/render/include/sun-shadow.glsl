@@ -15,7 +15,7 @@ float sunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
     float slope = abs(gradient.x) + abs(gradient.y);
     Footprint four = footprintAt(texel);
     vec4 depths = textureGather(sunShadowMap, vec3(gatherPoint(texel) / size, 0.0));
-    vec4 nearerBy = min(m.z + gradient.x * four.dx + gradient.y * four.dy, 1.0) - depths;
+    vec4 nearerBy = nearerThanPlane(depths, m.z, gradient, four);
 #ifdef MOVING_RECEIVER
     return litShare(nearerBy, four.weight, sunMapUp.w, slope);
 #else

@@ -23,7 +23,7 @@ float thingSunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
             * (thingMapRight.w / max(nDotSun, 0.02));
     Footprint four = footprintAt(texel);
     vec4 depths = textureGather(thingSunMap, vec3(gatherPoint(texel) / size, 0.0));
-    vec4 nearerBy = min(m.z + gradient.x * four.dx + gradient.y * four.dy, 1.0) - depths;
+    vec4 nearerBy = nearerThanPlane(depths, m.z, gradient, four);
     return litShare(nearerBy, four.weight, thingMapUp.w, abs(gradient.x) + abs(gradient.y));
 }
 #endif
