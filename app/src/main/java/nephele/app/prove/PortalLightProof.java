@@ -32,6 +32,9 @@ public final class PortalLightProof implements Proof {
     /** Pixels drawn for each compared one along each side, to tell how much of what is off is aliasing. */
     private static final int FINER = 2;
 
+    /** Cameras of a level that follow one another: loading and warming a level up costs as much as tracing a few. */
+    private static final int AT_ONCE = 5;
+
     private static final Path KEPT = Path.of("build", "proofs", "oracle");
 
     private final ComparedCameras cameras;
@@ -50,7 +53,7 @@ public final class PortalLightProof implements Proof {
      * @param folder for traced pictures
      */
     public PortalLightProof(List<String> files, int width, int samples, Path folder) {
-        cameras = new ComparedCameras(files, 1);
+        cameras = new ComparedCameras(files, AT_ONCE);
         kept = new TracedPictures(folder, "oracle " + ReferencePicture.VERSION);
         int threads = Runtime.getRuntime().availableProcessors();
         trace = new TraceSettings(width, width * 9 / 16, samples, 1, threads);
@@ -80,7 +83,7 @@ public final class PortalLightProof implements Proof {
 
     @Override
     public long batch() {
-        return 4;
+        return AT_ONCE;
     }
 
     @Override
