@@ -1,6 +1,7 @@
 package nephele.engine.reference;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -22,7 +23,7 @@ class BeamsTest {
 
     private final SplittableRandom random = new SplittableRandom(7);
     private final SurfaceRays surfaces = surfaces();
-    private final ShadowRays shadows = new ShadowRays(surfaces, beams());
+    private final ShadowRays shadows = new ShadowRays(surfaces, beams(Long.MAX_VALUE));
     private int blocked;
 
     /** Some beside the other, some far away, some so thin that only few rays of a beam meet them. */
@@ -35,12 +36,12 @@ class BeamsTest {
         return new SurfaceRays(brushes, List.of());
     }
 
-    private Beams beams() {
+    private Beams beams(long mostBytes) {
         Vec3 sunwards = Vec3.of(TOWARDS_SUN);
         List<Function<Aabb, BeamShape>> lights = new ArrayList<>();
         lights.add(from -> BeamShape.along(sunwards, sunwards, from));
         lights.add(from -> BeamShape.to(LAMP, from));
-        return new Beams(surfaces, lights);
+        return new Beams(surfaces, lights, mostBytes);
     }
 
     private double within(double metres) {
@@ -109,5 +110,27 @@ class BeamsTest {
         Vector3d way = new Vector3d(-1, 0, 0);
         boolean isBlocked = shadows.isSkyBlocked(from, way, -1);
         agree(isBlocked, from, way, Double.POSITIVE_INFINITY, -1);
+    }
+
+    @Test
+    void beamsBeyondWhatMayBeKeptAreForgotten() {
+        Beams plenty = beams(Long.MAX_VALUE);
+        Beams few = beams(1);
+        for (Beams beams : List.of(plenty, few)) {
+            Beams.Cube cube = beams.cube(new Vector3d(), null);
+            assertSame(cube, beams.cube(new Vector3d(), null));
+            beams.beam(cube, beams.patch(TOWARDS_SUN));
+            assertEquals(beams == plenty, cube == beams.cube(new Vector3d(), null));
+        }
+    }
+
+    @Test
+    void whatWasForgottenIsAnsweredAlike() {
+        ShadowRays forgetful = new ShadowRays(surfaces, beams(10_000));
+        for (int i = 0; i < RAYS / 10; i++) {
+            Vector3d from = place();
+            Vector3d way = new Vector3d(within(1), within(1), within(1)).normalize();
+            agree(forgetful.isSkyBlocked(from, way, -1), from, way, Double.POSITIVE_INFINITY, -1);
+        }
     }
 }

@@ -4,6 +4,9 @@ import nephele.engine.math.Ray;
 
 /** All that rays of light which run close to each other may meet. */
 final class Beam {
+    /** Of an object, its fields and the head of its list. */
+    private static final int EMPTY_BYTES = 48;
+
     private final SurfaceRays surfaces;
     private final int[] items;
     /** Index of what last shaded a place, which likely shades the next one. Threads may overwrite it as they like. */
@@ -12,6 +15,11 @@ final class Beam {
     Beam(SurfaceRays surfaces, int[] items) {
         this.surfaces = surfaces;
         this.items = items;
+    }
+
+    /** Of memory, about. */
+    long bytes() {
+        return EMPTY_BYTES + (long) Integer.BYTES * items.length;
     }
 
     /** Whether a ray of the beam meets any item but {@code except} up to the parameter {@code limit}. */

@@ -1,6 +1,7 @@
 package nephele.engine.reference;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.BitHash;
@@ -23,12 +24,23 @@ final class Beams {
 
     private static final int FACE_PATCHES = SIDE * SIDE;
 
-    /** Cubes kept at a time, a few kilobytes each; a power of two. */
+    /** Cubes kept at a time; a power of two. A cube takes a few kilobytes, under a sky above 10 000 solids a hundred. */
     private static final int MOST_CUBES = 1 << 14;
+
+    /** Beams kept at a time, for whose items the number of cubes is no bound. */
+    private static final long MOST_BYTES = 1L << 28;
 
     private final SurfaceRays surfaces;
     private final List<Function<Aabb, BeamShape>> lights;
-    private final Cube[] cubes = new Cube[MOST_CUBES];
+    private final long mostBytes;
+    private volatile Kept kept = new Kept();
+
+    /** All that is known, forgotten together: to make it again takes as long as it took, so at worst twice as long. */
+    private static final class Kept {
+        private final Cube[] cubes = new Cube[MOST_CUBES];
+        /** Of all beams made, also of those whose cube has given way to another. */
+        private final AtomicLong bytes = new AtomicLong();
+    }
 
     /** The beams that start in one cube of space. */
     static final class Cube {
@@ -61,6 +73,12 @@ final class Beams {
 
     /** @param lights the ways from a box to each light but the sky */
     Beams(SurfaceRays surfaces, List<Function<Aabb, BeamShape>> lights) {
+        this(surfaces, lights, MOST_BYTES);
+    }
+
+    /** @param mostBytes of beams that are made before all are forgotten */
+    Beams(SurfaceRays surfaces, List<Function<Aabb, BeamShape>> lights, long mostBytes) {
+        this.mostBytes = mostBytes;
         this.surfaces = surfaces;
         this.lights = List.copyOf(lights);
     }
@@ -101,6 +119,7 @@ final class Beams {
         if (farthest > FARTHEST_METRES / CUBE_METRES) {
             return null;
         }
+        Cube[] cubes = kept.cubes;
         int slot = (int) BitHash.join(BitHash.join(BitHash.join(0, x), y), z) & MOST_CUBES - 1;
         Cube known = cubes[slot];
         if (known == null || !known.isAt(x, y, z)) {
@@ -112,30 +131,45 @@ final class Beams {
 
     /** @param number of a light, or of a {@link #patch} */
     Beam beam(Cube cube, int number) {
-        if (cube.beams[number] == null) {
-            make(cube, number);
+        Beam known = cube.beams[number];
+        return known == null ? made(cube, number) : known;
+    }
+
+    private Beam made(Cube cube, int number) {
+        Beam made = number < lights.size() ? toLight(cube, number) : intoSky(cube, number);
+        if (kept.bytes.get() > mostBytes) {
+            kept = new Kept();
         }
-        return cube.beams[number];
+        return made;
+    }
+
+    private Beam toLight(Cube cube, int number) {
+        BeamShape shape = lights.get(number).apply(cube.box());
+        return keep(cube, number, surfaces.beam(shape, surfaces.near(shape)));
     }
 
     /** All patches of a face of the sky at once: what is near one of them is near the face. */
-    private void make(Cube cube, int number) {
+    private Beam intoSky(Cube cube, int number) {
         Aabb box = cube.box();
-        if (number < lights.size()) {
-            BeamShape shape = lights.get(number).apply(box);
-            cube.beams[number] = surfaces.beam(shape, surfaces.near(shape));
-            return;
-        }
         int face = (number - lights.size()) / FACE_PATCHES;
+        int first = lights.size() + face * FACE_PATCHES;
         int[] near = surfaces.near(BeamShape.along(onCube(face, 0, 0), onCube(face, SIDE, SIDE), box));
+        Beam asked = null;
         for (int patch = 0; patch < FACE_PATCHES; patch++) {
             int column = patch % SIDE;
             int row = patch / SIDE;
             Vec3 least = onCube(face, column, row);
             Vec3 most = onCube(face, column + 1, row + 1);
-            Beam beam = surfaces.beam(BeamShape.along(least, most, box), near);
-            cube.beams[lights.size() + face * FACE_PATCHES + patch] = beam;
+            Beam beam = keep(cube, first + patch, surfaces.beam(BeamShape.along(least, most, box), near));
+            asked = first + patch == number ? beam : asked;
         }
+        return asked;
+    }
+
+    private Beam keep(Cube cube, int number, Beam beam) {
+        cube.beams[number] = beam;
+        kept.bytes.addAndGet(beam.bytes());
+        return beam;
     }
 
     private static Vec3 onCube(int face, int column, int row) {
