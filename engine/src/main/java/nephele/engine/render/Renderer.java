@@ -32,7 +32,7 @@ public final class Renderer implements AutoCloseable {
     private final VisibleSet visible;
     private final Moment start;
     private final Multisampling multisampling;
-    private final LinearPicture linear;
+    private final LinearTarget linear;
     /** {@code null} in a level where portals cannot be. */
     private PortalViews portals;
 
@@ -43,7 +43,7 @@ public final class Renderer implements AutoCloseable {
         this.scene = scene;
         this.settings = settings;
         this.shared = new SharedResources(gl, scene);
-        this.linear = new LinearPicture(gl);
+        this.linear = new LinearTarget(gl);
         this.multisampling = new Multisampling(gl, settings.quality().samples());
         this.clearColour = ClearColour.of(scene.level().environment(), settings.output());
         this.start = Moment.atStart(scene.level());

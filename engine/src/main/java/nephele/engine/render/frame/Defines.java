@@ -29,6 +29,11 @@ public final class Defines {
         return this;
     }
 
+    public Defines with(String name, double value) {
+        values.put(name, Double.toString(value));
+        return this;
+    }
+
     public Defines withIf(boolean wanted, String name) {
         return wanted ? with(name) : this;
     }

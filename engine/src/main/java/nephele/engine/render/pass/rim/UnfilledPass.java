@@ -21,7 +21,8 @@ import nephele.engine.scene.ViewNode;
 
 /**
  * A membrane over each opening that the frame's views do not reach and no picture before fills, as in the first frame:
- * neither the wall behind nor one colour shows there. Not a decoration: with rims or without, the opening is there.
+ * the wall behind hardly shows through, nor is there one colour. Not a decoration: with rims or without, the opening is
+ * there.
  */
 public final class UnfilledPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("portal.unfilled", UnfilledPass::requiredBy);

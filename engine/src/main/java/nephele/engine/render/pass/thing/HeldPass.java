@@ -22,7 +22,7 @@ public final class HeldPass implements Pass {
     /** No level asks for it: whoever plays does, see {@link #forHands}. */
     public static final RenderFeature FEATURE = new RenderFeature("thing.held", level -> List.of());
 
-    /** So much of what is behind is hidden by the middle of a face; {@code held-look.glsl} has it too. */
+    /** So much of what is behind is hidden by the middle of a face: a define of {@code held-look.glsl}. */
     public static final double FACE_OPACITY = 0.3;
 
     private final Set<Target> reads;

@@ -56,14 +56,21 @@ final class ThingDraw implements AutoCloseable {
         light = shared.surfaceLight(context);
         cuts = ViewTree.mayGrow(context.scene().level());
         materials = new MaterialBlocks(gl, meshes.things().materials());
-        for (ThingGroup group : meshes.things().groups()) {
-            // Nobody holds a figure, the only thing of several parts.
-            if (look == ThingLook.SOLID || group.parts() == 1) {
-                ThingVariant variant = ThingVariant.of(group.kind(), context.output(), look);
-                programOfGroup.add(programs.computeIfAbsent(
-                        variant, wanted -> wanted.program(context, materials.materialsPerBlock())));
-            }
+        try {
+            meshes.things().groups().forEach(group -> programOfGroup.add(programFor(group, context)));
+        } catch (RuntimeException e) {
+            close();
+            throw e;
         }
+    }
+
+    /** {@code null} for what is never drawn so: nobody holds a figure, the only thing of several parts. */
+    private GlProgram<ThingUniforms> programFor(ThingGroup group, LoadContext context) {
+        if (look == ThingLook.SEE_THROUGH && group.parts() > 1) {
+            return null;
+        }
+        ThingVariant variant = ThingVariant.of(group.kind(), context.output(), look);
+        return programs.computeIfAbsent(variant, wanted -> wanted.program(context, materials.materialsPerBlock()));
     }
 
     void draw(FrameContext frame, VisibleThings visible) {

@@ -27,14 +27,15 @@ record ThingVariant(SurfaceVariant surface, boolean detailed, ThingLook look) {
 
     GlProgram<ThingUniforms> program(LoadContext context, int materialsPerBlock) {
         SurfaceLight light = context.shared().surfaceLight(context);
-        var defines = surface.addTo(light.addForThings(Defines.of(context)), materialsPerBlock)
-                .withIf(detailed, "DETAIL")
-                .withIf(look == ThingLook.SEE_THROUGH, "SEE_THROUGH")
-                .values();
+        Defines defines = surface.addTo(light.addForThings(Defines.of(context)), materialsPerBlock)
+                .withIf(detailed, "DETAIL");
+        if (look == ThingLook.SEE_THROUGH) {
+            defines.with("SEE_THROUGH").with("FACE_OPACITY", HeldPass.FACE_OPACITY);
+        }
         return new GlProgram<>(
                 context.gl(),
-                ShaderSource.load(FOLDER + "thing.vert", defines),
-                ShaderSource.load(FOLDER + "thing.frag", defines),
+                ShaderSource.load(FOLDER + "thing.vert", defines.values()),
+                ShaderSource.load(FOLDER + "thing.frag", defines.values()),
                 uniforms -> uniforms(
                         uniforms, light, ViewTree.mayGrow(context.scene().level())));
     }

@@ -1,4 +1,4 @@
-// Over the wall within the rim of a portal that leads nowhere yet.
+// Over the wall within the rim of a portal that leads nowhere yet, and over an open one whose view nothing fills.
 #include "output.glsl"
 #include "displayed.glsl"
 #include "closed-look.glsl"

@@ -5,11 +5,11 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 
 /** Linear radiance of a frame in output HDR; follows the size of the picture that it is developed into. */
-final class LinearPicture implements AutoCloseable {
+final class LinearTarget implements AutoCloseable {
     private final GlContext gl;
     private RenderTarget target;
 
-    LinearPicture(GlContext gl) {
+    LinearTarget(GlContext gl) {
         this.gl = gl;
     }
 
