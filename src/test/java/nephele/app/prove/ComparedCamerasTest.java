@@ -2,7 +2,9 @@ package nephele.app.prove;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -38,5 +40,23 @@ class ComparedCamerasTest {
     void withoutLevelsThereIsNothingToCompare() {
         var nowhere = new ComparedCameras(List.of(), 5);
         assertThrows(Proof.UnavailableException.class, () -> nowhere.visits(0, 1));
+        assertThrows(Proof.UnavailableException.class, nowhere::all);
+    }
+
+    /** Else there would be no units at all, of which none fails. */
+    @Test
+    void withoutLevelsAProofOfPicturesCannotEvenBegin() {
+        for (Proof proof : List.of(
+                new PortalIdsProof(List.of()), new PortalLightProof(List.of(), 16, 1, Path.of("build", "nowhere")))) {
+            var e = assertThrows(Proof.UnavailableException.class, proof::fullCount, proof.name());
+            assertTrue(e.getMessage().contains("checkout"), e.getMessage());
+        }
+    }
+
+    @Test
+    void turnsThatDoNotDivideTheCamerasAreRefused() {
+        for (int atOnce : new int[] {-5, 0, 3, 51, 100}) {
+            assertThrows(IllegalArgumentException.class, () -> new ComparedCameras(FILES, atOnce));
+        }
     }
 }

@@ -35,7 +35,7 @@ class LitTallyTest {
         var failed = judged(batch("a", 0, 0.4f, 0.2f));
         assertEquals(1, failed.failures());
         String line = failed.examples().get(0);
-        assertTrue(line.contains("(0.0000 drawn at twice the size and averaged), bias +100.00 %"), line);
+        assertTrue(line.contains("(0.0000 drawn 2 times as large and averaged), bias +100.00 %"), line);
         assertTrue(line.endsWith("in camera 0"), line);
     }
 

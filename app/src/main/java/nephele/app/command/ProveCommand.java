@@ -30,7 +30,9 @@ final class ProveCommand implements Command {
     @Option(
             names = "--count",
             paramLabel = "N",
-            description = "Run only up to this many units; the figures are shown but not written to docs/proofs.md.")
+            description =
+                    "Run only up to this many units; the figures are shown, but written to docs/proofs.md only with"
+                            + " --record.")
     private Long count;
 
     @Option(names = "--record", description = "With --count: write the figures all the same; the row says of how many.")

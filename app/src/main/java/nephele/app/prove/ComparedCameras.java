@@ -16,18 +16,25 @@ import nephele.engine.scene.View;
 record ComparedCameras(List<String> files, int atOnce) {
     static final int OF_A_LEVEL = 50;
 
+    ComparedCameras {
+        files = List.copyOf(files);
+        if (atOnce < 1 || OF_A_LEVEL % atOnce != 0) {
+            throw new IllegalArgumentException(atOnce + " at once do not divide " + OF_A_LEVEL + " cameras");
+        }
+    }
+
     /** Cameras of one level, from {@code first} on. */
     record Visit(String file, int first, int count) {}
 
-    long all() {
+    /** @throws Proof.UnavailableException without levels */
+    long all() throws Proof.UnavailableException {
+        requireLevels();
         return (long) OF_A_LEVEL * files.size();
     }
 
     /** The units [{@code from}, {@code from + count}), in their order. */
     List<Visit> visits(long from, long count) throws Proof.UnavailableException {
-        if (files.isEmpty()) {
-            throw new Proof.UnavailableException("the levels of a checkout are compared: run this in one");
-        }
+        requireLevels();
         var visits = new ArrayList<Visit>();
         for (long unit = from; unit < from + count; ) {
             long turn = unit / atOnce;
@@ -38,6 +45,12 @@ record ComparedCameras(List<String> files, int atOnce) {
             unit += cameras;
         }
         return visits;
+    }
+
+    private void requireLevels() throws Proof.UnavailableException {
+        if (files.isEmpty()) {
+            throw new Proof.UnavailableException("the levels of a checkout are compared: run this in one");
+        }
     }
 
     /** A picture in words, and the options of {@code render} that draw it again. */

@@ -25,11 +25,11 @@ public record Figure(String name, double value, String unit, Join join) {
         return new Figure(name, value, unit, Join.LEAST);
     }
 
-    /** The figure of both batches together. */
+    /** The figure of both batches together; what is no number stays, so that nobody takes it for a good one. */
     public Figure joined(Figure other) {
         return switch (join) {
             case SUM -> new Figure(name, value + other.value, unit, join);
-            case LEAST -> Double.compare(other.value, value) < 0 ? other : this;
+            case LEAST -> other.value < value || Double.isNaN(other.value) ? other : this;
             case GREATEST -> Double.compare(other.value, value) > 0 ? other : this;
         };
     }

@@ -19,6 +19,9 @@ record LitSums(
         double traced,
         double worst,
         String whereWorst) {
+    /** Pixels averaged for each compared one along each side, to tell how much of what is off is aliasing. */
+    static final int FINER = 2;
+
     private static final String PICTURES = ": pictures";
     private static final String FLIPS = ": sum of their mean FLIP";
     private static final String AVERAGED = ": sum of their mean FLIP, averaged";
@@ -71,9 +74,12 @@ record LitSums(
         return List.of(
                 Figure.sum("pictures", pictures, ""),
                 Figure.sum("sum of their mean FLIP", flips, ""),
-                Figure.sum("the same, drawn at twice the size and averaged", averagedFlips, ""),
+                Figure.sum("the same, drawn " + FINER + " times as large and averaged", averagedFlips, ""),
                 Figure.greatest("greatest mean FLIP of a level", flip(), "(" + series + ")"),
-                Figure.greatest("greatest of a level at twice the size, averaged", averagedFlip(), "(" + series + ")"),
+                Figure.greatest(
+                        "greatest of a level " + FINER + " times as large, averaged",
+                        averagedFlip(),
+                        "(" + series + ")"),
                 Figure.greatest("greatest bias of a level", 100 * Math.abs(bias()), "% (" + series + ")"),
                 Figure.greatest("greatest mean FLIP of a picture", worst, whereWorst));
     }
@@ -81,11 +87,12 @@ record LitSums(
     String inWords(String series) {
         return String.format(
                 Locale.ROOT,
-                "%s: mean FLIP %.4f (%.4f drawn at twice the size and averaged), bias %+.2f %%, %.0f pictures; worst"
+                "%s: mean FLIP %.4f (%.4f drawn %d times as large and averaged), bias %+.2f %%, %.0f pictures; worst"
                         + " %.4f %s",
                 series,
                 flip(),
                 averagedFlip(),
+                FINER,
                 100 * bias(),
                 pictures,
                 worst,

@@ -61,7 +61,7 @@ public final class PortalIdsProof implements Proof {
     }
 
     @Override
-    public long fullCount() {
+    public long fullCount() throws UnavailableException {
         return cameras.all();
     }
 

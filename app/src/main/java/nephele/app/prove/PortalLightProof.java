@@ -29,9 +29,6 @@ import nephele.engine.scene.View;
  * pictures are kept, for they take nearly all of the time.
  */
 public final class PortalLightProof implements Proof {
-    /** Pixels drawn for each compared one along each side, to tell how much of what is off is aliasing. */
-    private static final int FINER = 2;
-
     /** Cameras of a level that follow one another: loading and warming a level up costs as much as tracing a few. */
     private static final int AT_ONCE = 5;
 
@@ -77,7 +74,7 @@ public final class PortalLightProof implements Proof {
     }
 
     @Override
-    public long fullCount() {
+    public long fullCount() throws UnavailableException {
         return cameras.all();
     }
 
@@ -93,7 +90,7 @@ public final class PortalLightProof implements Proof {
         long done = 0;
         try (var gl = GlContext.offscreen();
                 var picture = picture(gl, 1);
-                var finer = picture(gl, FINER)) {
+                var finer = picture(gl, LitSums.FINER)) {
             for (var visit : visits) {
                 compare(visit, gl, List.of(picture, finer), tally);
                 done += visit.count();
@@ -138,7 +135,7 @@ public final class PortalLightProof implements Proof {
                                 again,
                                 reference,
                                 once,
-                                finer.get(technique).reduced(FINER)));
+                                finer.get(technique).reduced(LitSums.FINER)));
             }
         }
     }

@@ -17,8 +17,12 @@ public interface Proof {
     /** What is counted, in the plural: "starts", "kills", "seconds". */
     String unit();
 
-    /** How many units the claim needs. */
-    long fullCount();
+    /**
+     * How many units the claim needs.
+     *
+     * @throws UnavailableException when the environment, which says how many, lacks them
+     */
+    long fullCount() throws UnavailableException;
 
     /** How many units run between two saves of the state; a minute's work is a good size. */
     long batch();

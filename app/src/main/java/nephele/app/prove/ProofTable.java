@@ -32,7 +32,8 @@ public final class ProofTable {
     public record Circumstances(String date, String commit, String machine) {}
 
     /** Puts the result into the table, over the row that this proof had. */
-    public void write(Proof proof, ProofResult result, Circumstances found) throws IOException {
+    public void write(Proof proof, ProofResult result, Circumstances found)
+            throws IOException, Proof.UnavailableException {
         var rows = rows();
         rows.removeIf(row -> nameOf(row).equals(proof.name()));
         rows.add(row(proof, result, found));
@@ -54,7 +55,7 @@ public final class ProofTable {
         return row.split("\\|")[1].strip();
     }
 
-    private static String row(Proof proof, ProofResult result, Circumstances found) {
+    private static String row(Proof proof, ProofResult result, Circumstances found) throws Proof.UnavailableException {
         var figures = result.figures().stream().map(ProofTable::text).collect(Collectors.joining("; "));
         return "| "
                 + String.join(
@@ -70,13 +71,13 @@ public final class ProofTable {
                 + " |";
     }
 
-    private static String count(Proof proof, ProofResult result) {
+    private static String count(Proof proof, ProofResult result) throws Proof.UnavailableException {
         String of = result.units() < proof.fullCount() ? String.format(Locale.ROOT, " of %,d", proof.fullCount()) : "";
         return String.format(Locale.ROOT, "%,d%s %s", result.units(), of, proof.unit());
     }
 
     /** The result for the terminal: verdict, count, figures and the first failures. */
-    public static String summary(Proof proof, ProofResult result) {
+    public static String summary(Proof proof, ProofResult result) throws Proof.UnavailableException {
         var verdict = result.holds() ? "holds" : "FAILS (" + result.failures() + " failures)";
         var text = new StringBuilder(
                 String.format(Locale.ROOT, "%s: %s after %s", proof.name(), verdict, count(proof, result)));

@@ -96,7 +96,7 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
         return Basis.lookAt(Vec3.ZERO, direction, new Vec3(0, 1, 0), Basis.WORLD);
     }
 
-    /** The portal's up, by the words of the issue: on slopes up along them, on level surfaces ahead. */
+    /** The portal's up: on slopes up along them, on level surfaces ahead. */
     Vec3 expectedUp(Basis view) {
         if (Math.abs(normal.y()) < 0.86) {
             Vec3 across = Directions.cross(new Vec3(0, 1, 0), normal);
