@@ -145,7 +145,8 @@ public final class GameLoop implements AutoCloseable {
     private void turnUpright(int degreesPerSecond) {
         request = request.with(request.simulation().withUprightDegreesPerSecond(degreesPerSecond));
         menu.rewrite(SettingsPage.of(request.simulation()));
-        message.say("Upright " + SettingsPage.inWords(degreesPerSecond) + " from the next start or restart on");
+        message.say("Upright " + SettingsPage.inWords(degreesPerSecond) + " "
+                + current.session().settingsHold());
     }
 
     private void resume(Stage stage) {

@@ -29,6 +29,11 @@ public record PlayRequest(
         return new PlayRequest(level, from, quality, replay, record, changed, picture);
     }
 
+    /** From when on settings hold that are changed while this is played, in words. */
+    String settingsHold() {
+        return replay == null ? "from the next start or restart on" : "from the next start on; a replay keeps its own";
+    }
+
     /** The same for another level, played by hand. */
     PlayRequest of(LevelName other) {
         return new PlayRequest(other, null, quality, null, record, simulation, picture);

@@ -46,6 +46,11 @@ final class Session implements AutoCloseable {
         walk = new Walk(level, new Walk.Beginning(request.level().fileName(), settings, from), hands);
     }
 
+    /** From when on changed settings hold, in words. */
+    String settingsHold() {
+        return request.settingsHold();
+    }
+
     Walk walk() {
         return walk;
     }

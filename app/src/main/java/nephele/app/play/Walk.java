@@ -94,7 +94,7 @@ public final class Walk {
         news.addAll(after.around().trace().events());
         ages.after(after);
         aiming.after(after);
-        clear(PlayerPose.heldFromEye(after));
+        fadeHeld(PlayerPose.heldFromEye(after));
         limbsBefore = limbsAfter;
         limbsAfter = limbsAfter.next(after, secondsPerTick);
         if (isLeap()) {
@@ -191,7 +191,7 @@ public final class Walk {
     }
 
     /** @param fromEye of what is held, {@code null} for nothing, which is never see-through */
-    private void clear(Vec3 fromEye) {
+    private void fadeHeld(Vec3 fromEye) {
         double step = (boom.isOut() ? -1 : 1) * secondsPerTick / CLEARING_SECONDS;
         heldFromEye = fromEye;
         heldClarity = fromEye == null ? 0 : Math.max(0, Math.min(1, heldClarity + step));

@@ -67,7 +67,7 @@ final class WindowEvents {
         input.point(x * width / Math.max(1, windowWidth[0]), y * height / Math.max(1, windowHeight[0]));
     }
 
-    /** A pointer that comes back lies where nothing has told: whoever clicks before moving it means what is under it. */
+    /** A pointer that comes back has moved without a word: it is asked where it lies. */
     void lookWithMouse(boolean nowLooking) {
         looking = nowLooking;
         if (!looking) {
