@@ -50,7 +50,7 @@ class ShippedLevelsTest {
     }
 
     @Test
-    void levelOneIsAsRichAsTheIssueAsks() {
+    void levelOneIsRich() {
         Level level = LevelFile.load(LEVEL_ONE).level();
         long faces = level.solids().stream()
                 .mapToLong(solid -> Brush.of(solid).faces().size())

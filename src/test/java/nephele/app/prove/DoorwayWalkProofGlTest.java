@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The same code as `prove doorway-walk`, small pictures; portals.md section 5, rows 10 and 11. */
+/** The same code as `prove doorway-walk`, small pictures. */
 class DoorwayWalkProofGlTest {
     private static ProofResult walks(long from, long count) {
         return new DoorwayWalkProof(160, 90).run(from, count, Proof.Progress.NONE);

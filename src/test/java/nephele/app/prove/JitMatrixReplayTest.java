@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Issue 2: hashes equal in other processes, interpreted and compiled, on Java 17 and 25 where present. */
+/** Hashes equal in other processes, interpreted and compiled, on Java 17 and 25 where present. */
 class JitMatrixReplayTest {
     private static final int EVERY = 10;
 
@@ -39,7 +39,7 @@ class JitMatrixReplayTest {
                 .filter(variant -> variant.flags().isEmpty() || variant.flags().contains("-Xint"));
     }
 
-    /** Issue 3: a replay through 100 crossings and a re-fired portal. */
+    /** A replay through 100 crossings and a re-fired portal. */
     @ParameterizedTest
     @MethodSource("interpretedAndCompiled")
     void anotherProcessGoesThroughTheSamePortals(JvmVariant variant) throws Exception {

@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 import nephele.engine.level.PortalShape;
 import org.junit.jupiter.api.Test;
 
-/** Issue 3: one convex polygon of at most 24 sides; the default arch has a flat bottom edge of at least 0.8 m. */
+/** One convex polygon of at most 24 sides; the default arch has a flat bottom edge of at least 0.8 m. */
 class ApertureTest {
     private static final double[] SIZES = {0.01, 0.1, 0.7, 1.2, 2.1, 33, 1e4};
 

@@ -111,7 +111,7 @@ class BodySightTest {
         return stage;
     }
 
-    /** portals.md 5, row 10: half-way in a portal a body is seen on both sides as in an open doorway. */
+    /** Half-way in a portal a body is seen on both sides as in an open doorway. */
     @Test
     void whoStandsInAPortalIsSeenOnBothSides() {
         Vec3 here = new Vec3(0.1, -0.2, 0.15);

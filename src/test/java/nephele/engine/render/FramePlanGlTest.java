@@ -66,7 +66,7 @@ class FramePlanGlTest {
         }
     }
 
-    /** Issue 2: loading and closing 100 levels brings the count of live objects back to the baseline. */
+    /** Loading and closing 100 levels brings the count of live objects back to the baseline. */
     @Test
     void aHundredLevelsLeaveNothingBehind() {
         try (Offscreen offscreen = new Offscreen(8, 8)) {

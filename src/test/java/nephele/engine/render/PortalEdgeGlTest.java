@@ -38,7 +38,7 @@ class PortalEdgeGlTest {
     }
 
     /**
-     * portals.md 5, row 15: coplanar portals that touch, or overlap by a micrometre, leave no wall between them and do
+     * Coplanar portals that touch, or overlap by a micrometre, leave no wall between them and do
      * not fight: every pixel is one of the two, and on each side of the line it is the right one.
      */
     @Test
@@ -82,7 +82,7 @@ class PortalEdgeGlTest {
         assertEquals(1, changes);
     }
 
-    /** portals.md 5, row 21: 64 portals in sight are drawn without an error, as many views as the budget says. */
+    /** 64 portals in sight are drawn without an error, as many views as the budget says. */
     @Test
     void sixtyFourPortalsKeepToTheBudget() {
         TestLevel ring = new TestLevel().ambient(1).box(null, new Vec3(0, -2, 0), new Vec3(40, 1, 40));

@@ -178,7 +178,7 @@ class PortalGlTest {
     }
 
     /**
-     * Entry and exit in one place: looking through is looking past. Also portals.md 5, row 9: the eye comes as near to
+     * Entry and exit in one place: looking through is looking past. The eye comes as near to
      * the plane as 1e-9 m on either side, looking up to 89.99° from the normal, and no pixel is other than without
      * portals, but where an edge lies on a pixel's centre.
      */

@@ -83,7 +83,7 @@ class PortalTerminalGlTest {
         }
     }
 
-    /** portals.md 5, row 38: the first frame is complete; only the deepest opening shows a membrane instead of a view. */
+    /** The first frame is complete; only the deepest opening shows a membrane instead of a view. */
     @Test
     void theFirstFrameIsFullyDrawn() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -143,7 +143,7 @@ class PortalTerminalGlTest {
         }
     }
 
-    /** portals.md 5, row 37: the terminal opening has the shape of the portal, not a bounding box or an oval. */
+    /** The terminal opening has the shape of the portal, not a bounding box or an oval. */
     @Test
     void aTerminalOpeningHasTheRightShape() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {

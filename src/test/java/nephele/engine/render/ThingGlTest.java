@@ -110,7 +110,7 @@ class ThingGlTest {
                 && Math.abs(Offscreen.blue(a) - Offscreen.blue(b)) <= 2;
     }
 
-    /** Rows 9 and 10 of portals.md: what sticks out of the exit and what is left before the entry make up the whole. */
+    /** What sticks out of the exit and what is left before the entry make up the whole. */
     @Test
     void theSilhouettesOfBothHalvesAddUp() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {

@@ -57,7 +57,7 @@ class ViewTreeTest {
                 portal(new Vec3(0, 0, apart / 2), new Vec3(0, 0, -1)));
     }
 
-    /** portals.md 5, row 19: a portal's own rear is not seen, from behind nor through itself. */
+    /** A portal's own rear is not seen, from behind nor through itself. */
     @Test
     void aPortalIsNotSeenFromBehind() {
         Moment moment = pairs(portal(Vec3.ZERO, new Vec3(0, 0, 1)), portal(new Vec3(0, 0, -5), new Vec3(0, 0, 1)));
@@ -77,7 +77,7 @@ class ViewTreeTest {
         }
     }
 
-    /** portals.md 5, row 20: what lies wholly behind the plane that a view looks out of is not drawn. */
+    /** What lies wholly behind the plane that a view looks out of is not drawn. */
     @Test
     void aPortalBehindTheClipPlaneIsNotSeen() {
         Portal entry = portal(Vec3.ZERO, new Vec3(0, 0, 1));
@@ -95,7 +95,7 @@ class ViewTreeTest {
                 grown(view, pairs(entry, exit, behind, elsewhere), 50).views().size());
     }
 
-    /** portals.md 5, row 21: 64 portals that all see each other. */
+    /** 64 portals that all see each other. */
     @Test
     void theBudgetHoldsWithSixtyFourPortals() {
         Random random = new Random(21);

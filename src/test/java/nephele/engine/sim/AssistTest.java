@@ -35,7 +35,7 @@ final class AssistTest {
         return count[0];
     }
 
-    /** Issue 3: out of a floor portal at walking speed, assist on: lands on the rim, no falling back. */
+    /** Out of a floor portal at walking speed, assist on: lands on the rim, no falling back. */
     @Test
     void outOfAFloorAtWalkingSpeedOneLandsOnTheRim() {
         for (int percent : new int[] {100, 60, 30}) {
@@ -61,7 +61,7 @@ final class AssistTest {
         assertEquals(Assists.LEAST_FLOOR_EXIT_SPEED, speed[0], 1e-12);
     }
 
-    /** Row 4 of portals.md with the cap: exactly the cap, and nothing slower is changed. */
+    /** Falls without end, with the cap: exactly the cap, and nothing slower is changed. */
     @Test
     void nothingIsFasterThanTheCap() {
         for (boolean capped : new boolean[] {true, false}) {

@@ -12,7 +12,7 @@ import nephele.engine.sim.TickEvent.Handled;
 import nephele.engine.sim.TickEvent.Handled.Kind;
 import org.junit.jupiter.api.Test;
 
-/** Row 27 of portals.md: a held cube, either first, several portals, one moved in between. */
+/** A held cube, either first, several portals, one moved in between. */
 final class CarryThroughPortalsTest {
     private static final Vec3 BACK = new Vec3(0, 0, 1);
     private static final Vec3 LEFT = new Vec3(-1, 0, 0);

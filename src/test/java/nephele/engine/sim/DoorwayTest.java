@@ -60,7 +60,7 @@ final class DoorwayTest {
         return most;
     }
 
-    /** Issue 3: the capsule's path within 1 mm; straight, off the middle, slanted against either jamb, at three rates. */
+    /** The capsule's path within 1 mm; straight, off the middle, slanted against either jamb, at three rates. */
     @ParameterizedTest
     @CsvSource({
         "1, 0, false, 0.0, 0.01",

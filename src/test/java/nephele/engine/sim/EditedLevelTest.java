@@ -23,8 +23,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Row 14 of {@code knowledge/portals.md}, section 5: the surface under a portal is taken away or takes no portals any
- * more. The portal closes, and who stands in it is treated by row 12: the centre's side decides, or the edit is refused.
+ * The surface under a portal is taken away or takes no portals any more: the portal closes, and who stands in it is
+ * treated as when it is moved. The centre's side decides, or the edit is refused.
  */
 final class EditedLevelTest {
     private static final double EDGE = 0.5;

@@ -19,7 +19,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Bodies and player in portals that move: nobody ever ends in a solid (portals.md rows 12 and 28). */
+/** Bodies and player in portals that move: nobody ever ends in a solid. */
 final class OccupantsTest {
     private static final double EDGE = 0.5;
 

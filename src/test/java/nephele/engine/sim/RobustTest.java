@@ -132,7 +132,7 @@ class RobustTest {
         assertEquals(state.hash(), new SimState(state.tick(), 1, 0, p).hash());
     }
 
-    /** Issue 2: the simulation allocates at most 4 KiB a tick. */
+    /** The simulation allocates at most 4 KiB a tick. */
     @Test
     void aTickAllocatesLittle() {
         Course course = new Course(Parcours.at(Vec3.ZERO), Vec3.ZERO);

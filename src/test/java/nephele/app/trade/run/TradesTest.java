@@ -15,7 +15,7 @@ import nephele.engine.render.frame.Quality;
 import org.junit.jupiter.api.Test;
 
 class TradesTest {
-    /** Issue 4: a field of Quality without a subject fails; so does a subject of a field that is gone. */
+    /** A field of Quality without a subject fails; so does a subject of a field that is gone. */
     @Test
     void everyFieldOfQualityHasASubject() {
         Set<String> fields = Arrays.stream(Quality.class.getRecordComponents())

@@ -9,7 +9,7 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** Issue 3 on orientation; `knowledge/portals.md` section 5 row 33. */
+/** Which way up a portal stands, on walls, slopes and level surfaces. */
 class UprightTest {
     private static final Vec3 FLOOR = new Vec3(0, 1, 0);
     private static final Vec3 CEILING = new Vec3(0, -1, 0);

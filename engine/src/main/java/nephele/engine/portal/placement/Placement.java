@@ -29,7 +29,7 @@ public final class Placement {
     /** A portal is looked at from so near: what is farther from its wall does not touch it. */
     private static final double HOLDS_FROM_METRES = 0.02;
 
-    /** Re-triangulated, a surface gives the same place within this (portals.md section 5, row 31). */
+    /** Re-triangulated, a surface gives the same place within this. */
     private static final double SAME_PLACE_METRES = 5e-5;
 
     private final Surfaces surfaces;
