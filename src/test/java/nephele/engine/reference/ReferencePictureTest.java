@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.util.Arrays;
+import java.util.List;
 import nephele.engine.level.Body;
 import nephele.engine.level.Light;
+import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
+import nephele.engine.level.SkyboxLayout;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
@@ -43,25 +46,50 @@ class ReferencePictureTest {
         assertEquals(mean(picture(1024, 3, 2)), mean(first), 2e-3);
     }
 
-    /** One number for all that is traced; when it changes, raise the version, so that no older picture is used on. */
+    /** Something of all that is traced, but for what hides the sky and its light: fog and constant ambient light. */
+    private static Stage everything() {
+        var faces = List.of("sky0", "sky1", "sky2", "sky3", "sky4", "sky5");
+        Stage stage = new Stage();
+        for (int i = 0; i < faces.size(); i++) {
+            int face = i;
+            stage.asset(faces.get(i), 3, 3, (x, y) -> 0xff204060 + 0x180c04 * (x + face) + 0x101010 * y);
+        }
+        return stage.sky(new Sky.Skybox(SkyboxLayout.FACES, faces))
+                .asset("tiles", 5, 3, (x, y) -> 0xff000000 | 0x302010 * (x + 1) % 0xffffff ^ 0x404040 * y)
+                .asset("bumps", 3, 4, (x, y) -> 0x50 * (y % 2 + 1) << 24 | 0x506080 + 0x300000 * x + 0x1000 * y)
+                .material(new Material("floor", Stage.grey(0.9), "tiles", null, null, null, Vec3.ZERO, 0.7))
+                .material(new Material("bumpy", new Vec3(0.8, 0.5, 0.2), "tiles", 0.5, 0.7, "bumps", Vec3.ZERO, 0.4))
+                .material(new Material("glow", Stage.grey(0.2), null, null, null, null, new Vec3(0.9, 0.4, 0.1), 1))
+                .gloss("gloss", new Vec3(0.8, 0.5, 0.2), 0.3, 0.7)
+                .box("floor", new Vec3(0, -0.5, 0), new Vec3(6, 1, 6))
+                .box("bumpy", new Vec3(0, 0.5, 0), Stage.grey(1))
+                .box("glow", new Vec3(-1, 0.1, 1), new Vec3(0.3, 0.2, 0.3))
+                .sun(new Vec3(0.3, 0.8, 0.4), 2)
+                .light(new Light.Point("lamp", new Vec3(1, 2.5, 1), Stage.grey(3), 8, true))
+                .light(new Light.Spot(
+                        "spot", new Vec3(-1, 2, 2), new Vec3(0.2, -1, -0.5), new Vec3(1, 2, 6), 9, 10, 25, true))
+                .body(new Body.Sphere("ball", new Vec3(1.2, 0.3, 1), 0.3, 1, "gloss", 0.5, 0.5))
+                .body(new Body.Box("cube", new Vec3(-0.3, 0.2, 1.6), Stage.grey(0.4), 1, "floor", 0.5, 0.5))
+                .body(new Body.Capsule("pill", new Vec3(0.6, 0.4, 1.5), 0.15, 0.8, 1, "bumpy", 0.5, 0.5))
+                .portal("a", "b", new Vec3(0, 1, 0.5), new Vec3(0, 0, 1))
+                .portal("b", "a", new Vec3(-0.5, 1, 0), new Vec3(-1, 0, 0));
+    }
+
+    /** One number for each of two pictures; when one changes, raise the version, so that no older picture is used on. */
     @Test
     void aPictureKeptUnderThisVersionIsStillRight() {
         assertEquals(1, ReferencePicture.VERSION);
-        var light = new Light.Point("lamp", new Vec3(1, 2.5, 1), Stage.grey(3), 8, true);
-        var body = new Body.Sphere("ball", new Vec3(1.2, 0.3, 1), 0.3, 1, "gloss", 0.5, 0.5);
-        float[] rgb = stage().sun(new Vec3(0.3, 0.8, 0.4), 2)
-                .fog(0.05, new Vec3(0.3, 0.4, 0.5))
-                .gloss("gloss", new Vec3(0.8, 0.5, 0.2), 0.3, 0.7)
-                .light(light)
-                .body(body)
-                .portal("a", "b", new Vec3(0, 1, 0.5), new Vec3(0, 0, 1))
-                .portal("b", "a", new Vec3(-0.5, 1, 0), new Vec3(-1, 0, 0))
-                .picture(EYE, new TraceSettings(48, 36, 16, 1, 2));
-        double weighted = 0;
+        assertEquals(11.32558306, weighted(everything()), 1e-6);
+        assertEquals(14.79067521, weighted(everything().ambient(0.3).fog(0.05, new Vec3(0.3, 0.4, 0.5))), 1e-6);
+    }
+
+    private static double weighted(Stage stage) {
+        float[] rgb = stage.picture(EYE, new TraceSettings(48, 36, 16, 1, 2));
+        double sum = 0;
         for (int i = 0; i < rgb.length; i++) {
-            weighted += rgb[i] * (1 + i % 97);
+            sum += rgb[i] * (1 + i % 97);
         }
-        assertEquals(22.65127248, weighted / rgb.length, 1e-6);
+        return sum / rgb.length;
     }
 
     private static double mean(float[] values) {

@@ -3,8 +3,7 @@ package nephele.engine.reference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import nephele.engine.asset.AssetException;
-import nephele.engine.asset.AssetSource;
+import java.util.function.IntBinaryOperator;
 import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Fog;
@@ -24,18 +23,6 @@ import nephele.engine.math.Vec3;
 
 /** A level put together piece by piece, and what a few rays see of it. */
 final class Stage {
-    private static final AssetSource NO_ASSETS = new AssetSource() {
-        @Override
-        public byte[] bytes(String assetId) throws AssetException {
-            throw new AssetException(assetId, "is missing", "add it to the test");
-        }
-
-        @Override
-        public boolean exists(String assetId) {
-            return false;
-        }
-    };
-
     private Sun sun;
     private Sky sky;
     private Vec3 ambient;
@@ -45,6 +32,7 @@ final class Stage {
     private final List<Light> lights = new ArrayList<>();
     private final List<PortalSpec> portals = new ArrayList<>();
     private final List<Body> bodies = new ArrayList<>();
+    private final StagePictures pictures = new StagePictures();
 
     static Vec3 grey(double value) {
         return new Vec3(value, value, value);
@@ -75,13 +63,22 @@ final class Stage {
         return this;
     }
 
-    Stage lambert(String id, Vec3 albedo) {
-        materials.add(new Material(id, albedo, null, null, null, null, Vec3.ZERO, 1));
+    Stage material(Material material) {
+        materials.add(material);
         return this;
     }
 
+    Stage lambert(String id, Vec3 albedo) {
+        return material(new Material(id, albedo, null, null, null, null, Vec3.ZERO, 1));
+    }
+
     Stage gloss(String id, Vec3 colour, double roughness, double metallic) {
-        materials.add(new Material(id, colour, null, roughness, metallic, null, Vec3.ZERO, 1));
+        return material(new Material(id, colour, null, roughness, metallic, null, Vec3.ZERO, 1));
+    }
+
+    /** @param argbAt 0xaarrggbb of a pixel, row 0 at the top */
+    Stage asset(String id, int width, int height, IntBinaryOperator argbAt) {
+        pictures.put(id, width, height, argbAt);
         return this;
     }
 
@@ -110,7 +107,7 @@ final class Stage {
     }
 
     float[] picture(Pinhole eye, TraceSettings settings) {
-        return ReferencePicture.trace(TracedLevel.of(level(), NO_ASSETS, Decoding.SRGB), eye, settings, done -> {});
+        return ReferencePicture.trace(TracedLevel.of(level(), pictures, Decoding.SRGB), eye, settings, done -> {});
     }
 
     /** The one pixel of a picture that is hardly larger than a point. */
