@@ -22,14 +22,7 @@ public final class PlacementSample {
     private final List<Question> questions = new ArrayList<>();
 
     private record Question(
-            WallShot shot,
-            int triangle,
-            Vec3 right,
-            Vec3 up,
-            FourLines fourLines,
-            Placement fixed,
-            Placement sliding,
-            boolean fits) {}
+            WallShot shot, int triangle, Vec3 right, Vec3 up, FourLines fourLines, Placement fixed, boolean fits) {}
 
     public PlacementSample(int count) {
         for (long seed = 0; questions.size() < count; seed++) {
@@ -52,15 +45,13 @@ public final class PlacementSample {
         while (!ClippedAreas.contains(shot.wall.pieces().get(triangle), shot.x, shot.y)) {
             triangle++;
         }
-        double range = shot.gun.rangeMetres();
         return new Question(
                 shot,
                 triangle,
                 scaled(right, rectangle.widthMetres() / 2),
                 scaled(up, rectangle.heightMetres() / 2),
                 new FourLines(shot.wall.soup()),
-                new Placement(shot.wall.surfaces(), new Gun(rectangle, range, 0)),
-                new Placement(shot.wall.surfaces(), new Gun(rectangle, range, shot.gun.slideMetres())),
+                new Placement(shot.wall.surfaces(), new Gun(rectangle, shot.gun.rangeMetres(), 0)),
                 new ClippedAreas(shot.wall.pieces(), List.of())
                         .isWhole(WallShot.shape(rectangle, shot, 0), shot.x, shot.y));
     }
@@ -88,12 +79,5 @@ public final class PlacementSample {
     public boolean exact(int question) {
         Question asked = questions.get(question);
         return asked.fixed.place("shot", asked.shot.aim, List.of(), MovingSurfaces.NONE) instanceof Placed.Fits;
-    }
-
-    /** The game's query: the nearest place within the gun's slide; true when that is where one aims. */
-    public boolean nearest(int question) {
-        Question asked = questions.get(question);
-        Placed placed = asked.sliding.place("shot", asked.shot.aim, List.of(), MovingSurfaces.NONE);
-        return placed instanceof Placed.Fits fits && fits.slideMetres() < 1e-9;
     }
 }

@@ -11,7 +11,7 @@ import nephele.engine.measure.ParetoFront;
 /** What a subject's measurements say. */
 public record Findings(Trade trade, List<SettingFindings> settings, int rounds) {
     /** Costs that differ by less, as a share, are not called different: other work shifts even equal ones so far. */
-    private static final double COST_STEP = 0.03;
+    public static final double COST_STEP = 0.03;
 
     public static Findings of(Trade trade, SubjectState state) {
         var bootstrap = PairedBootstrap.standard();
@@ -98,6 +98,18 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
         return settings.stream()
                 .filter(SettingFindings::isOnFront)
                 .reduce((a, b) -> b.error() < a.error() ? b : a)
+                .orElseThrow();
+    }
+
+    /**
+     * What one chooses whose time is short: the cheapest of those on the front that err by no more than half as much again as
+     * the best, and what is enough.
+     */
+    public SettingFindings thrifty() {
+        double most = 1.5 * best().error() + trade.error().enough();
+        return settings.stream()
+                .filter(setting -> setting.isOnFront() && setting.error() <= most)
+                .reduce((a, b) -> b.ratio().estimate() < a.ratio().estimate() ? b : a)
                 .orElseThrow();
     }
 

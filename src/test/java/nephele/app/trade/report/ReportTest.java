@@ -34,6 +34,10 @@ class ReportTest {
 
     /** Fast is wrong, middle nearly right at half the price, fine the best, waste dearer than fine and no better. */
     private static Findings findings(double... costs) {
+        return findingsWithFast(9, costs);
+    }
+
+    private static Findings findingsWithFast(double errorOfFast, double... costs) {
         var trade = new Trade(
                 "knob",
                 new Trade.Text("A knob & more", "Turns something.", "the \"truth\""),
@@ -44,7 +48,7 @@ class ReportTest {
                 List.of("other, %"),
                 new CostMetric("CPU a thing", "ms", 1e6, 1, CostMetric.Clock.THREAD),
                 site -> null);
-        double[] errors = {9, 2.5, 2, 2};
+        double[] errors = {errorOfFast, 2.5, 2, 2};
         SubjectState state = SubjectState.NOTHING;
         for (double error : errors) {
             state = state.with(new SubjectState.Judged(error, List.of(50.0), false));
@@ -68,16 +72,23 @@ class ReportTest {
                         + " and it costs 50 % less.",
                 advice.choice());
         String remarks = String.join("\n", advice.remarks());
-        assertTrue(remarks.contains("Where time is short: “fast” is had for 75 % less"), remarks);
+        assertFalse(remarks.contains("Where time is short"), remarks);
         assertTrue(remarks.contains("What is usual today, “fine”, costs 2.00 times as much"), remarks);
         assertTrue(remarks.contains("never choose: “waste” (“fine” costs less and errs no more)"), remarks);
         assertFalse(remarks.contains("busy"), remarks);
     }
 
+    /** What errs by half as much again as the best, and what is enough, may do; four times as much may not. */
+    @Test
+    void namesWhatIsCheapAndErrsLittle() {
+        String remarks = String.join("\n", new Advice(findingsWithFast(3.9, 1, 4, 8, 12)).remarks());
+        assertTrue(remarks.contains("Where time is short: “fast” is had for 75 % less"), remarks);
+    }
+
     @Test
     void keepsTheUsualWhereNothingIsCheaperBeyondDoubt() {
         var advice = new Advice(findings(8.1, 7.9, 8, 8.05));
-        assertEquals("Choose “fine”: nothing is certainly cheaper, and nothing errs less.", advice.choice());
+        assertEquals("Choose “fine”: nothing is clearly cheaper, and nothing errs clearly less.", advice.choice());
         assertFalse(String.join(" ", advice.remarks()).contains("usual today"));
     }
 

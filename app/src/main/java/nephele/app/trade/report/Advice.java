@@ -27,15 +27,16 @@ final class Advice {
         var cheapest = findings.cheapest();
         String begin = "Choose " + name(chosen) + ": ";
         if (isNoWorse(chosen, best) && Findings.isNoDearer(chosen, cheapest)) {
-            return begin + "nothing is certainly cheaper, and nothing errs less.";
+            return begin + "nothing is clearly cheaper, and nothing errs clearly less.";
         }
         if (isNoWorse(chosen, best)) {
-            return begin + "nothing errs less, and what is cheaper errs by more than " + threshold() + " more.";
+            return begin + "nothing errs clearly less, and what is clearly cheaper errs by more than " + threshold()
+                    + " more.";
         }
         return begin + "its error of " + error(chosen.error()) + " is within " + threshold() + " of the best ("
                 + name(best) + ", " + error(best.error()) + "), and "
                 + (Findings.isNoDearer(best, chosen)
-                        ? "nothing is certainly cheaper."
+                        ? "nothing is clearly cheaper."
                         : "it costs " + saving(chosen, best) + ".");
     }
 
@@ -85,7 +86,8 @@ final class Advice {
         }
         names.values().stream()
                 .filter(alike -> alike.size() > 1)
-                .forEach(alike -> remarks.add(listed(alike) + " give the very same picture here."));
+                .forEach(alike -> remarks.add(listed(alike) + " give the very same picture here: beyond the first of"
+                        + " them the driver or this view offers no more."));
     }
 
     private static String listed(List<String> names) {
@@ -94,10 +96,10 @@ final class Advice {
     }
 
     private void cheaper(List<String> remarks) {
-        var cheapest = findings.cheapest();
-        if (cheapest != chosen && !Findings.isNoDearer(chosen, cheapest)) {
-            remarks.add("Where time is short: " + name(cheapest) + " is had for " + saving(cheapest, chosen)
-                    + " and errs " + error(cheapest.error()) + " instead of " + error(chosen.error()) + ".");
+        var thrifty = findings.thrifty();
+        if (thrifty != chosen && !Findings.isNoDearer(chosen, thrifty)) {
+            remarks.add("Where time is short: " + name(thrifty) + " is had for " + saving(thrifty, chosen)
+                    + " and errs " + error(thrifty.error()) + " instead of " + error(chosen.error()) + ".");
         }
     }
 

@@ -10,7 +10,8 @@ final class HtmlPage {
     private static final String LEAD =
             "Each knob of the engine, set to everything it offers: what it costs, how far the result is from the exact"
                     + " twin, and which setting to choose. Costs are process CPU, every setting timed in turn with the"
-                    + " others; what is compared are ratios within a round, so other work on the machine cancels.";
+                    + " others; what is compared are ratios within a round, so other work on the machine cancels."
+                    + " Milliseconds of different knobs were taken at different times: compare the ratios.";
 
     private HtmlPage() {}
 
@@ -41,7 +42,7 @@ final class HtmlPage {
     private static String glance(List<Findings> all) {
         String rows = all.stream().map(HtmlPage::glanceRow).collect(Collectors.joining("\n"));
         return "<section><h2>At a glance</h2><div class=\"wide\"><table"
-                + " class=\"glance\"><tr><th>knob</th><th>choose</th><th>cost</th><th>by"
+                + " class=\"glance\"><tr><th>knob</th><th>choose</th><th>cost</th><th>of what is"
                 + " usual</th><th>error</th><th>never</th></tr>\n" + rows
                 + "</table></div></section>\n";
     }
@@ -66,10 +67,16 @@ final class HtmlPage {
     private static String footer() {
         return """
                 <footer>FLIP (Andersson et al. 2020, 2021) is what an observer sees who flips between two pictures at 67 pixels a \
-                degree: 0 is equal, 1 is black against white. A setting is dominated when another is cheaper beyond doubt and errs \
-                no more, or seems to cost no more and errs less. Intervals are bootstrapped medians, 95&nbsp;%, seeded. The figures \
-                are in trade.csv beside this page, the plots in plots/, the pictures without loss in pictures/.</footer>
-                """;
+                degree: 0 is equal, 1 is black against white. The oracle is the path tracer of “nephele render --reference”; \
+                relMSE is the mean squared error over the squared exact value. What is usual is what the preset “high” has, or the \
+                game: all costs are measured as ratios to it, so its own has no interval. A setting is dominated when another is \
+                clearly cheaper and errs no more, or seems to cost no more and errs clearly less. Clearly cheaper: the 95&nbsp;%% \
+                intervals are more than %s&nbsp;%% apart; errors are clearly apart beyond what the subject can tell. Of settings that \
+                err by no more than is enough above the best (the figure in the sentence) the cheapest is recommended. Intervals are \
+                bootstrapped medians, seeded. The figures are in trade.csv beside this page, the plots in plots/, the pictures \
+                without loss in pictures/.</footer>
+                """
+                .formatted(Math.round(100 * Findings.COST_STEP));
     }
 
     private static String text(String plain) {

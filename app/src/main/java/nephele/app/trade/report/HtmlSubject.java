@@ -42,12 +42,13 @@ final class HtmlSubject {
     private String table() {
         var head = new StringBuilder("<tr><th>setting</th>");
         for (String title :
-                new String[] {trade.cost().name() + ", " + trade.cost().unit(), "cost by usual", withUnit(trade)}) {
+                new String[] {trade.cost().name() + ", " + trade.cost().unit(), "cost, times the usual", withUnit(trade)
+                }) {
             head.append("<th>").append(text(title)).append("</th>");
         }
         trade.figures()
                 .forEach(figure -> head.append("<th>").append(text(figure)).append("</th>"));
-        head.append("<th>bytes allocated</th></tr>");
+        head.append("<th>bytes allocated each</th></tr>");
         return "<div class=\"wide\"><table>" + head
                 + findings.settings().stream().map(this::row).collect(Collectors.joining("\n")) + "</table></div>";
     }
@@ -62,7 +63,11 @@ final class HtmlSubject {
         String style = picked ? "pick" : setting.isOnFront() ? "" : "off";
         var row = new StringBuilder("<tr class=\"" + style + "\"><td><b>"
                 + text(setting.setting().name()) + "</b> " + badge(setting, picked) + "<span class=\"note\">"
-                + text(setting.setting().note()) + "</span></td>");
+                + text(
+                        setting == findings.usual()
+                                ? "usual; " + setting.setting().note()
+                                : setting.setting().note())
+                + "</span></td>");
         cell(row, Numbers.of(setting.cost().estimate()), Numbers.range(setting.cost()));
         cell(row, Numbers.ratio(setting.ratio().estimate()), Numbers.ratio(setting.ratio()));
         cell(row, Numbers.of(setting.error()), "");
@@ -75,12 +80,22 @@ final class HtmlSubject {
         if (picked) {
             return "<span class=\"badge pick\">choose</span>";
         }
+        if (setting.hasPicture() && isAsAnother(setting)) {
+            return "<span class=\"badge\">same picture</span>";
+        }
         return setting.isOnFront()
                 ? "<span class=\"badge\">front</span>"
                 : "<span class=\"badge off\">dominated by "
                         + text(trade.settings()
                                 .get(setting.dominatedBy().orElseThrow())
                                 .name()) + "</span>";
+    }
+
+    private boolean isAsAnother(SettingFindings setting) {
+        return findings.settings().stream()
+                .anyMatch(other -> other != setting
+                        && other.error() == setting.error()
+                        && other.figures().equals(setting.figures()));
     }
 
     private static void cell(StringBuilder row, String value, String range) {

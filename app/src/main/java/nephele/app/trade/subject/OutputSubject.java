@@ -30,7 +30,7 @@ public final class OutputSubject {
             SETTINGS.stream().map(PictureSetting::setting).toList(),
             0,
             new ErrorMetric("mean FLIP as displayed", "", 5e-4, 2e-3),
-            List.of("relMSE", "mean bias %", "FLIP of the worst 1 %"),
+            List.of("relMSE", "mean bias %", "FLIP, 99th percentile of pixels"),
             CostMetric.FRAME,
             site -> new PictureExperiment(site, SETTINGS, Compared.DISPLAY));
 

@@ -7,7 +7,7 @@ import nephele.app.trade.Trade;
 
 /** Subjects that change a picture of the level: their error is what the oracle's picture differs by. */
 final class PictureTrade {
-    static final List<String> FIGURES = List.of("relMSE", "mean bias %", "HDR-FLIP of the worst 1 %");
+    static final List<String> FIGURES = List.of("relMSE", "mean bias %", "HDR-FLIP, 99th percentile of pixels");
 
     private PictureTrade() {}
 

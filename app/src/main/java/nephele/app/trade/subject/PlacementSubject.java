@@ -19,15 +19,15 @@ public final class PlacementSubject {
             new Trade.Text(
                     "Where a portal fits",
                     "Four lines from the aimed point to the rectangle's corners miss holes and notches between them."
-                            + " The exact test knows the whole outline; the game's also moves the portal to the nearest"
-                            + " place where it fits. Of the four lines the ray that finds the wall is not counted.",
+                            + " The exact test knows the whole outline; in the game it also moves the portal to the"
+                            + " nearest place where it fits. Of the four lines the ray that finds the wall is not"
+                            + " counted.",
                     "areas clipped by brute force, on made-up walls of triangles with holes"),
             List.of(),
             List.of(
-                    new Setting("fourLines", "the source's way"),
-                    new Setting("exact", "fits or not, where one aims"),
-                    new Setting("nearest", "the game's: moved to where it fits")),
-            2,
+                    new Setting("fourLines", "the student report's way"),
+                    new Setting("exact", "the game's, without moving the portal")),
+            1,
             new ErrorMetric("wrong yes and wrong no", "%", 0.05, 0.1),
             List.of("of its yes, wrong, %", "of what fits, refused, %"),
             new CostMetric("CPU a placement", "µs", 1e3, TIMED, CostMetric.Clock.THREAD),
@@ -60,11 +60,7 @@ public final class PlacementSubject {
         }
 
         private boolean answer(int setting, int question) {
-            return switch (setting) {
-                case 0 -> sample.fourLines(question);
-                case 1 -> sample.exact(question);
-                default -> sample.nearest(question);
-            };
+            return setting == 0 ? sample.fourLines(question) : sample.exact(question);
         }
 
         @Override

@@ -34,8 +34,8 @@ public final class PortalSubjects {
             new Trade.Text(
                     "Views through portals",
                     "So many views through portals are drawn in a frame at most, the largest ones. In openings beyond"
-                        + " the budget the previous picture is shown, moved to where it fits; before there is one, the"
-                        + " wall.",
+                            + " the budget the previous picture is shown, moved to where it fits; before there is one,"
+                            + " the portal's own membrane.",
                     ORACLE),
             List.of(BUDGET_FIELD),
             "12",
