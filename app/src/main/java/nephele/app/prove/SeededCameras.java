@@ -93,6 +93,9 @@ final class SeededCameras {
         Portal portal = somePortal(random);
         double height = 5e-3 * Math.pow(10, -6 * random.nextDouble());
         Vec3 eye = inAperture(portal, height, random);
+        for (int i = 0; i < TRIES && !hasRoom(portal, eye, fov); i++) {
+            eye = inAperture(portal, height, random);
+        }
         Vec3 n = portal.normal();
         double into = random.nextInt(3) == 0 ? 0.05 : 1;
         Vec3 d = direction(random, 1);
@@ -179,6 +182,17 @@ final class SeededCameras {
 
     private Portal somePortal(SplittableRandom random) {
         return portals.portal(open.get(random.nextInt(open.size())));
+    }
+
+    /** Whether the near plane lies within the opening, and so in no floor or wall beyond. */
+    private boolean hasRoom(Portal portal, Vec3 eye, double fov) {
+        double metres = NEAR_METRES * Math.tan(fov / 2) * aspect;
+        double x = portal.across(eye.x(), eye.y(), eye.z());
+        double y = portal.upward(eye.x(), eye.y(), eye.z());
+        return portal.aperture().contains(x - metres, y)
+                && portal.aperture().contains(x + metres, y)
+                && portal.aperture().contains(x, y - metres)
+                && portal.aperture().contains(x, y + metres);
     }
 
     private static Vec3 inAperture(Portal portal, double height, SplittableRandom random) {

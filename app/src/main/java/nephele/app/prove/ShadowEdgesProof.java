@@ -36,7 +36,7 @@ public final class ShadowEdgesProof implements Proof {
     private static final double FARTHEST_TEXELS = 4;
 
     /** Share of pixels that may stay dark because no texel shows what they show. */
-    private static final double MOST_NARROW = 1e-4;
+    private static final double MOST_NARROW = 1e-3;
 
     private static final double[] RADII = {0.25, 0.5, 0.75, 1, 1.5, 2, 3, FARTHEST_TEXELS};
     private static final int DIRECTIONS = 24;

@@ -31,7 +31,7 @@ float lampLitShare(Lamp lamp, vec3 fromLamp, vec3 faceNormal) {
     float distance = max(q.z, 1e-3);
     vec2 texel = (q.xy * (cotangent / distance) * 0.5 + 0.5) * size;
     float range = max(inversesqrt(lamp.position.w), 0.1);
-    float planeDistance = min(dot(n, q), -0.01 * distance);
+    float planeDistance = min(dot(n, q), -1e-4 * distance);
     float texelsToTangent = 2.0 / (size * cotangent);
     vec2 gradient = n.xy * (texelsToTangent / planeDistance);
     float halfTexel = 0.5 * texelsToTangent * distance / range;

@@ -11,7 +11,7 @@ float sunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
     vec2 size = vec2(textureSize(sunShadowMap, 0).xy);
     vec2 texel = m.xy * size;
     vec2 gradient = vec2(dot(faceNormal, sunMapRight.xyz), dot(faceNormal, sunMapUp.xyz))
-            * (sunMapRight.w / max(nDotSun, 0.02));
+            * (sunMapRight.w / max(nDotSun, 1e-4));
     float slope = abs(gradient.x) + abs(gradient.y);
     Footprint four = footprintAt(texel);
     vec4 depths = textureGather(sunShadowMap, vec3(gatherPoint(texel) / size, 0.0));

@@ -20,7 +20,7 @@ float thingSunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
         return 1.0;
     }
     vec2 gradient = vec2(dot(faceNormal, thingMapRight.xyz), dot(faceNormal, thingMapUp.xyz))
-            * (thingMapRight.w / max(nDotSun, 0.02));
+            * (thingMapRight.w / max(nDotSun, 1e-4));
     Footprint four = footprintAt(texel);
     vec4 depths = textureGather(thingSunMap, vec3(gatherPoint(texel) / size, 0.0));
     vec4 nearerBy = nearerThanPlane(depths, m.z, gradient, four);
