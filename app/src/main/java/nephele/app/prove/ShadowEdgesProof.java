@@ -49,8 +49,9 @@ public final class ShadowEdgesProof implements Proof {
     @Override
     public String claim() {
         return "Among walls of 10 cm, sun, lamps and spots light a pixel that is not beside an edge as a ray says,"
-                + " except within one texel of a shadow's edge and on faces narrower than a texel's diagonal in the"
-                + " light's eyes; and no pixel of a closed room, joints included.";
+            + " except within one texel of a shadow's edge; one in a thousand at most stays dark where the lit part of"
+            + " a face is narrower, in the light's eyes, than a texel's diagonal; no pixel of a closed room is lit,"
+            + " joints included.";
     }
 
     @Override
