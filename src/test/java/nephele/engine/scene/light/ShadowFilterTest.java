@@ -108,6 +108,8 @@ class ShadowFilterTest {
     @Test
     void aFaceAtAJointShadesNothing() {
         assertEquals(1, ofMapped(new double[] {0.1, 0.1, 0, 0}, EVENLY, 0.2));
+        double[] corner = {0.05, 0.45, 0.45, 0.05};
+        assertEquals(0.05 / (0.05 + 0.1 * 0.95), ofMapped(new double[] {0, 0.1, 0.1, 0.1}, corner, 0.2), 1e-12);
         assertEquals(0, ofMapped(new double[] {0.1, 0.1, 0.1, 0.1}, EVENLY, 0.2), "nothing shows the receiver");
     }
 

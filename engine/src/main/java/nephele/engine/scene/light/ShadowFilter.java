@@ -86,7 +86,7 @@ public final class ShadowFilter {
      */
     public static double litShareOfMapped(
             double[] nearerBy, boolean[] isLike, double[] weight, double halfTexelDepth, double slope) {
-        double rounding = 0.125 * halfTexelDepth + slope / 64;
+        double rounding = 0.125 * halfTexelDepth + Math.min(slope / 64, 2 * halfTexelDepth);
         double shading = 5 * halfTexelDepth + 2 * slope;
         double lit = 0;
         double shaded = 0;
@@ -97,7 +97,7 @@ public final class ShadowFilter {
             shaded += nearerBy[i] >= shading ? weight[i] : 0;
         }
         if (lit > 0) {
-            return lit / (lit + shaded);
+            return lit / (lit + shaded + Math.max(0.15 - lit, 0) * (nearer - shaded));
         }
         return nearer > 0 ? 0 : 1;
     }

@@ -61,12 +61,14 @@ vec4 looksLike(vec4 depths, vec3 faceNormal) {
 // show its plane and those that shade it count. What lies behind the plane is seen past an edge that is closer than a
 // texel, and no proof of light; what is before it, but not by much, is a face at a joint, and no proof of shade.
 float litShareOfMapped(vec4 nearerBy, vec4 isLike, vec4 weight, float halfTexelDepth, float slope) {
-    float rounding = 0.125 * halfTexelDepth + slope / 64.0;
+    float rounding = 0.125 * halfTexelDepth + min(slope / 64.0, 2.0 * halfTexelDepth);
     vec4 nearer = step(rounding, nearerBy);
     float lit = dot(weight * isLike, step(-rounding, nearerBy) - nearer);
     float shaded = dot(weight, step(5.0 * halfTexelDepth + 2.0 * slope, nearerBy));
+    float before = dot(weight, nearer);
     if (lit > 0.0) {
-        return lit / (lit + shaded);
+        // The last corner of a lit texel does not outweigh what stands close before all the rest.
+        return lit / (lit + shaded + max(0.15 - lit, 0.0) * (before - shaded));
     }
-    return dot(weight, nearer) > 0.0 ? 0.0 : 1.0;
+    return before > 0.0 ? 0.0 : 1.0;
 }
