@@ -29,6 +29,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private final SharedResources shared;
     private final Scene scene;
     private final List<Pass> passes;
+    private final List<Pass> skies;
     private final ClearColour clearColour;
     private final double exposure;
     private final PortalPictures pictures;
@@ -48,6 +49,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         this.shared = shared;
         this.scene = scene;
         this.passes = passes;
+        skies = passes.stream().filter(Pass::isSky).toList();
         clearColour = ClearColour.of(scene.level().environment(), settings.output());
         exposure = ClearColour.exposure(scene.level().environment());
         pictures = new PortalPictures(
@@ -117,7 +119,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         if (settings.deepest() == Deepest.MARK) {
             return Filling.MARK;
         }
-        return previous.history().of(child) == null ? Filling.NOTHING : Filling.PICTURE;
+        return previous.history().of(child) == null ? Filling.SKY : Filling.PICTURE;
     }
 
     @Override
@@ -130,6 +132,23 @@ final class PortalViews implements NestedViews, AutoCloseable {
         enter(child);
         drawPasses(child, frame.moment(), frame.surface(), frame.picture());
         enter(frame.node());
+    }
+
+    @Override
+    public void drawSky(FrameContext frame, ViewNode child) {
+        shared.frameUniforms().upload(child.view(), exposure);
+        FrameContext context = context(child.depth());
+        context.into(frame.moment(), frame.surface(), frame.picture());
+        context.see(child.view(), child, null, null);
+        for (int i = 0; i < skies.size(); i++) {
+            skies.get(i).draw(context);
+        }
+        shared.frameUniforms().upload(frame.view(), exposure);
+    }
+
+    @Override
+    public int openingsCounted(ViewNode node) {
+        return technique().hasPictures() ? 0 : node.depth();
     }
 
     private void enter(ViewNode node) {
@@ -200,15 +219,19 @@ final class PortalViews implements NestedViews, AutoCloseable {
 
     private void drawPasses(ViewNode node, Moment moment, RenderTarget surface, RenderTarget picture) {
         VisibleSet seen = scene.solids().isEmpty() ? null : see(node);
-        while (contexts.size() <= node.depth()) {
-            contexts.add(new FrameContext(this));
-        }
-        FrameContext context = contexts.get(node.depth());
+        FrameContext context = context(node.depth());
         context.into(moment, surface, picture);
         context.see(node.view(), node, seen, settings.limits(node));
         for (int i = 0; i < passes.size(); i++) {
             passes.get(i).draw(context);
         }
+    }
+
+    private FrameContext context(int depth) {
+        while (contexts.size() <= depth) {
+            contexts.add(new FrameContext(this));
+        }
+        return contexts.get(depth);
     }
 
     private VisibleSet see(ViewNode node) {

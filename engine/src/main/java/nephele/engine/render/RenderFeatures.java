@@ -30,8 +30,8 @@ public final class RenderFeatures {
             GradientSkyPass.FEATURE,
             SkyboxPass.FEATURE,
             RimPass.FEATURE,
-            UnfilledPass.FEATURE,
             PortalPass.FEATURE,
+            UnfilledPass.FEATURE,
             HeldPass.FEATURE,
             ToneMapPass.FEATURE);
 

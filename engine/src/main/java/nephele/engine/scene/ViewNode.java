@@ -35,7 +35,7 @@ public final class ViewNode {
     private int number;
     private int terminalIndex;
 
-    /** What is seen here; {@code null} for a {@link #isTerminal terminal} node. */
+    /** What is seen here; of a {@link #isTerminal terminal} node what would be. */
     public View view() {
         return view;
     }
@@ -144,12 +144,17 @@ public final class ViewNode {
 
     /** Makes this a view of its own, from behind the plane where {@code passage} leads to. */
     void open(int id, Passage passage, Plane exit, Projections projections, PixelRectangle picture) {
+        look(id, passage, exit, projections);
         terminal = false;
+        narrow(picture);
+    }
+
+    /** Looks from behind the plane where {@code passage} leads to. */
+    void look(int id, Passage passage, Plane exit, Projections projections) {
         View before = parent.view;
         Projection projection = projections.pushed(before.projection(), NEAR_SHARE * region.nearest());
         own.carry(id, before, passage, projection, exit);
         view = own;
-        narrow(picture);
     }
 
     private void narrow(PixelRectangle picture) {

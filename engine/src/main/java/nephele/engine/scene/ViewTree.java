@@ -47,8 +47,7 @@ public final class ViewTree {
             largest.parent().children().add(largest);
             largest.number(views.size() + terminals.size());
             if (views.size() > budget || largest.depth() > DEEPEST) {
-                largest.terminal(terminals.size());
-                terminals.add(largest);
+                end(largest, moment.portals());
             } else {
                 open(largest, moment.portals());
                 look(largest, moment);
@@ -60,6 +59,14 @@ public final class ViewTree {
         int entry = node.portal();
         node.open(views.size(), portals.passage(entry), portals.plane(portals.partner(entry)), projections, picture);
         views.add(node);
+    }
+
+    /** Its sky is all that can be drawn of it. */
+    private void end(ViewNode node, Portals portals) {
+        int entry = node.portal();
+        node.look(views.size(), portals.passage(entry), portals.plane(portals.partner(entry)), projections);
+        node.terminal(terminals.size());
+        terminals.add(node);
     }
 
     private void look(ViewNode node, Moment moment) {

@@ -35,7 +35,7 @@ public final class PortalSubjects {
                     "Views through portals",
                     "So many views through portals are drawn in a frame at most, the largest ones. In openings beyond"
                             + " the budget the previous picture is shown, moved to where it fits; before there is one,"
-                            + " the portal's own membrane.",
+                            + " the sky there behind the portal's membrane.",
                     ORACLE),
             List.of(BUDGET_FIELD),
             "12",

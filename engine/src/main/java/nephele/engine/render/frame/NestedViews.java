@@ -7,8 +7,8 @@ import nephele.engine.scene.ViewNode;
 public interface NestedViews {
     /** What fills an opening. */
     enum Filling {
-        /** Nothing of its own: the wall that it lies in is drawn, and a membrane before it. */
-        NOTHING,
+        /** The sky of the view behind it, {@link #drawSky drawn} in place, and a membrane before that. */
+        SKY,
         /** The view behind it, {@link #draw drawn} in place. */
         VIEW,
         /** A {@link #picture}. */
@@ -24,6 +24,12 @@ public interface NestedViews {
 
     /** Draws a view that is seen in {@code frame} into the same target, as the stencil allows. */
     void draw(FrameContext frame, ViewNode child);
+
+    /** Draws what a view that is seen in {@code frame} has where nothing else is, as the stencil allows. */
+    void drawSky(FrameContext frame, ViewNode child);
+
+    /** How many openings the stencil of a target counts where a view begins to be drawn into it. */
+    int openingsCounted(ViewNode node);
 
     /** What covers an opening, at the places that {@link OpeningMesh} tells. */
     Texture picture(ViewNode child);

@@ -16,6 +16,11 @@ public interface Pass extends AutoCloseable {
         return writes().contains(Target.SURFACE);
     }
 
+    /** Whether it draws what is seen where nothing else is. */
+    default boolean isSky() {
+        return false;
+    }
+
     /** Whether it only guides the player: it can be left out of a picture that is compared with something. */
     default boolean isDecoration() {
         return false;

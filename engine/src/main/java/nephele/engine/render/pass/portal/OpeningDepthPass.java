@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Set;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalNeeds;
@@ -54,9 +53,7 @@ public final class OpeningDepthPass implements Pass {
         gl.state().depthOf(DepthOf.OPENING);
         program.use();
         for (int i = 0; i < children.size(); i++) {
-            if (frame.nested().filling(children.get(i)) != Filling.NOTHING) {
-                openings.draw(children.get(i));
-            }
+            openings.draw(children.get(i));
         }
         gl.state().depthOf(DepthOf.SURFACE);
     }

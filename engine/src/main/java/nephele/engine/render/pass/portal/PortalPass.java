@@ -73,8 +73,7 @@ public final class PortalPass implements Pass {
         for (int i = 0; i < children.size(); i++) {
             ViewNode child = children.get(i);
             switch (frame.nested().filling(child)) {
-                case NOTHING -> {}
-                case VIEW -> drawThrough(frame, child);
+                case SKY, VIEW -> drawThrough(frame, child);
                 case PICTURE -> {
                     frame.nested().picture(child).bind(OpeningPrograms.PICTURE_UNIT);
                     cover(frame, child, picture);
@@ -100,7 +99,7 @@ public final class PortalPass implements Pass {
 
     private void drawThrough(FrameContext frame, ViewNode child) {
         DrawState state = gl.state();
-        int depth = frame.node().depth();
+        int depth = frame.nested().openingsCounted(frame.node());
         frame.surface().bind();
         state.depthOf(DepthOf.OPENING);
         state.stencil(Stencil.EQUAL_COUNT_UP, depth);
@@ -113,7 +112,11 @@ public final class PortalPass implements Pass {
                 skyCovers ? nothing : colour,
                 skyCovers ? Depth.ALWAYS_AND_WRITE_ONLY_DEPTH : Depth.ALWAYS_AND_WRITE);
         state.depthOf(DepthOf.SURFACE);
-        frame.nested().draw(frame, child);
+        if (child.isTerminal()) {
+            frame.nested().drawSky(frame, child);
+        } else {
+            frame.nested().draw(frame, child);
+        }
         state.depthOf(DepthOf.OPENING);
         state.stencil(Stencil.EQUAL_COUNT_DOWN, depth + 1);
         draw(child, nothing, Depth.ALWAYS_AND_WRITE_ONLY_DEPTH);

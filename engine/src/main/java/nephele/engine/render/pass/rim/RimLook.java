@@ -70,6 +70,11 @@ final class RimLook {
         return huesOfPairs.get(pair);
     }
 
+    /** Half of the aperture's longer side. */
+    double halfMetres() {
+        return Math.max(portal.aperture().widthMetres(), portal.aperture().heightMetres()) / 2;
+    }
+
     /** Whether the view may see any of it: from in front, before its own plane, in the picture and larger than a pixel. */
     boolean isIn(int pictureHeight) {
         double reach = Math.hypot(

@@ -12,22 +12,20 @@ import nephele.engine.render.gl.Uniforms;
 final class RimPrograms implements AutoCloseable {
     private static final String FOLDER = "/nephele/engine/render/pass/rim/";
 
+    private static final double OPACITY_OVER_WALL = 0.93;
+
     private final GlProgram<Placing> ring;
     private final GlProgram<Placing> glow;
     private final GlProgram<Placing> membrane;
 
     RimPrograms(LoadContext context) {
-        ring = program(context, "ring.frag");
-        glow = program(context, "glow.frag");
-        membrane = membrane(context);
+        ring = program(context, "ring.frag", Defines.of(context));
+        glow = program(context, "glow.frag", Defines.of(context));
+        membrane = program(context, "membrane.frag", Defines.of(context).with("OPACITY", OPACITY_OVER_WALL));
     }
 
-    static GlProgram<Placing> membrane(LoadContext context) {
-        return program(context, "membrane.frag");
-    }
-
-    private static GlProgram<Placing> program(LoadContext context, String fragment) {
-        Map<String, String> defines = Defines.of(context).values();
+    private static GlProgram<Placing> program(LoadContext context, String fragment, Defines names) {
+        Map<String, String> defines = names.values();
         return new GlProgram<>(
                 context.gl(),
                 ShaderSource.load(FOLDER + "rim.vert", defines),
@@ -82,9 +80,7 @@ final class RimPrograms implements AutoCloseable {
             set(up, look.portal.frame().up());
             set(back, look.portal.frame().back());
             tint.set((float) look.tint.x(), (float) look.tint.y(), (float) look.tint.z(), (float) look.opacity);
-            double half = Math.max(
-                    look.portal.aperture().widthMetres(), look.portal.aperture().heightMetres());
-            pattern.set(look.kind, look.cells, (float) look.seconds, (float) half / 2);
+            pattern.set(look.kind, look.cells, (float) look.seconds, (float) look.halfMetres());
         }
 
         private static void set(Uniforms.Vector3 uniform, Vec3 v) {

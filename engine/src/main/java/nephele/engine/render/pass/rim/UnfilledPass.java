@@ -6,6 +6,7 @@ import nephele.engine.level.Level;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews.Filling;
+import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
@@ -16,25 +17,22 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.GlProgram;
 import nephele.engine.scene.ViewNode;
 
 /**
  * A membrane over each opening that the frame's views do not reach and no picture before fills, as in the first frame:
- * the wall behind hardly shows through, nor is there one colour. Not a decoration: with rims or without, the opening is
- * there.
+ * the sky behind shows through, but nowhere is one colour. Not a decoration: with rims or without, the opening is there.
  */
 public final class UnfilledPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("portal.unfilled", UnfilledPass::requiredBy);
 
     private final GlContext gl;
-    private final RimShapes shapes;
     private final RimLook look = new RimLook();
-    private GlProgram<RimPrograms.Placing> membrane;
+    private OpeningMembrane membrane;
+    private OpeningMesh openings;
 
     private UnfilledPass(GlContext gl) {
         this.gl = gl;
-        shapes = new RimShapes(gl);
     }
 
     private static List<Required> requiredBy(Level level) {
@@ -48,27 +46,27 @@ public final class UnfilledPass implements Pass {
 
     @Override
     public void load(LoadContext context) {
-        membrane = RimPrograms.membrane(context);
+        membrane = new OpeningMembrane(context);
+        openings = context.shared().openings();
     }
 
     @Override
     public void draw(FrameContext frame) {
         List<ViewNode> children = frame.node().children();
         for (int i = 0; i < children.size(); i++) {
-            if (frame.nested().filling(children.get(i)) == Filling.NOTHING) {
-                cover(frame, children.get(i).portal());
+            if (frame.nested().filling(children.get(i)) == Filling.SKY) {
+                cover(frame, children.get(i));
             }
         }
     }
 
-    private void cover(FrameContext frame, int portal) {
-        look.of(frame.moment(), portal, frame.view());
+    private void cover(FrameContext frame, ViewNode child) {
+        look.of(frame.moment(), child.portal(), frame.view());
         frame.surface().bind();
         gl.state().depthOf(DepthOf.OPENING);
-        gl.state().set(Depth.LESS_OR_EQUAL, Blend.OVER, Cull.NONE, frame.clipDistances());
-        membrane.use();
-        membrane.uniforms().set(look);
-        shapes.of(look.portal.aperture()).drawArea();
+        gl.state().set(Depth.EQUAL, Blend.OVER, Cull.NONE);
+        membrane.use(look);
+        openings.draw(child);
         gl.state().depthOf(DepthOf.SURFACE);
     }
 
@@ -77,6 +75,5 @@ public final class UnfilledPass implements Pass {
         if (membrane != null) {
             membrane.close();
         }
-        shapes.close();
     }
 }

@@ -51,6 +51,11 @@ public final class GradientSkyPass implements Pass {
     }
 
     @Override
+    public boolean isSky() {
+        return true;
+    }
+
+    @Override
     public void load(LoadContext context) {
         drawing.load(context, FOLDER, new FullScreenDrawing.Stages("sky.vert", "gradient.frag"), this::setUniforms);
     }

@@ -61,6 +61,11 @@ public final class SkyboxPass implements Pass {
     }
 
     @Override
+    public boolean isSky() {
+        return true;
+    }
+
+    @Override
     public void load(LoadContext context) {
         SkyboxFaces pictures = SkyboxFaces.of(sky, context.shared()::picture);
         faces = SkyboxTexture.upload(context, pictures);

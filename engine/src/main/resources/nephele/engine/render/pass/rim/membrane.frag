@@ -1,9 +1,8 @@
-// Over the wall within the rim of a portal that leads nowhere yet, and over an open one whose view nothing fills.
+// Over the wall within the rim of a portal that leads nowhere yet, and over the sky in an open one whose view nothing fills.
 #include "output.glsl"
 #include "displayed.glsl"
 #include "closed-look.glsl"
 
-in vec3 rimPlace;
 in vec2 areaPlace;
 in vec3 relativePosition;
 
@@ -12,5 +11,5 @@ uniform vec4 pattern;
 
 void main() {
     writeRadiance(radianceOf(closedLook(areaPlace, pattern.w, tintAndOpacity.rgb, pattern.z)), relativePosition);
-    pixel.a = 0.93;
+    pixel.a = OPACITY;
 }

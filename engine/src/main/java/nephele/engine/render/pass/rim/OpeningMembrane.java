@@ -1,0 +1,65 @@
+package nephele.engine.render.pass.rim;
+
+import java.util.Map;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.Uniforms;
+
+/** The membrane in openings as {@link nephele.engine.render.frame.OpeningMesh} holds them, however near the eye is. */
+final class OpeningMembrane implements AutoCloseable {
+    private static final String FOLDER = "/nephele/engine/render/pass/rim/";
+
+    /** What is behind shows through. */
+    private static final double OPACITY = 0.5;
+
+    private record Places(
+            Uniforms.Vector4 centre,
+            Uniforms.Vector3 right,
+            Uniforms.Vector3 up,
+            Uniforms.Vector4 tint,
+            Uniforms.Vector4 pattern) {}
+
+    private final GlProgram<Places> program;
+
+    OpeningMembrane(LoadContext context) {
+        Map<String, String> defines =
+                Defines.of(context).with("OPACITY", OPACITY).values();
+        program = new GlProgram<>(
+                context.gl(),
+                ShaderSource.load(FOLDER + "membrane-in-opening.vert", defines),
+                ShaderSource.load(FOLDER + "membrane.frag", defines),
+                uniforms -> new Places(
+                        uniforms.vector4("centreFromEye"),
+                        uniforms.vector3("portalRight"),
+                        uniforms.vector3("portalUp"),
+                        uniforms.vector4("tintAndOpacity"),
+                        uniforms.vector4("pattern")));
+    }
+
+    /** From now on an opening that is drawn looks like this. */
+    void use(RimLook look) {
+        program.use();
+        Places places = program.uniforms();
+        places.centre.set(
+                (float) (look.portal.centre().x() - look.view.eyeX()),
+                (float) (look.portal.centre().y() - look.view.eyeY()),
+                (float) (look.portal.centre().z() - look.view.eyeZ()),
+                0);
+        set(places.right, look.portal.frame().right());
+        set(places.up, look.portal.frame().up());
+        places.tint.set((float) look.tint.x(), (float) look.tint.y(), (float) look.tint.z(), (float) look.opacity);
+        places.pattern.set(look.kind, look.cells, (float) look.seconds, (float) look.halfMetres());
+    }
+
+    private static void set(Uniforms.Vector3 uniform, Vec3 v) {
+        uniform.set((float) v.x(), (float) v.y(), (float) v.z());
+    }
+
+    @Override
+    public void close() {
+        program.close();
+    }
+}
