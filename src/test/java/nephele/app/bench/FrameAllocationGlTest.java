@@ -35,7 +35,7 @@ class FrameAllocationGlTest {
         LevelFile.Opened opened = new LevelName("levels/" + level).open();
         RenderSettings settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
         try (GlContext gl = GlContext.offscreen();
-                RenderTarget picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, 32, 18);
+                RenderTarget picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, 64, 36);
                 Renderer renderer = Renderer.load(gl, Scene.of(opened.level(), opened.assets()), settings)) {
             List<View> views = views(opened);
             List<Moment.Posture> postures = postures(opened, views);

@@ -76,8 +76,8 @@ class FramePlanGlTest {
                 offscreen.pixels(everything().level(), tiles(), view, RenderSettings.of(output));
             }
             for (int i = 3; i < 100; i++) {
-                // Once for each output with all features: compiling their shaders takes most of the time.
-                TestLevel level = i % 31 == 0 ? everything() : plain();
+                // Every tenth has all features: compiling their shaders takes most of the time.
+                TestLevel level = i % 10 == 0 ? everything() : plain();
                 RenderSettings settings = RenderSettings.of(Output.values()[i % 3], Quality.LOW);
                 Renderer.load(offscreen.gl, level.level(), tiles(), settings).close();
             }
@@ -132,22 +132,16 @@ class FramePlanGlTest {
         }
     }
 
-    private static Level lit(Vec3 candela) {
-        return new TestLevel()
-                .light(new Light.Point("lamp", new Vec3(1, 1, 1), candela, 10, false))
-                .box(null, new Vec3(0, -1, 0), new Vec3(9, 1, 9))
-                .level();
-    }
-
     /** The twin binds the lists of lamps too ({@code GL_TEXTURE_BUFFER}), although another level has bound its own. */
     @Test
     void theBareTwinBindsItsOwnLamps() {
-        Level red = lit(new Vec3(9, 0, 0));
-        Level white = lit(new Vec3(4, 4, 4));
+        Level red = everything()
+                .light(new Light.Point("red", new Vec3(1, 1, 1), new Vec3(9, 0, 0), 10, false))
+                .level();
         RenderSettings settings = RenderSettings.of(Output.DIRECT);
         try (Offscreen offscreen = new Offscreen(64, 64);
-                Renderer renderer = Renderer.load(offscreen.gl, red, TestAssets.NONE, settings);
-                Renderer other = Renderer.load(offscreen.gl, white, TestAssets.NONE, settings)) {
+                Renderer renderer = Renderer.load(offscreen.gl, red, tiles(), settings);
+                Renderer other = Renderer.load(offscreen.gl, everything().level(), tiles(), settings)) {
             View view = offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO);
             renderer.draw(view, offscreen.picture);
             int[] expected = offscreen.pixels();

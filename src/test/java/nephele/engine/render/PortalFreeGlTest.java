@@ -121,7 +121,7 @@ class PortalFreeGlTest {
         Level level = shaded().portal("a", "b", new Vec3(0, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
                 .portal("b", "a", new Vec3(2, 0.5, 1), new Vec3(0, 0, -1), 1, 1)
                 .level();
-        try (Offscreen offscreen = new Offscreen(32, 18);
+        try (Offscreen offscreen = new Offscreen(64, 36);
                 Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings(output))) {
             List<View> views = List.of(
                     offscreen.view(new Vec3(0, 1, 2), new Vec3(0, 0, -3)),

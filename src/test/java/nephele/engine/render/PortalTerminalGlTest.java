@@ -107,6 +107,62 @@ class PortalTerminalGlTest {
         }
     }
 
+    /** Of a view that is not drawn the sky is, half hidden by the membrane: as much as the sky changes, half of it shows. */
+    @Test
+    void anOpeningThatNothingFillsShowsTheSkyThere() {
+        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
+            int[] marked = frames(offscreen, underSky(0.2, 0.8), budget(0).with(Deepest.MARK), 1);
+            for (PortalTechnique technique : PortalTechnique.values()) {
+                RenderSettings none = budget(0);
+                RenderSettings settings = none.with(none.quality().withPortalTechnique(technique));
+                int[] one = frames(offscreen, underSky(0.2, 0.8), settings, 1);
+                int[] other = frames(offscreen, underSky(0.6, 0.8), settings, 1);
+                int inside = 0;
+                for (int i = 0; i < marked.length; i++) {
+                    boolean isOpening = marked[i] == NestedViews.MARK;
+                    // Ahead through the opening is up.
+                    double more = isOpening ? 255 * 0.5 * 0.4 * ahead(view(offscreen), i) : 0;
+                    assertEquals(more, red(other[i]) - red(one[i]), 1.01, technique + ", pixel " + i);
+                    inside += isOpening ? 1 : 0;
+                }
+                assertTrue(inside > 100, inside + " pixels");
+            }
+        }
+    }
+
+    /** Cosine between where a pixel looks and −z. */
+    private static double ahead(View view, int pixel) {
+        double x = view.projection().tanHalfWidth() * (2 * (pixel % WIDTH + 0.5) / WIDTH - 1);
+        double y = view.projection().tanHalfHeight() * (2 * (pixel / WIDTH + 0.5) / HEIGHT - 1);
+        double z = x * view.right().z() + y * view.up().z() - view.back().z();
+        return -z / Math.sqrt(1 + x * x + y * y);
+    }
+
+    /** A wall ahead, with a portal that leads out of a floor far below. */
+    private static Level underSky(double zenith, double horizon) {
+        return new TestLevel()
+                .ambient(1)
+                .sky(new Sky.Gradient(TestLevel.grey(zenith), TestLevel.grey(horizon), TestLevel.grey(horizon)))
+                .box("wall", new Vec3(0, 0, -4.5), new Vec3(60, 60, 1))
+                .material("wall", WALL)
+                .portal(arch("a", "b", new Vec3(0, -0.3, -4), new Vec3(0, 0, 1)))
+                .box("wall", new Vec3(0, -40, 0), new Vec3(8, 1, 8))
+                .portal(new PortalSpec(
+                        "b",
+                        "a",
+                        new Vec3(0, -39.5, 0),
+                        new Vec3(0, 1, 0),
+                        new Vec3(0, 0, -1),
+                        1.6,
+                        2.2,
+                        PortalShape.ARCH))
+                .level();
+    }
+
+    private static int red(int pixel) {
+        return pixel >> 16 & 0xff;
+    }
+
     /** Never the wall, never black, never one colour, whether or not rims are drawn. */
     @Test
     void anOpeningThatNothingFillsIsNeverFlat() {
