@@ -1,0 +1,34 @@
+package nephele.engine.xmlscene;
+
+import java.util.List;
+import nephele.engine.math.Vec3;
+
+/**
+ * Models, lights and groups below one frame.
+ *
+ * @param line where it begins; the first is 1
+ * @param steps in document order, the first one outermost
+ * @param lights of these models and all below
+ */
+public record XmlGroup(
+        int line, List<Step> steps, List<XmlLight> lights, List<XmlModel> models, List<XmlGroup> groups) {
+    /** Part of a group's frame. */
+    public sealed interface Step {
+        record Translate(Vec3 by) implements Step {}
+
+        /**
+         * Along a closed uniform Catmull-Rom curve.
+         *
+         * @param seconds a round
+         * @param align whether the frame's x axis follows the curve
+         */
+        record Follow(double seconds, List<Vec3> points, boolean align) implements Step {}
+
+        record Rotate(Vec3 axis, double angleDegrees) implements Step {}
+
+        /** @param seconds a turn */
+        record Spin(Vec3 axis, double seconds) implements Step {}
+
+        record Scale(Vec3 by) implements Step {}
+    }
+}
