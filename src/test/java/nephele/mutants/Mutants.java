@@ -104,6 +104,13 @@ final class Mutants {
                     SHADERS + "include/shadow-filter.glsl",
                     "step(-rounding, nearerBy) - nearer",
                     "1.0 - nearer",
+                    "LightTwinsGlTest"),
+            new Mutant(
+                    SHADOW,
+                    "a face that looks another way than a receiver proves light",
+                    SHADERS + "include/shadow-filter.glsl",
+                    "dot(weight * isLike, step(-rounding",
+                    "dot(weight, step(-rounding",
                     "ShadowEdgesProofGlTest"),
             new Mutant(
                     SHADOW,
