@@ -1,0 +1,29 @@
+package nephele.app.view;
+
+/**
+ * What the movement keys ask for, in the plane of the view: a direction of length 1, or nothing. Diagonals are no
+ * faster than the axes.
+ *
+ * @param right part of the direction to the right
+ * @param ahead part of the direction along the view
+ * @param unitsPerSecond 0 when no movement key is held
+ */
+record Steering(double right, double ahead, double unitsPerSecond) {
+    static final Steering NONE = new Steering(0, 0, 0);
+
+    Steering {
+        double length = Math.sqrt(right * right + ahead * ahead);
+        boolean moves = length > 0 && length < Double.POSITIVE_INFINITY && isSpeed(unitsPerSecond);
+        right = moves ? right / length : 0;
+        ahead = moves ? ahead / length : 0;
+        unitsPerSecond = moves ? unitsPerSecond : 0;
+    }
+
+    private static boolean isSpeed(double unitsPerSecond) {
+        return unitsPerSecond > 0 && unitsPerSecond < Double.POSITIVE_INFINITY;
+    }
+
+    boolean moves() {
+        return unitsPerSecond > 0;
+    }
+}

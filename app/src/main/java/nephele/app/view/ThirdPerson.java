@@ -1,0 +1,68 @@
+package nephele.app.view;
+
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import org.joml.Matrix4d;
+import org.joml.Vector4d;
+
+/**
+ * The viewer's camera and the entity before it. The entity swings with the camera when that turns, and leans into a
+ * sideways force.
+ */
+record ThirdPerson(Vec3 eye, Heading heading, Spring spring) {
+    /** From the camera to the entity's rest. */
+    static final double REST_UNITS = 3;
+    /** How far the entity moves from its rest before it takes the camera along. */
+    static final double MOST_FORCE_UNITS = 1;
+
+    static final double MOST_BANK_DEGREES = 35;
+
+    /** With an entity at its rest. */
+    static ThirdPerson towing(Vec3 eye, Heading heading) {
+        return new ThirdPerson(eye, heading, Spring.atRest(MOST_FORCE_UNITS));
+    }
+
+    /** A camera by itself: it follows the keys at once. */
+    static ThirdPerson alone(Vec3 eye, Heading heading) {
+        return new ThirdPerson(eye, heading, Spring.atRest(0));
+    }
+
+    /** The same a time later; a time that is not positive and finite changes nothing. */
+    ThirdPerson after(double seconds, Steering steering) {
+        Spring.Step step = spring.after(seconds, steering);
+        return new ThirdPerson(along(step.cameraRight(), step.cameraAhead()), heading, step.spring());
+    }
+
+    ThirdPerson turned(double leftDegrees, double upDegrees) {
+        return new ThirdPerson(eye, heading.turned(leftDegrees, upDegrees), spring);
+    }
+
+    /** Where the entity's origin is. */
+    Vec3 entity() {
+        return along(spring.shownRight(), REST_UNITS + spring.shownAhead());
+    }
+
+    /** Degrees that the entity leans to the right. */
+    double bankDegrees() {
+        return MOST_BANK_DEGREES * spring.shownRight();
+    }
+
+    /** The entity's frame: its z axis points ahead, y up and x therefore to the left. */
+    Matrix4d worldFromEntity() {
+        Basis view = heading.basis();
+        Vec3 at = entity();
+        return new Matrix4d()
+                .setColumn(0, new Vector4d(view.right().toVector().negate(), 0))
+                .setColumn(1, new Vector4d(view.up().toVector(), 0))
+                .setColumn(2, new Vector4d(view.back().toVector().negate(), 0))
+                .setColumn(3, new Vector4d(at.toVector(), 1))
+                .rotateZ(StrictMath.toRadians(bankDegrees()));
+    }
+
+    private Vec3 along(double right, double ahead) {
+        Basis view = heading.basis();
+        return Vec3.of(eye.toVector()
+                .fma(right, view.right().toVector())
+                .fma(-ahead, view.back().toVector()));
+    }
+}
