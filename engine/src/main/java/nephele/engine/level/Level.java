@@ -43,6 +43,15 @@ public record Level(
 
     /** The same with other solids and bodies, made of other materials. */
     public Level with(List<Material> otherMaterials, List<Solid> otherSolids, List<Body> otherBodies) {
+        return with(otherMaterials, otherSolids, otherBodies, models);
+    }
+
+    /** The same with other solids, bodies and models, made of other materials. */
+    public Level with(
+            List<Material> otherMaterials,
+            List<Solid> otherSolids,
+            List<Body> otherBodies,
+            List<ModelPlacement> otherModels) {
         return new Level(
                 name,
                 description,
@@ -53,7 +62,7 @@ public record Level(
                 otherSolids,
                 lights,
                 portals,
-                models,
+                otherModels,
                 otherBodies,
                 portalGun);
     }

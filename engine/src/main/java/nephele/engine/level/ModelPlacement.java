@@ -3,13 +3,19 @@ package nephele.engine.level;
 import java.util.List;
 import nephele.engine.math.Vec3;
 
-/** A mesh file placed by ordered steps, relative to {@code parent}'s frame if there is one. */
+/**
+ * A mesh file placed by ordered steps, relative to {@code parent}'s frame if there is one.
+ *
+ * @param material its picture lies as the mesh's texture coordinates say; {@code null}: grey
+ * @param portalable whether shots open portals on its flat parts
+ */
 public record ModelPlacement(
         @Written(required = true, text = TextFormat.Rule.ID) String id,
         @Written(required = true, text = TextFormat.Rule.ASSET) String file,
         @Written(text = TextFormat.Rule.ID) String parent,
         @Written(most = 1000) List<TransformStep> transform,
-        @Written(text = TextFormat.Rule.ID) String material) {
+        @Written(text = TextFormat.Rule.ID) String material,
+        @Written boolean portalable) {
 
     /** One step; steps apply in file order, the first one outermost. */
     public sealed interface TransformStep {
