@@ -1,5 +1,7 @@
 package nephele.engine.xmlscene;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.List;
 import nephele.engine.math.Vec3;
 
@@ -30,5 +32,39 @@ public record XmlGroup(
         record Spin(Vec3 axis, double seconds) implements Step {}
 
         record Scale(Vec3 by) implements Step {}
+    }
+
+    /** As records do it, but without recursion: groups may be ten thousand deep. */
+    @Override
+    public boolean equals(Object other) {
+        if (!(other instanceof XmlGroup group)) {
+            return false;
+        }
+        Deque<XmlGroup> ours = new ArrayDeque<>(List.of(this));
+        Deque<XmlGroup> theirs = new ArrayDeque<>(List.of(group));
+        while (!ours.isEmpty()) {
+            XmlGroup our = ours.pop();
+            XmlGroup their = theirs.pop();
+            if (our.groups.size() != their.groups.size() || !our.content().equals(their.content())) {
+                return false;
+            }
+            our.groups.forEach(ours::push);
+            their.groups.forEach(theirs::push);
+        }
+        return true;
+    }
+
+    @Override
+    public int hashCode() {
+        return content().hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return "XmlGroup" + content();
+    }
+
+    private List<Object> content() {
+        return List.of(line, steps, lights, models, groups.size());
     }
 }

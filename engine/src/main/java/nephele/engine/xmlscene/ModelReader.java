@@ -1,0 +1,104 @@
+package nephele.engine.xmlscene;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Vec3;
+import nephele.engine.xmlscene.XmlModel.Colours;
+
+/** Meshes and their looks. */
+final class ModelReader {
+    /** Fixed-function OpenGL's own. */
+    private static final Colours SCENE_LOOK = new Colours(grey(0.8), grey(0.2), Vec3.ZERO, Vec3.ZERO, 0);
+
+    private static final Colours WORLD_LOOK = new Colours(grey(200.0 / 255), grey(50.0 / 255), Vec3.ZERO, Vec3.ZERO, 0);
+    private static final double MOST_SHININESS = 128;
+
+    private final Dialect dialect;
+    private final Remarks remarks;
+
+    ModelReader(Dialect dialect, Remarks remarks) {
+        this.dialect = dialect;
+        this.remarks = remarks;
+    }
+
+    private static Vec3 grey(double value) {
+        return new Vec3(value, value, value);
+    }
+
+    List<XmlModel> of(XmlElement holder) {
+        List<XmlModel> models = new ArrayList<>(1);
+        for (XmlElement child : holder.children()) {
+            if (child.is("model")) {
+                add(child, models);
+            } else if (child.is("models")) {
+                child.children().forEach(model -> add(model, models));
+            }
+        }
+        return List.copyOf(models);
+    }
+
+    private void add(XmlElement element, List<XmlModel> models) {
+        ElementValues values = new ElementValues(element, remarks);
+        String file = values.text("file");
+        if (file == null) {
+            values.warn("it names no file: skipped");
+        } else if (dialect == Dialect.SCENE) {
+            models.add(new XmlModel(element.line(), file, values.text("texture"), sceneLook(values)));
+        } else {
+            models.add(new XmlModel(element.line(), file, worldTexture(element), worldLook(element)));
+        }
+    }
+
+    private static Colours sceneLook(ElementValues values) {
+        return new Colours(
+                colour(values, 1, SCENE_LOOK.diffuse(), "diffR", "diffG", "diffB"),
+                colour(values, 1, SCENE_LOOK.ambient(), "ambtR", "ambtG", "ambtB"),
+                colour(values, 1, SCENE_LOOK.specular(), "specR", "specG", "specB"),
+                colour(values, 1, SCENE_LOOK.emissive(), "emisR", "emisG", "emisB"),
+                values.number("shininess", 0, 0, MOST_SHININESS));
+    }
+
+    private String worldTexture(XmlElement model) {
+        String file = null;
+        for (XmlElement texture : model.children("texture")) {
+            ElementValues values = new ElementValues(texture, remarks);
+            if (file != null) {
+                values.warn("a model has one: the first counts");
+            } else if (values.text("file") == null) {
+                values.warn("it names no file: skipped");
+            } else {
+                file = values.text("file");
+            }
+        }
+        return file;
+    }
+
+    private Colours worldLook(XmlElement model) {
+        List<XmlElement> terms = model.children("color").stream()
+                .flatMap(color -> color.children().stream())
+                .toList();
+        double shininess = 0;
+        Vec3[] colours = {WORLD_LOOK.diffuse(), WORLD_LOOK.ambient(), WORLD_LOOK.specular(), WORLD_LOOK.emissive()};
+        for (XmlElement term : terms) {
+            ElementValues values = new ElementValues(term, remarks);
+            if (term.is("shininess")) {
+                shininess = values.number("value", 0, 0, MOST_SHININESS);
+            } else {
+                int at = List.of("diffuse", "ambient", "specular", "emissive").indexOf(term.name());
+                colours[at] = colour(values, 255, colours[at], "R", "G", "B");
+            }
+        }
+        return new Colours(colours[0], colours[1], colours[2], colours[3], shininess);
+    }
+
+    /** @param full what 1 is written as */
+    private static Vec3 colour(ElementValues values, double full, Vec3 absent, String r, String g, String b) {
+        if (!values.hasAny(r, g, b)) {
+            return absent;
+        }
+        return new Vec3(
+                values.number(r, 0, 0, full) / full,
+                values.number(g, 0, 0, full) / full,
+                values.number(b, 0, 0, full) / full);
+    }
+}

@@ -1,0 +1,126 @@
+package nephele.engine.xmlscene;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+/** The tags of one dialect: what stands in each and what they say of themselves. Capitals make no difference. */
+final class Vocabulary {
+    private static final String COORDINATES = "x y z";
+    private static final String POSITION = "posx posy posz";
+    private static final String LIGHT = "type cutoff exponent dirx diry dirz spotdirx spotdiry spotdirz " + POSITION;
+    private static final String COLOURS = "diffR diffG diffB ambtR ambtG ambtB specR specG specB emisR emisG emisB";
+
+    private static final Vocabulary SCENE = new Vocabulary(List.of(
+            Word.of("scene", "group models model lights light", ""),
+            Word.of("group", "group translate rotate scale models model lights light", ""),
+            Word.of("translate", "point", COORDINATES + " time align"),
+            Word.of("point", "", COORDINATES),
+            Word.of("rotate", "", COORDINATES + " axisX axisY axisZ angle time"),
+            Word.of("scale", "", COORDINATES),
+            Word.of("models", "model", ""),
+            Word.of("model", "", "file texture shininess " + COLOURS),
+            Word.of("lights", "light", ""),
+            Word.of("light", "", LIGHT)));
+
+    private static final Vocabulary WORLD = new Vocabulary(List.of(
+            Word.of("world", "window camera lights group models", ""),
+            Word.of("window", "", "width height"),
+            Word.of("camera", "position lookAt up projection", ""),
+            Word.of("position", "", COORDINATES),
+            Word.of("lookAt", "", COORDINATES),
+            Word.of("up", "", COORDINATES),
+            Word.of("projection", "", "fov near far"),
+            Word.of("lights", "light", ""),
+            Word.of("light", "", LIGHT),
+            Word.of("group", "group transform models", ""),
+            Word.of("transform", "translate rotate scale", ""),
+            Word.of("translate", "point", COORDINATES + " time align"),
+            Word.of("point", "", COORDINATES),
+            Word.of("rotate", "", COORDINATES + " axisX axisY axisZ angle time"),
+            Word.of("scale", "", COORDINATES),
+            Word.of("models", "model", ""),
+            Word.of("model", "texture color", "file"),
+            Word.of("texture", "", "file"),
+            Word.of("color", "diffuse ambient specular emissive shininess", ""),
+            Word.of("diffuse", "", "R G B"),
+            Word.of("ambient", "", "R G B"),
+            Word.of("specular", "", "R G B"),
+            Word.of("emissive", "", "R G B"),
+            Word.of("shininess", "", "value")));
+
+    private final Map<String, Word> words = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+
+    private Vocabulary(List<Word> words) {
+        words.forEach(word -> this.words.put(word.name(), word));
+    }
+
+    static Vocabulary of(Dialect dialect) {
+        return switch (dialect) {
+            case SCENE -> SCENE;
+            case WORLD -> WORLD;
+        };
+    }
+
+    /** One tag. */
+    record Word(String name, Set<String> children, Set<String> attributes) {
+        static Word of(String name, String children, String attributes) {
+            return new Word(name, words(children), words(attributes));
+        }
+
+        private static Set<String> words(String listed) {
+            Set<String> set = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+            set.addAll(listed.isEmpty() ? List.of() : List.of(listed.split(" ")));
+            return set;
+        }
+
+        /** Whether it holds others of its kind to any depth: nothing ends it but its own end. */
+        boolean isFrame() {
+            return name.equals("group") || name.equals("scene") || name.equals("world");
+        }
+    }
+
+    /** @return {@code null} for an unknown one */
+    Word word(String name) {
+        return words.get(name);
+    }
+
+    Collection<String> names() {
+        return words.keySet();
+    }
+
+    /** A question to append to a complaint, or nothing where no known name is near. */
+    static String suggestion(String name, Collection<String> known) {
+        String nearest = null;
+        int least = 3;
+        for (String candidate : known) {
+            int distance = edits(name.toLowerCase(java.util.Locale.ROOT), candidate.toLowerCase(java.util.Locale.ROOT));
+            if (distance < least && distance < candidate.length()) {
+                nearest = candidate;
+                least = distance;
+            }
+        }
+        return nearest == null ? "" : "; did you mean '" + nearest + "'?";
+    }
+
+    /** Letters to insert, delete or replace (Levenshtein 1966). */
+    private static int edits(String from, String to) {
+        int[] row = new int[to.length() + 1];
+        for (int j = 0; j <= to.length(); j++) {
+            row[j] = j;
+        }
+        for (int i = 1; i <= from.length(); i++) {
+            int diagonal = row[0];
+            row[0] = i;
+            for (int j = 1; j <= to.length(); j++) {
+                int replaced = diagonal + (from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1);
+                diagonal = row[j];
+                row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
+            }
+        }
+        return row[to.length()];
+    }
+}

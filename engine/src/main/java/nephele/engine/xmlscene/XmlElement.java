@@ -1,0 +1,61 @@
+package nephele.engine.xmlscene;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A tag with what stands in it. Grows while the file is read, then stays. */
+final class XmlElement {
+    private final Vocabulary.Word word;
+    private final int line;
+    private final List<XmlAttribute> attributes;
+    private final List<XmlElement> children = new ArrayList<>(0);
+
+    XmlElement(Vocabulary.Word word, XmlTag tag) {
+        this.word = word;
+        this.line = tag.line();
+        this.attributes = tag.attributes();
+    }
+
+    void add(XmlElement child) {
+        children.add(child);
+    }
+
+    Vocabulary.Word word() {
+        return word;
+    }
+
+    /** As the language spells it. */
+    String name() {
+        return word.name();
+    }
+
+    boolean is(String name) {
+        return word.name().equals(name);
+    }
+
+    int line() {
+        return line;
+    }
+
+    List<XmlElement> children() {
+        return children;
+    }
+
+    List<XmlElement> children(String name) {
+        return children.stream().filter(child -> child.is(name)).toList();
+    }
+
+    /** @return {@code null} when it is not there; capitals make no difference */
+    XmlAttribute attribute(String name) {
+        for (XmlAttribute attribute : attributes) {
+            if (attribute.name().equalsIgnoreCase(name)) {
+                return attribute;
+            }
+        }
+        return null;
+    }
+
+    List<XmlAttribute> attributes() {
+        return attributes;
+    }
+}

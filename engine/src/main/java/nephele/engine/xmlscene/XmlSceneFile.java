@@ -1,0 +1,72 @@
+package nephele.engine.xmlscene;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import nephele.engine.asset.WholeFile;
+import nephele.engine.model.ModelFileException;
+import nephele.engine.xmlscene.XmlScene.XmlWarning;
+
+/** XML scenes of both dialects: bytes to records. What is odd is a warning, and what can be shown is there. */
+public final class XmlSceneFile {
+    public static final int MOST_BYTES = 16 << 20;
+    public static final int MOST_NESTED_GROUPS = 10_000;
+
+    static final int MOST_ELEMENTS = 500_000;
+
+    private XmlSceneFile() {}
+
+    /** @throws ModelFileException when it cannot be read or holds nothing to show */
+    public static XmlScene read(Path file) throws ModelFileException {
+        try {
+            return read(file.toString(), WholeFile.read(file, MOST_BYTES));
+        } catch (IOException problem) {
+            String reason = "it can't be read: " + WholeFile.reason(problem);
+            throw new ModelFileException(file.toString(), 0, reason, "name an XML scene", problem);
+        }
+    }
+
+    /**
+     * @param file how messages call it
+     * @throws ModelFileException with the line, when nothing in it can be shown
+     */
+    public static XmlScene read(String file, byte[] utf8) throws ModelFileException {
+        Remarks remarks = new Remarks(file);
+        XmlElement tree = XmlTree.read(XmlText.of(utf8, remarks), remarks);
+        Dialect dialect = XmlTree.dialect(tree);
+        XmlGroup root = new GroupReader(dialect, remarks).root(tree);
+        if (!holdsModels(root)) {
+            throw nothingToShow(tree, remarks);
+        }
+        if (dialect == Dialect.SCENE) {
+            return new XmlScene(
+                    dialect, EyeReader.SCENE_WINDOW, EyeReader.SCENE_EYE, List.of(), root, remarks.byLine());
+        }
+        EyeReader eyes = new EyeReader(remarks);
+        XmlScene.Window window = eyes.window(tree);
+        XmlScene.Eye eye = eyes.eye(tree);
+        List<XmlLight> lights = new LightReader(remarks).ofWorld(tree);
+        return new XmlScene(dialect, window, eye, lights, root, remarks.byLine());
+    }
+
+    private static boolean holdsModels(XmlGroup root) {
+        var below = new java.util.ArrayDeque<XmlGroup>(List.of(root));
+        while (!below.isEmpty()) {
+            XmlGroup group = below.pop();
+            if (!group.models().isEmpty()) {
+                return true;
+            }
+            group.groups().forEach(below::push);
+        }
+        return false;
+    }
+
+    private static ModelFileException nothingToShow(XmlElement tree, Remarks remarks) {
+        List<XmlWarning> warnings = remarks.byLine();
+        if (warnings.isEmpty()) {
+            return remarks.error(tree.line(), "it holds no model", "add <models><model file=\"box_2_3.3d\"/></models>");
+        }
+        XmlWarning first = warnings.get(0);
+        return remarks.error(first.line(), "it holds no model; " + first.message(), "mend this first");
+    }
+}

@@ -1,0 +1,13 @@
+package nephele.engine.xmlscene;
+
+import java.util.List;
+
+/** What stands between {@code <} and {@code >}. */
+record XmlTag(Kind kind, String name, int line, List<XmlAttribute> attributes) {
+    enum Kind {
+        OPEN,
+        /** {@code <x/>} */
+        EMPTY,
+        CLOSE
+    }
+}

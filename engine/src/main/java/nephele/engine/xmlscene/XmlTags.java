@@ -1,0 +1,191 @@
+package nephele.engine.xmlscene;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The tags of a text, one after the other. Forgives what the rest can be read after: values without quotes, text, stray
+ * signs. Knows no document types and expands nothing but the five entities of XML and character numbers.
+ */
+final class XmlTags {
+    private static final int MOST_ATTRIBUTES = 100;
+    private static final int MOST_NAME_LETTERS = 64;
+
+    private final String text;
+    private final Remarks remarks;
+    private final List<String> unquoted = new ArrayList<>();
+    private int inThisTag;
+    private int at;
+    private int counted;
+    private int line = 1;
+
+    XmlTags(String text, Remarks remarks) {
+        this.text = text;
+        this.remarks = remarks;
+    }
+
+    /** {@code null} after the last one. */
+    XmlTag next() {
+        while (true) {
+            skipText();
+            if (at >= text.length()) {
+                return null;
+            }
+            if (text.startsWith("<!--", at)) {
+                skipPast("-->", 4, "a comment");
+            } else if (text.startsWith("<![CDATA[", at)) {
+                remarks.warn(lineHere(), "text means nothing here: skipped");
+                skipPast("]]>", 9, "a text section");
+            } else if (text.startsWith("<?", at)) {
+                skipPast("?>", 2, "an instruction");
+            } else if (text.startsWith("<!", at)) {
+                throw remarks.error(lineHere(), "document types and entities are not read", "delete <!…>");
+            } else {
+                int nameAt = text.startsWith("</", at) ? at + 2 : at + 1;
+                if (isNameStart(nameAt)) {
+                    return tag(nameAt);
+                }
+                remarks.warn(lineHere(), "'<' without a name: skipped");
+                at++;
+            }
+        }
+    }
+
+    /** The line where the next tag, or the end, was looked for. */
+    int lineHere() {
+        for (; counted < at; counted++) {
+            if (text.charAt(counted) == '\n') {
+                line++;
+            }
+        }
+        return line;
+    }
+
+    private void skipText() {
+        int end = text.indexOf('<', at);
+        end = end < 0 ? text.length() : end;
+        int start = at;
+        while (start < end && text.charAt(start) <= ' ') {
+            start++;
+        }
+        if (start < end) {
+            at = start;
+            String shown = text.substring(start, Math.min(end, start + 50));
+            remarks.warn(lineHere(), "text means nothing here: " + Remarks.quoted(shown) + " is skipped");
+        }
+        at = end;
+    }
+
+    private void skipPast(String end, int opening, String what) {
+        int found = text.indexOf(end, at + opening);
+        if (found < 0) {
+            throw remarks.error(lineHere(), what + " begins here and never ends", "end it with " + end);
+        }
+        at = found + end.length();
+    }
+
+    private XmlTag tag(int nameAt) {
+        int tagLine = lineHere();
+        boolean closing = nameAt == at + 2;
+        at = nameAt;
+        String name = name();
+        List<XmlAttribute> attributes = new ArrayList<>(4);
+        unquoted.clear();
+        inThisTag = 0;
+        while (true) {
+            skipBlanks();
+            if (at >= text.length()) {
+                throw remarks.error(tagLine, "the file ends inside <" + name, "restore its end");
+            }
+            char c = text.charAt(at);
+            if (c == '>' || text.startsWith("/>", at) || c == '<') {
+                return ended(c, closing, name, tagLine, List.copyOf(attributes));
+            } else if (isNameStart(at)) {
+                attribute(name, attributes);
+            } else {
+                remarks.warn(lineHere(), "stray " + Remarks.quoted(String.valueOf(c)) + " in <" + name + ">: skipped");
+                at++;
+            }
+        }
+    }
+
+    private XmlTag ended(char sign, boolean closing, String name, int tagLine, List<XmlAttribute> attributes) {
+        if (sign == '<') {
+            remarks.warn(tagLine, "<" + name + " has no '>'");
+        }
+        if (!unquoted.isEmpty()) {
+            remarks.warn(tagLine, "<" + name + "> has values without quotes: " + String.join(", ", unquoted));
+        }
+        at += sign == '<' ? 0 : sign == '>' ? 1 : 2;
+        XmlTag.Kind open = sign == '/' ? XmlTag.Kind.EMPTY : XmlTag.Kind.OPEN;
+        return new XmlTag(closing ? XmlTag.Kind.CLOSE : open, name, tagLine, attributes);
+    }
+
+    private void attribute(String tag, List<XmlAttribute> attributes) {
+        int attributeLine = lineHere();
+        if (++inThisTag > MOST_ATTRIBUTES) {
+            throw remarks.error(
+                    attributeLine, "<" + tag + "> has more than " + MOST_ATTRIBUTES + " values", "delete some");
+        }
+        String name = name();
+        skipBlanks();
+        if (at >= text.length() || text.charAt(at) != '=') {
+            remarks.warn(attributeLine, "'" + name + "' in <" + tag + "> has no value: skipped");
+            return;
+        }
+        at++;
+        skipBlanks();
+        String value = value(name);
+        boolean twice = attributes.stream().anyMatch(other -> other.name().equalsIgnoreCase(name));
+        if (twice) {
+            remarks.warn(attributeLine, "'" + name + "' is there twice in <" + tag + ">: the first counts");
+        } else {
+            attributes.add(new XmlAttribute(name, value, attributeLine));
+        }
+    }
+
+    private String value(String name) {
+        char quote = at < text.length() ? text.charAt(at) : ' ';
+        if (quote == '"' || quote == '\'') {
+            at++;
+            int end = at;
+            while (end < text.length() && text.charAt(end) != quote && text.charAt(end) != '<') {
+                end++;
+            }
+            if (end < text.length() && text.charAt(end) == quote) {
+                String quoted = text.substring(at, end);
+                at = end + 1;
+                return XmlEntities.expanded(quoted, lineHere(), remarks);
+            }
+        }
+        unquoted.add(name);
+        int start = at;
+        while (at < text.length() && !endsValue()) {
+            at++;
+        }
+        return XmlEntities.expanded(text.substring(start, at), lineHere(), remarks);
+    }
+
+    private boolean endsValue() {
+        char c = text.charAt(at);
+        return c <= ' ' || c == '>' || c == '<' || text.startsWith("/>", at);
+    }
+
+    private String name() {
+        int start = at;
+        while (isNameStart(at) || at < text.length() && "0123456789-.:".indexOf(text.charAt(at)) >= 0) {
+            at++;
+        }
+        return text.substring(start, Math.min(at, start + MOST_NAME_LETTERS));
+    }
+
+    private boolean isNameStart(int position) {
+        return position < text.length() && (Character.isLetter(text.charAt(position)) || text.charAt(position) == '_');
+    }
+
+    private void skipBlanks() {
+        while (at < text.length() && text.charAt(at) <= ' ') {
+            at++;
+        }
+    }
+}

@@ -1,0 +1,167 @@
+package nephele.engine.xmlscene;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+
+/**
+ * Tags to a tree. A tag that cannot stand where it is ends what was left open before it, except groups; tags that are
+ * unknown or in no place are taken out, and what stands in them stays.
+ */
+final class XmlTree {
+    private static final int MOST_TAKEN_OUT = 1000;
+
+    private final XmlTags tags;
+    private final Remarks remarks;
+    private final List<XmlElement> open = new ArrayList<>();
+    private final Set<String> takenOut = new HashSet<>();
+    private Vocabulary vocabulary;
+    private int elements;
+    private int groups;
+
+    private XmlTree(XmlTags tags, Remarks remarks) {
+        this.tags = tags;
+        this.remarks = remarks;
+    }
+
+    static XmlElement read(String text, Remarks remarks) {
+        XmlTags tags = new XmlTags(text, remarks);
+        return new XmlTree(tags, remarks).tree();
+    }
+
+    static Dialect dialect(XmlElement root) {
+        return root.is("world") ? Dialect.WORLD : Dialect.SCENE;
+    }
+
+    private XmlElement tree() {
+        XmlTag first = tags.next();
+        if (first == null) {
+            throw remarks.error(1, "there is no tag in it", "begin with <scene> or <world>");
+        }
+        vocabulary = Vocabulary.of(first.name().equalsIgnoreCase("world") ? Dialect.WORLD : Dialect.SCENE);
+        Vocabulary.Word word = vocabulary.word(first.name());
+        boolean root = word != null && word.isFrame() && !word.name().equals("group");
+        if (!root || first.kind() == XmlTag.Kind.CLOSE) {
+            throw remarks.error(
+                    first.line(),
+                    "it begins with " + Remarks.quoted(first.name()) + ", which is no scene",
+                    "begin with <scene> or <world>");
+        }
+        XmlElement tree = element(word, first);
+        if (first.kind() == XmlTag.Kind.OPEN) {
+            open.add(tree);
+            readContent();
+        }
+        return tree;
+    }
+
+    private void readContent() {
+        while (!open.isEmpty()) {
+            XmlTag tag = tags.next();
+            if (tag == null) {
+                closeFrom(0, "the file's end");
+                return;
+            }
+            if (tag.kind() == XmlTag.Kind.CLOSE) {
+                close(tag);
+            } else {
+                place(tag);
+            }
+        }
+        XmlTag beyond = tags.next();
+        if (beyond != null) {
+            remarks.warn(beyond.line(), "the scene has ended: nothing is read from here on");
+        }
+    }
+
+    private void close(XmlTag tag) {
+        int at = open.size() - 1;
+        boolean frame = tag.name().equalsIgnoreCase("group");
+        while (at > 0
+                && !open.get(at).name().equalsIgnoreCase(tag.name())
+                && !(open.get(at).word().isFrame())) {
+            at--;
+        }
+        if (!frame && open.get(0).name().equalsIgnoreCase(tag.name())) {
+            at = 0;
+        }
+        if (open.get(at).name().equalsIgnoreCase(tag.name())) {
+            closeFrom(at + 1, "</" + tag.name() + "> in line " + tag.line());
+            remove(at);
+        } else if (!takenOut.contains(key(tag))) {
+            remarks.warn(tag.line(), "</" + tag.name() + "> closes nothing: skipped");
+        }
+    }
+
+    private void closeFrom(int first, String before) {
+        for (int i = open.size() - 1; i >= first; i--) {
+            XmlElement left = open.get(i);
+            remarks.warn(left.line(), "<" + left.name() + "> is not closed: it ends before " + before);
+            remove(i);
+        }
+    }
+
+    private void remove(int at) {
+        groups -= open.get(at).is("group") ? 1 : 0;
+        open.remove(at);
+    }
+
+    private void place(XmlTag tag) {
+        Vocabulary.Word word = vocabulary.word(tag.name());
+        if (word == null) {
+            takeOut(tag);
+            String guess = remarks.isFull() ? "" : Vocabulary.suggestion(tag.name(), vocabulary.names());
+            remarks.warn(tag.line(), "<" + tag.name() + "> is unknown: skipped" + guess);
+            return;
+        }
+        int parent = open.size() - 1;
+        while (!open.get(parent).word().children().contains(word.name())) {
+            if (open.get(parent).word().isFrame()) {
+                takeOut(tag);
+                String frame = open.get(parent).name();
+                remarks.warn(tag.line(), "<" + word.name() + "> does not belong in <" + frame + ">: skipped");
+                return;
+            }
+            parent--;
+        }
+        closeFrom(parent + 1, "<" + tag.name() + "> in line " + tag.line());
+        XmlElement element = element(word, tag);
+        open.get(parent).add(element);
+        if (tag.kind() == XmlTag.Kind.OPEN) {
+            open.add(element);
+            groups += element.is("group") ? 1 : 0;
+        }
+        if (groups > XmlSceneFile.MOST_NESTED_GROUPS) {
+            String most = String.valueOf(XmlSceneFile.MOST_NESTED_GROUPS);
+            throw remarks.error(tag.line(), "groups are nested deeper than " + most, "close some");
+        }
+    }
+
+    private XmlElement element(Vocabulary.Word word, XmlTag tag) {
+        if (++elements > XmlSceneFile.MOST_ELEMENTS) {
+            throw remarks.error(tag.line(), "more than " + XmlSceneFile.MOST_ELEMENTS + " tags", "split the scene");
+        }
+        for (XmlAttribute attribute : tag.attributes()) {
+            if (!word.attributes().contains(attribute.name())) {
+                String guess = remarks.isFull() ? "" : Vocabulary.suggestion(attribute.name(), word.attributes());
+                remarks.warn(
+                        attribute.line(),
+                        "'" + attribute.name() + "' is unknown in <" + word.name() + ">: skipped" + guess);
+            }
+        }
+        return new XmlElement(word, tag);
+    }
+
+    /** So that its end is no news. */
+    private void takeOut(XmlTag tag) {
+        if (takenOut.size() < MOST_TAKEN_OUT) {
+            takenOut.add(key(tag));
+        }
+    }
+
+    private static String key(XmlTag tag) {
+        return tag.name().toLowerCase(Locale.ROOT);
+    }
+}
