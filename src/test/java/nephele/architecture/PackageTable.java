@@ -35,6 +35,7 @@ final class PackageTable {
         USES.put("reference", List.of("portal", "model", "cloud"));
         USES.put("measure", List.of());
         USES.put("render.gl", List.of());
+        USES.put("render.fixed", with("render.gl", HEADLESS));
         USES.put("render.frame", with("render.gl", HEADLESS));
         USES.put("render.pass", List.of("render.frame"));
         USES.put("render", with("render.pass", HEADLESS));

@@ -143,6 +143,13 @@ public final class BareFrame implements AutoCloseable {
         }
 
         @Override
+        public void drawnLines(int count) {
+            bindAll();
+            words.add("draw lines " + count);
+            calls.add(() -> glDrawArrays(GL_LINES, 0, count));
+        }
+
+        @Override
         public void drawnFullScreen() {
             bindAll();
             words.add("draw full screen");

@@ -106,6 +106,12 @@ record BoundState(List<Step> steps) {
         add(steps, "depth mask", () -> glDepthMask(depthMask), depthMask ? 1 : 0);
         boolean colour = colourMask();
         add(steps, "colour mask", () -> glColorMask(colour, colour, colour, colour), colour ? 1 : 0);
+        int culled = glGetInteger(GL_CULL_FACE_MODE);
+        add(steps, "culled faces", () -> glCullFace(culled), culled);
+        // Drivers answer for front and back.
+        int[] fill = new int[2];
+        glGetIntegerv(GL_POLYGON_MODE, fill);
+        add(steps, "fill", () -> glPolygonMode(GL_FRONT_AND_BACK, fill[0]), fill[0]);
         readOpenings(steps);
         int source = glGetInteger(GL_BLEND_SRC_RGB);
         int destination = glGetInteger(GL_BLEND_DST_RGB);

@@ -3,6 +3,7 @@ package nephele.engine.render.gl;
 import static org.lwjgl.opengl.GL41C.*;
 
 import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
 
 /** A list that shaders read by index: texels of four floats ({@code samplerBuffer}) or integers ({@code usamplerBuffer}). */
 public final class BufferTexture implements AutoCloseable {
@@ -39,6 +40,20 @@ public final class BufferTexture implements AutoCloseable {
         glBufferData(GL_TEXTURE_BUFFER, 16, GL_STREAM_DRAW);
         created.attach(GL_RGBA32F);
         return created;
+    }
+
+    /** Integers to be replaced again and again, one to a texel. */
+    public static BufferTexture changingIntegers(GlContext gl, String name) {
+        BufferTexture created = new BufferTexture(gl, name);
+        glBufferData(GL_TEXTURE_BUFFER, 4, GL_STREAM_DRAW);
+        created.attach(GL_R32UI);
+        return created;
+    }
+
+    /** Replaces everything by integers: the old storage stays with the draws that still read it. */
+    public void upload(IntBuffer values) {
+        glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
+        glBufferData(GL_TEXTURE_BUFFER, values, GL_STREAM_DRAW);
     }
 
     /** Replaces everything: the old storage stays with the draws that still read it. */

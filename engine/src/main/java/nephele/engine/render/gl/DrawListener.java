@@ -14,6 +14,9 @@ interface DrawListener {
     /** Triangles without indices are about to be drawn with what is bound. */
     void drawnUnindexed(int first, int count);
 
+    /** Lines are about to be drawn with what is bound, two vertices each. */
+    void drawnLines(int count);
+
     /** Indexed triangles are about to be drawn several times over with what is bound. */
     void drawnInstanced(int first, int count, int instances);
 

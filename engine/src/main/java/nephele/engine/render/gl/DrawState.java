@@ -70,7 +70,22 @@ public final class DrawState {
     /** Which faces are dropped. */
     public enum Cull {
         NONE,
-        BACK
+        BACK,
+        /** As {@link #BACK} of what a mirror has turned inside out. */
+        FRONT
+    }
+
+    /** What is drawn of a triangle. */
+    public enum Fill {
+        WHOLE(GL_FILL),
+        /** Its three edges, a pixel wide; which faces are dropped is as ever. */
+        EDGES(GL_LINE);
+
+        private final int mode;
+
+        Fill(int mode) {
+            this.mode = mode;
+        }
     }
 
     /** The view's plane and a straddling thing's two. */
@@ -85,6 +100,7 @@ public final class DrawState {
     private Stencil stencil = Stencil.OFF;
     private int stencilReference;
     private DepthOf depthOf = DepthOf.SURFACE;
+    private Fill fill = Fill.WHOLE;
     private long draws;
     private long triangles;
     private DrawListener listener;
@@ -103,7 +119,8 @@ public final class DrawState {
             setBlend(newBlend);
         }
         if (cull != newCull) {
-            toggle(GL_CULL_FACE, newCull == Cull.BACK);
+            toggle(GL_CULL_FACE, newCull != Cull.NONE);
+            glCullFace(newCull == Cull.FRONT ? GL_FRONT : GL_BACK);
             cull = newCull;
         }
         if (clipDistances != newClipDistances) {
@@ -149,6 +166,14 @@ public final class DrawState {
         }
         glDepthRange(newDepthOf == DepthOf.FARTHEST ? 1 : 0, 1);
         depthOf = newDepthOf;
+    }
+
+    /** Stays until it is set again. */
+    public void fill(Fill newFill) {
+        if (fill != newFill) {
+            glPolygonMode(GL_FRONT_AND_BACK, newFill.mode);
+            fill = newFill;
+        }
     }
 
     /** Nothing outside of these pixels is drawn, cleared or copied to until {@link #noScissor}. */
@@ -206,6 +231,7 @@ public final class DrawState {
         clipDistances = -1;
         stencil = null;
         depthOf = null;
+        fill = null;
     }
 
     /** {@code null} to stop listening. */

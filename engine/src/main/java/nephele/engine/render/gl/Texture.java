@@ -127,6 +127,12 @@ public final class Texture implements AutoCloseable {
         }
     }
 
+    /** Has the driver make the smaller images of a mipmapped flat texture from the largest. */
+    public void generateLevels() {
+        bind(0);
+        glGenerateMipmap(shape.target);
+    }
+
     /** Replaces a smaller image of one layer of an array; level 1 has half the sides, rounded down but never to 0. */
     public void uploadLevel(int level, int layer, ByteBuffer texels) {
         bind(0);

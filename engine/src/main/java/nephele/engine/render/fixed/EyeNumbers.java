@@ -1,0 +1,56 @@
+package nephele.engine.render.fixed;
+
+import nephele.engine.scene.View;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+
+/** A view as shaders take it: one object for all frames. */
+final class EyeNumbers {
+    private final Matrix4d clipFromRelative = new Matrix4d();
+    private final float[] columns = new float[16];
+    private final Vector3d back = new Vector3d();
+    private float x;
+    private float y;
+    private float z;
+
+    void set(View view) {
+        view.clipFromRelative(clipFromRelative).get(columns);
+        view.direction(0, 0, 1, back);
+        x = (float) view.eyeX();
+        y = (float) view.eyeY();
+        z = (float) view.eyeZ();
+    }
+
+    float x() {
+        return x;
+    }
+
+    float y() {
+        return y;
+    }
+
+    float z() {
+        return z;
+    }
+
+    float backX() {
+        return (float) back.x;
+    }
+
+    float backY() {
+        return (float) back.y;
+    }
+
+    float backZ() {
+        return (float) back.z;
+    }
+
+    float[] clipFromRelative() {
+        return columns;
+    }
+
+    /** For culling; not to be changed. */
+    Matrix4d exactClipFromRelative() {
+        return clipFromRelative;
+    }
+}

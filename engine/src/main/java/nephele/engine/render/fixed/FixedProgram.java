@@ -1,0 +1,80 @@
+package nephele.engine.render.fixed;
+
+import java.util.Map;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.Uniforms.Matrix4;
+import nephele.engine.render.gl.Uniforms.Vector3;
+import nephele.engine.render.gl.Uniforms.Vector4;
+import nephele.engine.render.gl.Uniforms.Whole;
+
+/** What models are drawn with in one kind of shading. */
+final class FixedProgram implements AutoCloseable {
+    static final String FOLDER = "/nephele/engine/render/fixed/";
+
+    static final int VISIBLE_UNIT = 0;
+    static final int PLACES_UNIT = 1;
+    static final int LOOKS_UNIT = 2;
+    static final int LIGHTS_UNIT = 3;
+    static final int PICTURE_UNIT = 4;
+
+    private final GlProgram<Inputs> program;
+
+    /** @param light {@code null} where nothing is lit */
+    record Inputs(Whole firstVisible, Whole firstPlace, Vector3 eye, Matrix4 clipFromRelative, LightInputs light) {
+        static Inputs of(Uniforms uniforms, Shading shading) {
+            uniforms.sampler("visibleModels", VISIBLE_UNIT);
+            uniforms.sampler("places", PLACES_UNIT);
+            return new Inputs(
+                    uniforms.whole("firstVisible"),
+                    uniforms.whole("firstPlace"),
+                    uniforms.vector3("eye"),
+                    uniforms.matrix4("clipFromRelative"),
+                    shading == Shading.WIREFRAME ? null : LightInputs.of(uniforms));
+        }
+    }
+
+    record LightInputs(Vector3 towardsViewer, Vector4 lightTerms) {
+        static LightInputs of(Uniforms uniforms) {
+            uniforms.sampler("looks", LOOKS_UNIT);
+            uniforms.sampler("fixedLights", LIGHTS_UNIT);
+            uniforms.sampler("picture", PICTURE_UNIT);
+            return new LightInputs(uniforms.vector3("towardsViewer"), uniforms.vector4("lightTerms"));
+        }
+    }
+
+    FixedProgram(GlContext gl, Shading shading) {
+        Map<String, String> defines = Map.of(shading.name(), "1");
+        program = new GlProgram<>(
+                gl,
+                ShaderSource.load(FOLDER + "fixed.vert", defines),
+                ShaderSource.load(FOLDER + "fixed.frag", defines),
+                uniforms -> Inputs.of(uniforms, shading));
+    }
+
+    /** Sets what all models of a frame share. */
+    Inputs use(EyeNumbers eye, SceneLook look) {
+        Inputs inputs = program.uniforms();
+        program.use();
+        inputs.eye().set(eye.x(), eye.y(), eye.z());
+        inputs.clipFromRelative().set(eye.clipFromRelative());
+        if (inputs.light() != null) {
+            inputs.light().towardsViewer().set(eye.backX(), eye.backY(), eye.backZ());
+            inputs.light()
+                    .lightTerms()
+                    .set(
+                            look.term(LightTerm.AMBIENT),
+                            look.term(LightTerm.DIFFUSE),
+                            look.term(LightTerm.SPECULAR),
+                            look.term(LightTerm.EMISSIVE));
+        }
+        return inputs;
+    }
+
+    @Override
+    public void close() {
+        program.close();
+    }
+}

@@ -1,0 +1,85 @@
+package nephele.engine.render.fixed;
+
+import nephele.engine.xmlscene.XmlLight;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+
+/** Lights as shaders read them, in the world. */
+final class LightTable {
+    static final int FLOATS = 12;
+
+    /** Below any cosine. */
+    private static final float ALL_AROUND = -2;
+
+    private final float[] packed;
+    private final Vector3d moved = new Vector3d();
+
+    LightTable(int lights) {
+        packed = new float[FLOATS * lights];
+    }
+
+    float[] packed() {
+        return packed;
+    }
+
+    /** @param before the next light of the chain, -1 for its end */
+    void put(int number, XmlLight light, Matrix4dc worldFromLight, int before) {
+        int at = FLOATS * number;
+        packed[at + 7] = ALL_AROUND;
+        packed[at + 9] = before;
+        if (light instanceof XmlLight.Directional directional) {
+            direction(
+                    at,
+                    moved.set(
+                            directional.towards().x(),
+                            directional.towards().y(),
+                            directional.towards().z()),
+                    worldFromLight);
+            packed[at + 3] = 0;
+        } else if (light instanceof XmlLight.Point point) {
+            position(
+                    at,
+                    moved.set(
+                            point.position().x(),
+                            point.position().y(),
+                            point.position().z()),
+                    worldFromLight);
+        } else if (light instanceof XmlLight.Spot spot) {
+            position(
+                    at,
+                    moved.set(
+                            spot.position().x(),
+                            spot.position().y(),
+                            spot.position().z()),
+                    worldFromLight);
+            direction(
+                    at + 4,
+                    moved.set(
+                            spot.direction().x(),
+                            spot.direction().y(),
+                            spot.direction().z()),
+                    worldFromLight);
+            packed[at + 7] =
+                    spot.cutoffDegrees() >= 180 ? ALL_AROUND : (float) Math.cos(Math.toRadians(spot.cutoffDegrees()));
+            packed[at + 8] = (float) spot.exponent();
+        }
+    }
+
+    private void position(int at, Vector3d v, Matrix4dc worldFromLight) {
+        worldFromLight.transformPosition(v);
+        put(at, v);
+        packed[at + 3] = 1;
+    }
+
+    private void direction(int at, Vector3d v, Matrix4dc worldFromLight) {
+        worldFromLight.transformDirection(v);
+        double length = v.length();
+        put(at, length > 0 ? v.div(length) : v);
+    }
+
+    private void put(int at, Vector3d v) {
+        packed[at] = (float) v.x;
+        packed[at + 1] = (float) v.y;
+        packed[at + 2] = (float) v.z;
+    }
+}
