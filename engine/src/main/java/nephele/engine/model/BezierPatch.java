@@ -1,0 +1,33 @@
+package nephele.engine.model;
+
+import org.joml.Vector3d;
+
+/**
+ * A bicubic Bézier patch over the unit square.
+ *
+ * @param points 16 points, row by row; u runs along a row, v from row to row
+ */
+record BezierPatch(Vector3d[] points) {
+    static final int SIDE = 4;
+
+    /** The sum of all points, each weighted by its column's and its row's weight. */
+    Vector3d weighted(double[] columns, double[] rows) {
+        Vector3d[] across = new Vector3d[SIDE];
+        for (int row = 0; row < SIDE; row++) {
+            across[row] = symmetricSum(
+                    points[SIDE * row],
+                    points[SIDE * row + 1],
+                    points[SIDE * row + 2],
+                    points[SIDE * row + 3],
+                    columns);
+        }
+        return symmetricSum(across[0], across[1], across[2], across[3], rows);
+    }
+
+    /** To the last bit the same from both ends, so that patches meet without a gap whichever way their edges run. */
+    private static Vector3d symmetricSum(Vector3d a, Vector3d b, Vector3d c, Vector3d d, double[] weights) {
+        Vector3d outer = new Vector3d(a).mul(weights[0]).add(new Vector3d(d).mul(weights[3]));
+        Vector3d inner = new Vector3d(b).mul(weights[1]).add(new Vector3d(c).mul(weights[2]));
+        return outer.add(inner);
+    }
+}

@@ -1,0 +1,62 @@
+package nephele.engine.model;
+
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+
+/** A sphere that holds every vertex of a mesh. */
+public record BoundingSphere(Vec3 centre, double radius) {
+    private static final int STEPS = 32;
+
+    /**
+     * Close to the smallest one: the centre starts in the middle of the box and goes 1 / (i + 1) of the way to the
+     * farthest vertex again and again (Bădoiu and Clarkson, 2003, algorithm 1); the best of these centres stays.
+     */
+    public static BoundingSphere of(Mesh mesh) {
+        float[] positions = mesh.positions();
+        if (positions.length == 0) {
+            return new BoundingSphere(Vec3.ZERO, 0);
+        }
+        Vector3d centre = middle(positions);
+        Vector3d best = new Vector3d(centre);
+        double bestSquared = Double.POSITIVE_INFINITY;
+        for (int step = 1; step <= STEPS; step++) {
+            int farthest = farthest(positions, centre);
+            double squared = squaredDistance(positions, farthest, centre);
+            if (squared < bestSquared) {
+                bestSquared = squared;
+                best.set(centre);
+            }
+            double share = 1.0 / (step + 1);
+            centre.lerp(new Vector3d(positions[farthest], positions[farthest + 1], positions[farthest + 2]), share);
+        }
+        return new BoundingSphere(Vec3.of(best), Math.sqrt(bestSquared) * (1 + 1e-12));
+    }
+
+    private static Vector3d middle(float[] positions) {
+        var low = new Vector3d(Double.POSITIVE_INFINITY);
+        var high = new Vector3d(Double.NEGATIVE_INFINITY);
+        for (int i = 0; i < positions.length; i += 3) {
+            var point = new Vector3d(positions[i], positions[i + 1], positions[i + 2]);
+            low.min(point);
+            high.max(point);
+        }
+        return low.add(high).mul(0.5);
+    }
+
+    private static int farthest(float[] positions, Vector3d from) {
+        int farthest = 0;
+        double most = -1;
+        for (int i = 0; i < positions.length; i += 3) {
+            double squared = squaredDistance(positions, i, from);
+            if (squared > most) {
+                most = squared;
+                farthest = i;
+            }
+        }
+        return farthest;
+    }
+
+    private static double squaredDistance(float[] positions, int at, Vector3d from) {
+        return from.distanceSquared(positions[at], positions[at + 1], positions[at + 2]);
+    }
+}

@@ -1,0 +1,22 @@
+package nephele.engine.model;
+
+/**
+ * A cube around the origin.
+ *
+ * @param length of a side
+ */
+public record BoxShape(double length, int divisions) implements Shape {
+    public BoxShape {
+        ShapeParameter.LENGTH.check(length);
+        ShapeParameter.DIVISIONS.check(divisions);
+    }
+
+    @Override
+    public Mesh mesh() {
+        var mesh = new MeshBuilder(6 * (divisions + 1) * (divisions + 1), 12 * divisions * divisions);
+        for (SquareFace face : SquareFace.values()) {
+            face.add(mesh, length, divisions, length / 2);
+        }
+        return mesh.mesh();
+    }
+}

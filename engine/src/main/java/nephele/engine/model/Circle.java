@@ -1,0 +1,41 @@
+package nephele.engine.model;
+
+/**
+ * Points of a unit circle at equal angles, with sine and cosine exact at quarter turns and the last point the first
+ * one. The same on every machine: what stands on a mesh depends on its last bit.
+ *
+ * @param sine at i parts of the whole turn, 0 to the number of parts
+ */
+record Circle(double[] sine, double[] cosine) {
+    static Circle of(int parts) {
+        double[] sine = new double[parts + 1];
+        double[] cosine = new double[parts + 1];
+        for (int i = 0; i <= parts; i++) {
+            sine[i] = sineOf(i, parts);
+            cosine[i] = cosineOf(i, parts);
+        }
+        return new Circle(sine, cosine);
+    }
+
+    int parts() {
+        return sine.length - 1;
+    }
+
+    /** Of {@code numerator / denominator} turns. */
+    static double cosineOf(int numerator, int denominator) {
+        return sineOf(4 * numerator + denominator, 4 * denominator);
+    }
+
+    /** Of {@code numerator / denominator} turns; folded into the first eighth, so that mirrored points match. */
+    static double sineOf(int numerator, int denominator) {
+        int turn = Math.floorMod(numerator, denominator);
+        if (2 * turn > denominator) {
+            return -sineOf(denominator - turn, denominator);
+        }
+        int folded =
+                Math.min(2 * turn, denominator - 2 * turn); // in half turns over denominator; at most a quarter turn
+        return 4 * folded <= denominator
+                ? StrictMath.sin(Math.PI * folded / denominator)
+                : StrictMath.cos(Math.PI * (denominator - 2 * folded) / (2.0 * denominator));
+    }
+}

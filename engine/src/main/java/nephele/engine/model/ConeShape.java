@@ -1,0 +1,56 @@
+package nephele.engine.model;
+
+import nephele.engine.model.GridTriangles.Diagonal;
+
+/** Stands on the xz plane around the y axis, closed below; the first slice begins at +z and goes towards +x. */
+public record ConeShape(double radius, double height, int slices, int stacks) implements Shape {
+    public ConeShape {
+        ShapeParameter.RADIUS.check(radius);
+        ShapeParameter.HEIGHT.check(height);
+        ShapeParameter.SLICES.check(slices);
+        ShapeParameter.STACKS.check(stacks);
+    }
+
+    @Override
+    public Mesh mesh() {
+        int sideVertices = stacks * (slices + 1) + slices;
+        int sideTriangles = slices * (2 * stacks - 1);
+        var mesh = new MeshBuilder(sideVertices + Disc.vertices(slices), sideTriangles + slices);
+        Circle circle = Circle.of(slices);
+        for (int stack = 0; stack < stacks; stack++) {
+            ring(mesh, circle, stack);
+        }
+        GridTriangles.join(mesh, 0, slices, stacks - 1, Diagonal.FALLING);
+        tip(mesh, (stacks - 1) * (slices + 1));
+        Disc.DOWN.add(mesh, circle, radius, 0);
+        return mesh.mesh();
+    }
+
+    private void ring(MeshBuilder mesh, Circle circle, int stack) {
+        double share = (double) (stacks - stack) / stacks;
+        for (int i = 0; i <= slices; i++) {
+            double sine = circle.sine()[i];
+            double cosine = circle.cosine()[i];
+            mesh.point(radius * share * sine, height * stack / stacks, radius * share * cosine);
+            sideNormal(mesh, sine, cosine).texture((double) i / slices, (double) stack / stacks);
+        }
+    }
+
+    /** The tip has no normal of its own: each slice has one there that faces along its middle. */
+    private void tip(MeshBuilder mesh, int ring) {
+        for (int i = 0; i < slices; i++) {
+            sideNormal(
+                    mesh.point(0, height, 0),
+                    Circle.sineOf(2 * i + 1, 2 * slices),
+                    Circle.cosineOf(2 * i + 1, 2 * slices));
+            int tip = mesh.texture((i + 0.5) / slices, 1);
+            mesh.triangle(ring + i, ring + i + 1, tip);
+        }
+    }
+
+    /** (h sin t, r, h cos t) / √(r² + h²). */
+    private MeshBuilder sideNormal(MeshBuilder mesh, double sine, double cosine) {
+        double length = StrictMath.hypot(radius, height);
+        return mesh.normal(height / length * sine, radius / length, height / length * cosine);
+    }
+}

@@ -1,0 +1,32 @@
+package nephele.engine.model;
+
+/**
+ * Cubic Bernstein polynomials at one parameter.
+ *
+ * @param value of each of the four
+ * @param slope their first derivatives
+ */
+record CubicWeights(double[] value, double[] slope) {
+    /** At {@code part / parts}: whole numbers up to the last division, so that mirrored parameters have mirrored weights. */
+    static CubicWeights at(int part, int parts) {
+        long t = part;
+        long rest = parts - part;
+        double cube = (double) parts * parts * parts;
+        return new CubicWeights(
+                new double[] {
+                    rest * rest * rest / cube, 3 * t * rest * rest / cube, 3 * t * t * rest / cube, t * t * t / cube
+                },
+                slopes((double) part / parts));
+    }
+
+    static CubicWeights at(double t) {
+        double rest = 1 - t;
+        return new CubicWeights(
+                new double[] {rest * rest * rest, 3 * t * rest * rest, 3 * t * t * rest, t * t * t}, slopes(t));
+    }
+
+    private static double[] slopes(double t) {
+        double rest = 1 - t;
+        return new double[] {-3 * rest * rest, 3 * rest * rest - 6 * t * rest, 6 * t * rest - 3 * t * t, 3 * t * t};
+    }
+}

@@ -1,0 +1,23 @@
+package nephele.engine.model;
+
+import java.util.Locale;
+import java.util.function.Function;
+
+/** Meshes by the ending of their file's name. */
+public final class ModelFiles {
+    private ModelFiles() {}
+
+    /**
+     * Reads a mesh.
+     *
+     * @param neighbour the bytes of a file beside this one, {@code null} when there is none
+     * @throws ModelFileException whatever is wrong with the file
+     */
+    public static Mesh read(String file, byte[] bytes, Function<String, byte[]> neighbour) {
+        String name = file.toLowerCase(Locale.ROOT);
+        if (name.endsWith(".3d")) {
+            return new TextMeshFile(file, bytes).read();
+        }
+        throw new ModelFileException(file, 0, "is no mesh that can be read", "use .3d, .obj, .gltf or .glb");
+    }
+}

@@ -1,0 +1,159 @@
+package nephele.engine.model;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Reads a text file line by line as words, with what is wrong said by file and line. Lines end in LF, CRLF or CR;
+ * {@code #} begins a comment.
+ */
+final class ModelText {
+    private static final int MOST_WORDS = 4096;
+    private static final int LONGEST_WORD = 64;
+
+    private final String file;
+    private final byte[] bytes;
+    private final String separators;
+    private int at;
+    private int line;
+
+    /** @param separators what stands between words beside white space */
+    ModelText(String file, byte[] bytes, String separators) {
+        this.file = file;
+        this.bytes = bytes;
+        this.separators = separators;
+        if (bytes.length > MeshLimits.MAX_TEXT_BYTES) {
+            throw new ModelFileException(
+                    file,
+                    0,
+                    "is larger than " + (MeshLimits.MAX_TEXT_BYTES >> 20) + " MiB",
+                    "make the mesh coarser or keep it as .glb");
+        }
+    }
+
+    int line() {
+        return line;
+    }
+
+    boolean hasNext() {
+        return at < bytes.length;
+    }
+
+    /** The words of the next line that holds more than a comment; none when it is blank, or at the end. */
+    List<String> nextLine() {
+        List<String> words = new ArrayList<>(4);
+        boolean comment;
+        do {
+            comment = readLine(words);
+        } while (comment && words.isEmpty() && hasNext());
+        return words;
+    }
+
+    /** Returns whether it ends in a comment. */
+    private boolean readLine(List<String> words) {
+        line++;
+        boolean comment = false;
+        while (at < bytes.length && !endsLine(bytes[at])) {
+            if (bytes[at] == '#') {
+                comment = true;
+                skipToEnd();
+            } else if (separates(bytes[at])) {
+                at++;
+            } else {
+                words.add(word(words.size()));
+            }
+        }
+        skipEnd();
+        return comment;
+    }
+
+    ModelFileException wrong(String reason, String remedy) {
+        return wrongAt(line, reason, remedy);
+    }
+
+    ModelFileException wrongAt(int where, String reason, String remedy) {
+        return new ModelFileException(file, where, reason, remedy);
+    }
+
+    /** A number that may be a coordinate. */
+    float coordinate(String word) {
+        float value = number(word);
+        if (!isCoordinate(value)) {
+            throw notACoordinate(line, value);
+        }
+        return value;
+    }
+
+    static boolean isCoordinate(float value) {
+        return Math.abs(value) <= MeshLimits.MAX_COORDINATE;
+    }
+
+    ModelFileException notACoordinate(int where, float value) {
+        return wrongAt(where, value + " is no coordinate", "keep within a million units");
+    }
+
+    float number(String word) {
+        try {
+            return Float.parseFloat(word);
+        } catch (NumberFormatException notANumber) {
+            throw wrong(quoted(word) + " is not a number", "write it as 1.5 or -2e-3");
+        }
+    }
+
+    /** A whole number; Integer's own range bounds it. */
+    int whole(String word) {
+        try {
+            return Integer.parseInt(word);
+        } catch (NumberFormatException notWhole) {
+            throw wrong(quoted(word) + " is not a whole number", "write it as 12, without a point");
+        }
+    }
+
+    static String quoted(String word) {
+        var shown = new StringBuilder("\"");
+        word.codePoints().limit(24).forEach(c -> shown.appendCodePoint(c < ' ' || c > '~' ? '?' : c));
+        return shown.append(word.length() > 24 ? "…\"" : "\"").toString();
+    }
+
+    private String word(int before) {
+        int start = at;
+        while (at < bytes.length && !endsLine(bytes[at]) && !separates(bytes[at]) && bytes[at] != '#') {
+            at++;
+        }
+        if (before >= MOST_WORDS) {
+            throw wrong("has more than " + MOST_WORDS + " words in a line", "break the line");
+        }
+        int length = Math.min(at - start, LONGEST_WORD + 1);
+        String word = new String(bytes, start, length, StandardCharsets.UTF_8);
+        if (length > LONGEST_WORD) {
+            throw wrong(quoted(word) + " is longer than any number", "check that the file is a mesh in text form");
+        }
+        return word;
+    }
+
+    private boolean separates(byte c) {
+        return c == ' ' || c == '\t' || c == '\f' || separators.indexOf(c) >= 0;
+    }
+
+    private static boolean endsLine(byte c) {
+        return c == '\n' || c == '\r';
+    }
+
+    private void skipToEnd() {
+        while (at < bytes.length && !endsLine(bytes[at])) {
+            at++;
+        }
+    }
+
+    private void skipEnd() {
+        if (at < bytes.length && bytes[at] == '\r') {
+            at++;
+            if (at < bytes.length && bytes[at] == '\n') {
+                at++;
+            }
+        } else if (at < bytes.length) {
+            at++;
+        }
+    }
+}

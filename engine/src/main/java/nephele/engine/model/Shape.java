@@ -1,0 +1,7 @@
+package nephele.engine.model;
+
+/** A surface that is known by a few numbers, and made into triangles by them. */
+public sealed interface Shape
+        permits PlaneShape, BoxShape, ConeShape, SphereShape, CylinderShape, TorusShape, BezierShape {
+    Mesh mesh();
+}

@@ -1,0 +1,83 @@
+package nephele.engine.model;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.StringJoiner;
+import java.util.stream.Stream;
+import nephele.engine.model.PlaneShape.Sides;
+
+/** The shapes that are made of numbers alone, by the word that names each. */
+public enum ShapeKind {
+    PLANE(ShapeParameter.LENGTH, ShapeParameter.DIVISIONS) {
+        @Override
+        Shape of(double[] n) {
+            return new PlaneShape(n[0], (int) n[1], Sides.TOP);
+        }
+    },
+    BOX(ShapeParameter.LENGTH, ShapeParameter.DIVISIONS) {
+        @Override
+        Shape of(double[] n) {
+            return new BoxShape(n[0], (int) n[1]);
+        }
+    },
+    CONE(ShapeParameter.RADIUS, ShapeParameter.HEIGHT, ShapeParameter.SLICES, ShapeParameter.STACKS) {
+        @Override
+        Shape of(double[] n) {
+            return new ConeShape(n[0], n[1], (int) n[2], (int) n[3]);
+        }
+    },
+    SPHERE(ShapeParameter.RADIUS, ShapeParameter.SLICES, ShapeParameter.STACKS) {
+        @Override
+        Shape of(double[] n) {
+            return new SphereShape(n[0], (int) n[1], (int) n[2]);
+        }
+    },
+    CYLINDER(ShapeParameter.RADIUS, ShapeParameter.HEIGHT, ShapeParameter.SLICES) {
+        @Override
+        Shape of(double[] n) {
+            return new CylinderShape(n[0], n[1], (int) n[2]);
+        }
+    },
+    TORUS(ShapeParameter.RADIUS, ShapeParameter.TUBE, ShapeParameter.SLICES, ShapeParameter.STACKS) {
+        @Override
+        Shape of(double[] n) {
+            return new TorusShape(n[0], n[1], (int) n[2], (int) n[3]);
+        }
+    };
+
+    private final List<ShapeParameter> parameters;
+
+    ShapeKind(ShapeParameter... parameters) {
+        this.parameters = List.of(parameters);
+    }
+
+    public static Optional<ShapeKind> named(String word) {
+        return Stream.of(values()).filter(kind -> kind.word().equals(word)).findFirst();
+    }
+
+    public String word() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+
+    public List<ShapeParameter> parameters() {
+        return parameters;
+    }
+
+    /** @throws IllegalArgumentException with what is wanted instead, for users */
+    public Shape shape(List<String> numbers) {
+        if (numbers.size() != parameters.size()) {
+            var names = new StringJoiner(" ");
+            parameters.forEach(parameter -> names.add(parameter.name()));
+            throw new IllegalArgumentException(
+                    word() + " takes " + parameters.size() + " numbers (" + names + "), not " + numbers.size());
+        }
+        double[] values = new double[numbers.size()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = parameters.get(i).read(numbers.get(i));
+        }
+        return of(values);
+    }
+
+    abstract Shape of(double[] numbers);
+}

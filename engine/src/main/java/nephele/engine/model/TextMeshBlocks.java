@@ -1,0 +1,121 @@
+package nephele.engine.model;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Splits the text of a {@code .3d} file into blocks of rows. A blank line ends a block, and so does a row of one number
+ * that rows of more numbers follow: it is their count.
+ */
+final class TextMeshBlocks {
+    private static final int MOST_BLOCKS = 8;
+    private static final int MOST_ROWS = 3 * MeshLimits.MAX_TRIANGLES;
+
+    private final ModelText text;
+    private final List<NumberRows> blocks = new ArrayList<>();
+
+    /** The block that rows are added to; {@code null} after a blank line. */
+    private NumberRows open;
+
+    /** Rows that the open block has to have; -1 where none are announced. */
+    private int announced = -1;
+
+    private int announcedLine;
+
+    TextMeshBlocks(ModelText text) {
+        this.text = text;
+    }
+
+    List<NumberRows> read() {
+        while (text.hasNext()) {
+            List<String> words = text.nextLine();
+            if (words.isEmpty()) {
+                close();
+            } else {
+                add(words);
+            }
+        }
+        close();
+        return blocks;
+    }
+
+    private void add(List<String> words) {
+        if (open != null && open.width() != words.size()) {
+            changeWidth(words.size());
+        }
+        if (open == null) {
+            open = new NumberRows(width(words.size()));
+        }
+        if (open.rows() >= MOST_ROWS) {
+            throw text.wrong("has more than " + MOST_ROWS + " rows in a block", "make the mesh coarser");
+        }
+        float[] row = new float[words.size()];
+        for (int i = 0; i < row.length; i++) {
+            row[i] = text.number(words.get(i));
+        }
+        open.add(text.line(), row);
+    }
+
+    private int width(int numbers) {
+        if (numbers > 3) {
+            throw text.wrong(
+                    "has " + numbers + " numbers in a row", "write 3 (points, normals, triangles) or 2 (texture)");
+        }
+        return numbers;
+    }
+
+    /** Within a block only after a count, or before one. */
+    private void changeWidth(int width) {
+        if (open.width() == 1 && open.rows() == 1 && announced < 0) {
+            announced = count(open.at(0, 0), open.line(0));
+            announcedLine = open.line(0);
+            open = null;
+        } else if (width == 1) {
+            close();
+        } else {
+            throw text.wrong(
+                    "has " + width + " numbers, but the rows before have " + open.width(),
+                    "write as many in each row, and a blank line between blocks");
+        }
+    }
+
+    private int count(float value, int line) {
+        if (!(value >= 0 && value <= MOST_ROWS && value == Math.rint(value))) {
+            throw text.wrongAt(line, value + " is no number of rows", "write how many rows follow, or leave it out");
+        }
+        return (int) value;
+    }
+
+    private void close() {
+        if (open == null) {
+            return;
+        }
+        NumberRows block = open.width() == 1 ? withoutCount(open) : open;
+        if (announced >= 0 && block.rows() != announced) {
+            throw text.wrongAt(
+                    announcedLine,
+                    announced + " rows are announced, but " + block.rows() + " follow",
+                    "correct the count, or leave it out");
+        }
+        if (blocks.size() == MOST_BLOCKS) {
+            throw text.wrong("has more than " + MOST_BLOCKS + " blocks", "keep to the four that docs/models.md names");
+        }
+        blocks.add(block);
+        open = null;
+        announced = -1;
+    }
+
+    /** A column of indices is a multiple of three long; one more, and the first is their count. */
+    private NumberRows withoutCount(NumberRows column) {
+        if (column.rows() % 3 != 1) {
+            return column;
+        }
+        announced = count(column.at(0, 0), column.line(0));
+        announcedLine = column.line(0);
+        var rest = new NumberRows(1);
+        for (int row = 1; row < column.rows(); row++) {
+            rest.add(column.line(row), new float[] {column.at(row, 0)});
+        }
+        return rest;
+    }
+}
