@@ -29,6 +29,9 @@ public final class ArtFiles {
             PictureFile.write(assets.resolve(recipe.colourFile()), surface.colourPicture());
             PictureFile.write(assets.resolve(recipe.normalFile()), surface.normalPicture());
         }
+        for (PictureRecipe recipe : ScenePictures.ALL) {
+            PictureFile.write(assets.resolve(recipe.file()), recipe.painter().get());
+        }
         for (int face = 0; face < 6; face++) {
             PictureFile.write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
         }
