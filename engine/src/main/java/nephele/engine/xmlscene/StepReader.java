@@ -11,6 +11,7 @@ import nephele.engine.xmlscene.XmlGroup.Step;
 /** The frames of groups. */
 final class StepReader {
     private static final int CURVE_POINTS = 4;
+    private static final double LEAST_SECONDS = 1e-6;
 
     private final Dialect dialect;
     private final Remarks remarks;
@@ -123,9 +124,12 @@ final class StepReader {
     /** @return 0 for none */
     private static double seconds(ElementValues values) {
         double seconds = values.number("time", 0);
-        if (seconds == 0 && values.has("time")) {
-            values.warn("its time is 0: it stands");
+        if (Math.abs(seconds) >= LEAST_SECONDS) {
+            return seconds;
         }
-        return seconds;
+        if (values.has("time")) {
+            values.warn("it has no time to move in: it stands");
+        }
+        return 0;
     }
 }

@@ -1,0 +1,133 @@
+package nephele.engine.xmlscene;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Matrix4d;
+import org.joml.Matrix4dc;
+
+/**
+ * A scene's models and lights in one list each, with their places at a time. Models come in document order, those of a
+ * group before those of the groups in it. Lights that reach a model are a chain: {@link #firstLight} and, from there,
+ * {@link #nextLight} until {@link #NONE}; groups share what they inherit, however deep they are.
+ */
+public final class PosedScene {
+    public static final int NONE = -1;
+
+    private static final Matrix4dc WORLD = new Matrix4d();
+
+    private final List<Frame> frames = new ArrayList<>();
+    private final List<Placed<XmlModel>> models = new ArrayList<>();
+    private final List<Placed<XmlLight>> lights = new ArrayList<>();
+    private double seconds;
+
+    /** Something in a frame. @param light the first one that reaches a model, the next one of the chain for a light */
+    private record Placed<T>(T what, Frame frame, int light) {}
+
+    /** @param parent {@code null} for the world */
+    private record Frame(Frame parent, StepFrames steps, boolean moves, Matrix4d place) {
+        void at(double seconds) {
+            steps.at(seconds, parent == null ? WORLD : parent.place, place);
+        }
+    }
+
+    /** A group that waits for its turn, with what it inherits. */
+    private record Waiting(XmlGroup group, Frame frame, int lights) {}
+
+    private PosedScene(XmlScene scene) {
+        Frame world = new Frame(null, new StepFrames(List.of()), false, new Matrix4d());
+        int lit = addLights(scene.lights(), world, NONE);
+        List<Waiting> waiting = new ArrayList<>();
+        waiting.add(new Waiting(scene.root(), world, lit));
+        while (!waiting.isEmpty()) {
+            Waiting next = waiting.remove(waiting.size() - 1);
+            XmlGroup group = next.group;
+            Frame frame = group.steps().isEmpty() ? next.frame : frame(next.frame, group);
+            int chain = addLights(group.lights(), frame, next.lights);
+            group.models().forEach(model -> models.add(new Placed<>(model, frame, chain)));
+            for (int i = group.groups().size() - 1; i >= 0; i--) {
+                waiting.add(new Waiting(group.groups().get(i), frame, chain));
+            }
+        }
+    }
+
+    /** At time 0. */
+    public static PosedScene of(XmlScene scene) {
+        PosedScene posed = new PosedScene(scene);
+        posed.frames.forEach(frame -> frame.at(0));
+        return posed;
+    }
+
+    private Frame frame(Frame parent, XmlGroup group) {
+        StepFrames steps = new StepFrames(group.steps());
+        Frame frame = new Frame(parent, steps, parent.moves || steps.moves(), new Matrix4d());
+        frames.add(frame);
+        return frame;
+    }
+
+    private int addLights(List<XmlLight> added, Frame frame, int last) {
+        int before = last;
+        for (XmlLight light : added) {
+            lights.add(new Placed<>(light, frame, before));
+            before = lights.size() - 1;
+        }
+        return before;
+    }
+
+    /** Places everything; what does not move is left where it is. Allocates nothing. @param newSeconds finite */
+    public void at(double newSeconds) {
+        if (!Double.isFinite(newSeconds)) {
+            throw new IllegalArgumentException("the time " + newSeconds + " is not finite");
+        }
+        if (newSeconds == seconds) {
+            return;
+        }
+        seconds = newSeconds;
+        // Parents come before what is in them.
+        for (int i = 0; i < frames.size(); i++) {
+            if (frames.get(i).moves) {
+                frames.get(i).at(seconds);
+            }
+        }
+    }
+
+    public int modelCount() {
+        return models.size();
+    }
+
+    public XmlModel model(int number) {
+        return models.get(number).what;
+    }
+
+    /** Whether its place may change with time. */
+    public boolean moves(int model) {
+        return models.get(model).frame.moves;
+    }
+
+    /** As of the last {@link #at}: the object stays, its value changes. Not finite where its steps overflow. */
+    public Matrix4dc worldFromModel(int model) {
+        return models.get(model).frame.place;
+    }
+
+    /** The light that begins the chain of those that reach a model, or {@link #NONE}. */
+    public int firstLight(int model) {
+        return models.get(model).light;
+    }
+
+    public int lightCount() {
+        return lights.size();
+    }
+
+    public XmlLight light(int number) {
+        return lights.get(number).what;
+    }
+
+    /** The frame in which {@link #light} is given; as {@link #worldFromModel}. */
+    public Matrix4dc worldFromLight(int light) {
+        return lights.get(light).frame.place;
+    }
+
+    /** The light that also reaches what this one reaches, or {@link #NONE}. */
+    public int nextLight(int light) {
+        return lights.get(light).light;
+    }
+}
