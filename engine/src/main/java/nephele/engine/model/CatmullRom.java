@@ -1,0 +1,102 @@
+package nephele.engine.model;
+
+import java.util.List;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+
+/**
+ * A curve through points that is smooth in its parameter: on each span the cubic with the points' positions and with the
+ * tangents of the parabola through each point and its neighbours, which is Barry and Goldman's Catmull-Rom curve (1988)
+ * for any knots. Points at one place are as good as one of them, and one point is a curve that stays there.
+ */
+public final class CatmullRom {
+    /** A shorter span would make its tangents meaningless. */
+    private static final double LEAST_SPAN = 1e-9;
+
+    private final CurveKnots knots;
+
+    private CatmullRom(CurveKnots knots) {
+        this.knots = knots;
+    }
+
+    /** Back to the first point after the last, as long on the way to each: the paths of XML scenes. Goes from 0 to 1. */
+    public static CatmullRom uniformLoop(List<Vec3> points) {
+        return new CatmullRom(CurveKnots.loop(points, 0));
+    }
+
+    /**
+     * Back to the first point after the last, without cusps and loops within a span (Yuksel, Schaefer and Keyser 2011):
+     * the paths of levels. Goes from 0 to 1.
+     */
+    public static CatmullRom centripetalLoop(List<Vec3> points) {
+        return new CatmullRom(CurveKnots.loop(points, 0.5));
+    }
+
+    /** From the first point at 0 to the last at 1, with centripetal knots. */
+    public static CatmullRom centripetal(List<Vec3> points) {
+        return new CatmullRom(CurveKnots.open(points, 0.5));
+    }
+
+    /**
+     * At each point at its time; the last one of several at one time counts.
+     *
+     * @throws IllegalArgumentException for times that decrease or are no numbers, and without any
+     */
+    public static CatmullRom timed(List<Vec3> points, double[] seconds) {
+        return new CatmullRom(CurveKnots.timed(points, seconds));
+    }
+
+    /** Where the curve is; before its beginning and after its end a loop goes on and another curve stands still. */
+    public Vector3d position(double parameter, Vector3d into) {
+        return evaluate(parameter, false, into);
+    }
+
+    /** How the position changes per unit of the parameter; 0 where the curve stands still. */
+    public Vector3d derivative(double parameter, Vector3d into) {
+        return evaluate(parameter, true, into);
+    }
+
+    private Vector3d evaluate(double parameter, boolean slope, Vector3d into) {
+        double at = knots.within(parameter);
+        int from = knots.spanOf(at);
+        double span = knots.span(from);
+        if (span < LEAST_SPAN || (slope && at != parameter && !knots.closed())) {
+            return slope ? into.zero() : into.set(knots.point(from));
+        }
+        double t = (at - knots.knot(from)) / span;
+        double[] weights = slope ? slopeWeights(t) : valueWeights(t);
+        into.set(knots.point(from)).mul(weights[0]);
+        into.fma(weights[1] * span, tangent(from)).fma(weights[2], knots.point(from + 1));
+        into.fma(weights[3] * span, tangent(from + 1));
+        return slope ? into.div(span) : into;
+    }
+
+    /** Hermite's cubics: first position, first tangent, second position, second tangent. */
+    private static double[] valueWeights(double t) {
+        double u = 1 - t;
+        return new double[] {(1 + 2 * t) * u * u, t * u * u, t * t * (3 - 2 * t), -t * t * u};
+    }
+
+    private static double[] slopeWeights(double t) {
+        return new double[] {6 * t * t - 6 * t, 3 * t * t - 4 * t + 1, 6 * t - 6 * t * t, 3 * t * t - 2 * t};
+    }
+
+    /** Of the parabola through the point and its neighbours; at an end that has none, towards the only neighbour. */
+    private Vector3d tangent(int i) {
+        boolean first = !knots.closed() && i == 0;
+        boolean last = !knots.closed() && i == knots.spans();
+        double before = first ? 0 : knots.span(i - 1);
+        double after = last ? 0 : knots.span(i);
+        Vector3d arriving = before < LEAST_SPAN ? new Vector3d() : chord(i - 1, before);
+        Vector3d leaving = after < LEAST_SPAN ? new Vector3d() : chord(i, after);
+        if (before < LEAST_SPAN || after < LEAST_SPAN) {
+            return arriving.add(leaving);
+        }
+        double sum = before + after;
+        return arriving.mul(after / sum).fma(before / sum, leaving);
+    }
+
+    private Vector3d chord(int from, double span) {
+        return new Vector3d(knots.point(from + 1)).sub(knots.point(from)).div(span);
+    }
+}
