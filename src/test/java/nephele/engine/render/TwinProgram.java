@@ -15,7 +15,7 @@ import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Uniforms;
 
 /** Runs one include's function over many inputs, a pixel each, into 32-bit floats. */
-final class TwinProgram {
+public final class TwinProgram {
     private static final String FOLDER = "/nephele/engine/render/twin/";
 
     private TwinProgram() {}
@@ -24,7 +24,7 @@ final class TwinProgram {
      * @param inputs four floats to a texel, the same number of texels for each of {@code count} pixels
      * @return three floats for each pixel
      */
-    static float[] run(String shader, float[] inputs, int count, Consumer<Uniforms> setUp) {
+    public static float[] run(String shader, float[] inputs, int count, Consumer<Uniforms> setUp) {
         try (GlContext gl = GlContext.offscreen();
                 RenderTarget target = RenderTarget.picture(gl, "twin", PixelFormat.RGBA32F, count, 1);
                 BufferTexture texels = BufferTexture.ofFloats(gl, "inputs", inputs);

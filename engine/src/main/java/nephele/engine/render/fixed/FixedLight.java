@@ -1,7 +1,5 @@
 package nephele.engine.render.fixed;
 
-import java.util.Collection;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.xmlscene.XmlLight;
@@ -12,19 +10,17 @@ import org.joml.Vector3dc;
 /**
  * The light model of OpenGL 2.1, section 2.14.1, for white lights without attenuation and ambient part, white global
  * ambient light and a viewer at infinity: the exact twin of {@code fixed-light.glsl}.
+ *
+ * @param towardsViewer of unit length, the same for all points
+ * @param lights in the frame of the points
  */
-public final class FixedLight {
-    private FixedLight() {}
-
+public record FixedLight(Vector3dc towardsViewer, List<XmlLight> lights, Set<LightTerm> terms) {
     /**
      * The colour of a point, 0–1.
      *
      * @param normal of unit length
-     * @param towardsViewer of unit length, the same for all points
-     * @param lights in the frame of point and normal
      */
-    public static Vector3d lit(
-            Colours colours, Point point, Vector3dc towardsViewer, Collection<XmlLight> lights, Set<LightTerm> terms) {
+    public Vector3d lit(Colours colours, Vector3dc point, Vector3dc normal) {
         var sum = new Vector3d();
         if (terms.contains(LightTerm.AMBIENT)) {
             sum.add(colours.ambient().toVector());
@@ -32,35 +28,26 @@ public final class FixedLight {
         if (terms.contains(LightTerm.EMISSIVE)) {
             sum.add(colours.emissive().toVector());
         }
-        lights.forEach(light -> sum.add(share(colours, point, towardsViewer, light, terms)));
+        for (XmlLight light : lights) {
+            Vector3d towards = towards(light, point);
+            if (normal.dot(towards) > 0) {
+                sum.fma(spotShare(light, towards), reflected(colours, normal, towards));
+            }
+        }
         return sum.max(new Vector3d(0)).min(new Vector3d(1));
     }
 
-    /** Every term. */
-    public static Vector3d lit(Colours colours, Point point, Vector3dc towardsViewer, List<XmlLight> lights) {
-        return lit(colours, point, towardsViewer, lights, EnumSet.allOf(LightTerm.class));
-    }
-
-    /** What is lit: a place on a surface. */
-    public record Point(Vector3dc position, Vector3dc normal) {}
-
-    private static Vector3d share(
-            Colours colours, Point point, Vector3dc towardsViewer, XmlLight light, Set<LightTerm> terms) {
-        Vector3d towards = towards(light, point.position());
-        double facing = point.normal().dot(towards);
+    private Vector3d reflected(Colours colours, Vector3dc normal, Vector3dc towards) {
         var reflected = new Vector3d();
-        if (facing <= 0) {
-            return reflected;
-        }
         if (terms.contains(LightTerm.DIFFUSE)) {
-            reflected.fma(facing, colours.diffuse().toVector());
+            reflected.fma(normal.dot(towards), colours.diffuse().toVector());
         }
         if (terms.contains(LightTerm.SPECULAR)) {
             Vector3d halfway = unitOrNothing(towards.add(towardsViewer, new Vector3d()));
-            double gloss = power(Math.max(point.normal().dot(halfway), 0), colours.shininess());
+            double gloss = power(Math.max(normal.dot(halfway), 0), colours.shininess());
             reflected.fma(gloss, colours.specular().toVector());
         }
-        return reflected.mul(spotShare(light, towards));
+        return reflected;
     }
 
     private static Vector3d towards(XmlLight light, Vector3dc position) {
