@@ -20,7 +20,7 @@ public final class Commands {
             new CommandEntry(
                     "generate", "Make a primitive mesh: generate SHAPE ARGUMENT... FILE.3d", UnbuiltCommand::new),
             new CommandEntry(
-                    "scene", "View an XML scene: scene [FILE.xml [ENTITY.xml [BACKGROUND]]]", UnbuiltCommand::new),
+                    "scene", "View an XML scene: scene [FILE.xml [ENTITY.xml [BACKGROUND]]]", SceneCommand::new),
             new CommandEntry(
                     "import", "Turn an XML scene into a level: import FILE.xml --out LEVEL.json", UnbuiltCommand::new));
 

@@ -5,6 +5,7 @@ import java.util.EnumMap;
 import java.util.Map;
 import nephele.engine.asset.Picture;
 import nephele.engine.math.Frustum;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.fixed.ModelOrder.Motion;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.DrawState.Fill;
@@ -44,8 +45,12 @@ public final class FixedSceneDrawing implements AutoCloseable {
         scene = new Part(gl, sources.scene(), Motion.STAYS, white, null);
         entity = sources.entity() == null ? null : new Part(gl, sources.entity(), Motion.MOVES, white, scene.poses);
         background = sources.background() == null ? null : new BackgroundDrawing(gl, sources.background());
-        var camera = sources.scene().scene().eye();
-        axes = new AxesDrawing(gl, 2 * camera.far());
+        axes = new AxesDrawing(gl, axisLength(sources.scene().scene().eye().position()));
+    }
+
+    /** As long as in the course's own pictures, and across the picture for an eye that is farther away. */
+    private static double axisLength(Vec3 eyePosition) {
+        return Math.max(100, 5 * eyePosition.toVector().length());
     }
 
     /** Sends everything to the GPU. */

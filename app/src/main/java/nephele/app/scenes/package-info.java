@@ -1,0 +1,2 @@
+/** XML scenes that a user names, opened with all that they show. */
+package nephele.app.scenes;

@@ -1,0 +1,112 @@
+package nephele.engine.render.fixed;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.Picture;
+import nephele.engine.asset.PictureDecoder;
+import nephele.engine.model.GeneratedName;
+import nephele.engine.model.Mesh;
+import nephele.engine.model.ModelFileException;
+import nephele.engine.model.ModelFiles;
+import nephele.engine.xmlscene.XmlModel;
+
+/**
+ * The files beside a scene, each read once. A mesh that is not there but has a name of the generator's is generated.
+ * What cannot be shown is complained of once, with the first line that asks for it.
+ */
+public final class SceneFolder implements SceneFiles {
+    /** Of all meshes, and of all pictures: beyond, a scene would not fit into a graphics card. */
+    private static final long MOST_VERTICES = 16L << 20;
+
+    private static final long MOST_PIXELS = 128L << 20;
+
+    private final String sceneFile;
+    private final AssetSource assets;
+    private final Consumer<String> complaints;
+    private final Map<String, Optional<Mesh>> meshes = new HashMap<>();
+    private final Map<String, Optional<Picture>> pictures = new HashMap<>();
+    private long vertices;
+    private long pixels;
+
+    /**
+     * @param sceneFile how complaints call it
+     * @param assets names in the scene are relative to its folder
+     */
+    public SceneFolder(String sceneFile, AssetSource assets, Consumer<String> complaints) {
+        this.sceneFile = sceneFile;
+        this.assets = assets;
+        this.complaints = complaints;
+    }
+
+    @Override
+    public Mesh mesh(XmlModel model) {
+        return meshes.computeIfAbsent(model.file(), file -> found(model, () -> readMesh(file)))
+                .orElse(null);
+    }
+
+    @Override
+    public Picture picture(XmlModel model) {
+        return pictures.computeIfAbsent(model.texture(), file -> found(model, () -> readPicture(file)))
+                .orElse(null);
+    }
+
+    /** Reads what may fail. */
+    @FunctionalInterface
+    private interface Reading<T> {
+        T read() throws ModelFileException, AssetException;
+    }
+
+    private <T> Optional<T> found(XmlModel model, Reading<T> reading) {
+        try {
+            return Optional.of(reading.read());
+        } catch (ModelFileException | AssetException problem) {
+            complaints.accept(sceneFile + ":" + model.line() + ": " + problem.getMessage());
+            return Optional.empty();
+        }
+    }
+
+    private Mesh readMesh(String file) {
+        Mesh mesh = assets.exists(file) ? ModelFiles.read(file, assets.bytes(file), neighbours(file)) : generated(file);
+        if (vertices + mesh.vertexCount() > MOST_VERTICES) {
+            throw new ModelFileException(
+                    file, 0, "the scene's meshes have more than " + MOST_VERTICES + " vertices", "use smaller ones");
+        }
+        vertices += mesh.vertexCount();
+        return mesh;
+    }
+
+    private Mesh generated(String file) {
+        return GeneratedName.shape(file, neighbours(file))
+                .orElseThrow(() -> missing(file))
+                .mesh();
+    }
+
+    private Function<String, byte[]> neighbours(String file) {
+        String folder = file.substring(0, file.lastIndexOf('/') + 1);
+        return name -> assets.exists(folder + name) ? assets.bytes(folder + name) : null;
+    }
+
+    private Picture readPicture(String file) {
+        if (!assets.exists(file)) {
+            throw missing(file);
+        }
+        Picture picture = PictureDecoder.decode(file, assets.bytes(file));
+        long size = (long) picture.width() * picture.height();
+        if (pixels + size > MOST_PIXELS) {
+            throw new AssetException(
+                    file, "the scene's pictures have more than " + MOST_PIXELS + " pixels", "use smaller ones");
+        }
+        pixels += size;
+        return picture;
+    }
+
+    private static AssetException missing(String file) {
+        return new AssetException(
+                file, "there is no such file", "put it into the scene's folder (names are case-sensitive)");
+    }
+}
