@@ -65,16 +65,16 @@ final class Vocabulary {
         };
     }
 
-    /** One tag. */
+    /** One tag. @param children as they are spelt @param attributes in any capitals */
     record Word(String name, Set<String> children, Set<String> attributes) {
         static Word of(String name, String children, String attributes) {
-            return new Word(name, words(children), words(attributes));
+            Set<String> anyCapitals = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
+            anyCapitals.addAll(words(attributes));
+            return new Word(name, words(children), anyCapitals);
         }
 
         private static Set<String> words(String listed) {
-            Set<String> set = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
-            set.addAll(listed.isEmpty() ? List.of() : List.of(listed.split(" ")));
-            return set;
+            return listed.isEmpty() ? Set.of() : Set.of(listed.split(" "));
         }
 
         /** Whether it holds others of its kind to any depth: nothing ends it but its own end. */

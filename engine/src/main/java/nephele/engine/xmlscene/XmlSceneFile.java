@@ -12,7 +12,7 @@ public final class XmlSceneFile {
     public static final int MOST_BYTES = 16 << 20;
     public static final int MOST_NESTED_GROUPS = 10_000;
 
-    static final int MOST_ELEMENTS = 500_000;
+    static final int MOST_ELEMENTS = 250_000;
 
     private XmlSceneFile() {}
 
