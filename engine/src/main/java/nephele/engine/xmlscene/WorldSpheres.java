@@ -15,9 +15,16 @@ public final class WorldSpheres {
     private static final double ROUNDING = 0x1p-48;
 
     private final double[] spheres;
+    private final double rounding;
 
     public WorldSpheres(int count) {
+        this(count, ROUNDING);
+    }
+
+    /** @param rounding how far off, relative to the numbers that enter, vertices may be where they are drawn */
+    public WorldSpheres(int count, double rounding) {
         spheres = new double[STRIDE * count];
+        this.rounding = rounding;
     }
 
     /** A sphere as a model has it, at its place. @param radius at least 0 */
@@ -33,7 +40,7 @@ public final class WorldSpheres {
         spheres[at + 2] = m.m02() * x + m.m12() * y + m.m22() * z + m.m32();
         double reach = stretch * (Math.abs(x) + Math.abs(y) + Math.abs(z) + radius);
         double sums = reach + Math.abs(m.m30()) + Math.abs(m.m31()) + Math.abs(m.m32());
-        spheres[at + 3] = radius * stretch + ROUNDING * sums;
+        spheres[at + 3] = radius * stretch + rounding * sums;
     }
 
     public double x(int number) {

@@ -1,13 +1,10 @@
 package nephele.engine.render.fixed;
 
-import java.nio.FloatBuffer;
 import java.util.EnumMap;
 import java.util.Map;
 import nephele.engine.asset.Picture;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.fixed.ModelOrder.Motion;
-import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.DrawState.Fill;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -17,15 +14,14 @@ import nephele.engine.scene.View;
 import nephele.engine.xmlscene.XmlScene;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
-import org.lwjgl.BufferUtils;
 
 /** Draws an XML scene, with an entity that is flown about in it and a background if there are any. */
 public final class FixedSceneDrawing implements AutoCloseable {
     private static final Matrix4dc AT_HOME = new Matrix4d();
 
     private final GlContext gl;
-    private final Part scene;
-    private final Part entity;
+    private final SceneOnGpu scene;
+    private final SceneOnGpu entity;
     private final BackgroundDrawing background;
     private final AxesDrawing axes;
     private final Texture white;
@@ -42,8 +38,8 @@ public final class FixedSceneDrawing implements AutoCloseable {
     private FixedSceneDrawing(GlContext gl, Sources sources) {
         this.gl = gl;
         white = PictureTexture.white(gl);
-        scene = new Part(gl, sources.scene(), Motion.STAYS, white, null);
-        entity = sources.entity() == null ? null : new Part(gl, sources.entity(), Motion.MOVES, white, scene.poses);
+        scene = SceneOnGpu.atHome(gl, sources.scene(), white);
+        entity = sources.entity() == null ? null : SceneOnGpu.entity(gl, sources.entity(), white, scene);
         background = sources.background() == null ? null : new BackgroundDrawing(gl, sources.background());
         axes = new AxesDrawing(gl, axisLength(sources.scene().scene().eye().position()));
     }
@@ -84,19 +80,21 @@ public final class FixedSceneDrawing implements AutoCloseable {
         if (look.axes() == SceneLook.Axes.SHOWN) {
             axes.draw(eye);
         }
-        drawModels(view, look);
+        drawModels(look);
     }
 
-    private void drawModels(View view, SceneLook look) {
+    private void drawModels(SceneLook look) {
         gl.state().fill(look.shading() == Shading.WIREFRAME ? Fill.EDGES : Fill.WHOLE);
         var inputs = programs.computeIfAbsent(look.shading(), shading -> new FixedProgram(gl, shading))
                 .use(eye, look);
-        boolean culls = look.culling() == SceneLook.Culling.SPHERES;
-        frustum.restart(view.eyeX(), view.eyeY(), view.eyeZ());
-        frustum.keepAll(eye.exactClipFromRelative());
-        scene.draw(inputs, culls ? frustum : null);
+        // Rounded as shaders have it.
+        frustum.restart(eye.x(), eye.y(), eye.z());
+        if (look.culling() == SceneLook.Culling.SPHERES) {
+            frustum.keepAll(eye.exactClipFromRelative());
+        }
+        scene.draw(inputs, frustum);
         if (entity != null) {
-            entity.draw(inputs, culls ? frustum : null);
+            entity.draw(inputs, frustum);
         }
         gl.state().fill(Fill.WHOLE);
     }
@@ -113,45 +111,5 @@ public final class FixedSceneDrawing implements AutoCloseable {
         axes.close();
         white.close();
         programs.values().forEach(FixedProgram::close);
-    }
-
-    /** One scene's models with the lights that reach them. */
-    private static final class Part implements AutoCloseable {
-        private final ScenePoses poses;
-        private final ScenePoses lightsAround;
-        private final PlacedModels models;
-        private final LightTable lights;
-        private final BufferTexture lightTexels;
-        private final FloatBuffer staging;
-
-        Part(GlContext gl, Source source, Motion least, Texture white, ScenePoses lightsAround) {
-            poses = new ScenePoses(source.scene());
-            this.lightsAround = lightsAround;
-            models = new PlacedModels(gl, ModelOrder.of(poses, source.files(), least), white);
-            lights = new LightTable(Math.max(1, poses.lights().size()));
-            lightTexels = BufferTexture.changing(gl, "lights");
-            staging = BufferUtils.createFloatBuffer(lights.packed().length);
-        }
-
-        void pose(double seconds, Matrix4dc outer) {
-            poses.set(seconds);
-            models.update(outer);
-            for (int i = 0; i < poses.lights().size(); i++) {
-                var light = poses.lights().get(i);
-                lights.put(i, light.what(), light.group().place(), light.lightBefore());
-            }
-            lightTexels.upload(staging.clear().put(lights.packed()).flip());
-        }
-
-        void draw(FixedProgram.Inputs inputs, Frustum frustum) {
-            lightTexels.bind(FixedProgram.LIGHTS_UNIT);
-            models.draw(inputs, frustum);
-        }
-
-        @Override
-        public void close() {
-            models.close();
-            lightTexels.close();
-        }
     }
 }

@@ -77,9 +77,11 @@ final class LightTable {
         put(at, length > 0 ? v.div(length) : v);
     }
 
+    /** Where steps overflow there is no light: a direction of no length lights nothing. */
     private void put(int at, Vector3d v) {
-        packed[at] = (float) v.x;
-        packed[at + 1] = (float) v.y;
-        packed[at + 2] = (float) v.z;
+        boolean finite = Math.abs(v.x) + Math.abs(v.y) + Math.abs(v.z) < Float.MAX_VALUE;
+        packed[at] = finite ? (float) v.x : 0;
+        packed[at + 1] = finite ? (float) v.y : 0;
+        packed[at + 2] = finite ? (float) v.z : 0;
     }
 }

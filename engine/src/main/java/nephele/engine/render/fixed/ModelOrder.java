@@ -2,21 +2,24 @@ package nephele.engine.render.fixed;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import nephele.engine.asset.Picture;
 import nephele.engine.model.Mesh;
-import nephele.engine.render.fixed.ScenePoses.Placed;
+import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.XmlModel;
 
-/** The models of a scene that can be shown, numbered so that those drawn by one call follow each other. */
+/**
+ * The models of a scene that can be shown, numbered anew: those that stay before those that move, and those that one
+ * call draws one after the other.
+ */
 final class ModelOrder {
-    private final List<Placed<XmlModel>> models = new ArrayList<>();
+    private final List<Integer> posedNumbers = new ArrayList<>();
     private final List<Run> runs = new ArrayList<>();
+    private int staying;
 
-    /** Those that stay come first, since they are placed once. */
+    /** Those that stay are placed once. */
     enum Motion {
         STAYS,
         MOVES
@@ -34,41 +37,47 @@ final class ModelOrder {
     /** The models of a kind are numbered from {@code first} to before {@code end}. */
     record Run(Kind kind, int first, int end) {}
 
-    /** @param moving of all of them, as of an entity that is flown about */
-    static ModelOrder of(ScenePoses poses, SceneFiles files, Motion least) {
-        Map<Kind, List<Placed<XmlModel>>> byKind = new HashMap<>();
-        List<Kind> kinds = new ArrayList<>();
-        for (Placed<XmlModel> model : poses.models()) {
-            Mesh mesh = files.mesh(model.what());
-            if (mesh == null) {
-                continue;
+    private ModelOrder() {}
+
+    /** @param least of all models, as of an entity that is flown about */
+    static ModelOrder of(PosedScene posed, SceneFiles files, Motion least) {
+        Map<Kind, List<Integer>> byKind = new LinkedHashMap<>();
+        for (int number = 0; number < posed.modelCount(); number++) {
+            Mesh mesh = files.mesh(posed.model(number));
+            if (mesh != null) {
+                Motion motion = posed.moves(number) ? Motion.MOVES : least;
+                byKind.computeIfAbsent(kind(posed, number, mesh, files, motion), added -> new ArrayList<>())
+                        .add(number);
             }
-            Picture picture = model.what().texture() == null ? null : files.picture(model.what());
-            boolean moves = least == Motion.MOVES || model.group().moves();
-            boolean mirrored = model.group().place().determinant3x3() < 0;
-            Kind kind = new Kind(
-                    moves ? Motion.MOVES : Motion.STAYS,
-                    mesh,
-                    picture,
-                    mirrored ? Handedness.MIRRORED : Handedness.KEPT);
-            byKind.computeIfAbsent(kind, added -> {
-                        kinds.add(added);
-                        return new ArrayList<>();
-                    })
-                    .add(model);
         }
-        kinds.sort(Comparator.comparing(Kind::motion));
         ModelOrder order = new ModelOrder();
-        for (Kind kind : kinds) {
-            int first = order.models.size();
-            order.models.addAll(Objects.requireNonNull(byKind.get(kind)));
-            order.runs.add(new Run(kind, first, order.models.size()));
-        }
+        byKind.entrySet().stream()
+                .sorted(Comparator.comparing(entry -> entry.getKey().motion()))
+                .forEach(entry -> order.add(entry.getKey(), entry.getValue()));
         return order;
     }
 
-    List<Placed<XmlModel>> models() {
-        return models;
+    private static Kind kind(PosedScene posed, int number, Mesh mesh, SceneFiles files, Motion motion) {
+        XmlModel model = posed.model(number);
+        Picture picture = model.texture() == null ? null : files.picture(model);
+        boolean mirrored = posed.worldFromModel(number).determinant3x3() < 0;
+        return new Kind(motion, mesh, picture, mirrored ? Handedness.MIRRORED : Handedness.KEPT);
+    }
+
+    private void add(Kind kind, List<Integer> numbers) {
+        int first = posedNumbers.size();
+        posedNumbers.addAll(numbers);
+        runs.add(new Run(kind, first, posedNumbers.size()));
+        staying = kind.motion() == Motion.STAYS ? posedNumbers.size() : staying;
+    }
+
+    int count() {
+        return posedNumbers.size();
+    }
+
+    /** The number of a model in the posed scene. */
+    int posedNumber(int number) {
+        return posedNumbers.get(number);
     }
 
     List<Run> runs() {
@@ -77,10 +86,6 @@ final class ModelOrder {
 
     /** How many models stay: the number of the first that moves. */
     int staying() {
-        return runs.stream()
-                .filter(run -> run.kind().motion() == Motion.STAYS)
-                .mapToInt(Run::end)
-                .max()
-                .orElse(0);
+        return staying;
     }
 }

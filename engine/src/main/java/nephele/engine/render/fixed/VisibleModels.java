@@ -33,10 +33,9 @@ final class VisibleModels implements AutoCloseable {
         runs = 0;
     }
 
-    /** @param frustum {@code null} for all */
-    void add(Run run, ModelSpheres spheres, Frustum frustum) {
+    void add(Run run, ModelPlaces places, Frustum frustum) {
         for (int number = run.first(); number < run.end(); number++) {
-            if (frustum == null || spheres.mayBeSeen(number, frustum)) {
+            if (places.maySee(number, frustum)) {
                 numbers[size++] = number;
             }
         }

@@ -13,7 +13,7 @@ struct FixedMaterial {
     vec3 specular;
     vec3 emissive;
     float shininess;
-    int lastLight; // the first of a chain; -1 for none
+    int firstLight; // the first of a chain; -1 for none
 };
 
 vec3 unitOrNothing(vec3 v) {
@@ -48,7 +48,7 @@ vec3 fixedLightShare(FixedMaterial m, vec3 point, vec3 normal, vec4 place, vec4 
 // normal: of unit length
 vec3 fixedLit(FixedMaterial m, vec3 point, vec3 normal) {
     vec3 sum = lightTerms.x * m.ambient + lightTerms.w * m.emissive;
-    for (int light = m.lastLight; light >= 0;) {
+    for (int light = m.firstLight; light >= 0;) {
         vec4 place = texelFetch(fixedLights, LIGHT_TEXELS * light);
         vec4 spot = texelFetch(fixedLights, LIGHT_TEXELS * light + 1);
         vec2 exponentAndBefore = texelFetch(fixedLights, LIGHT_TEXELS * light + 2).xy;
