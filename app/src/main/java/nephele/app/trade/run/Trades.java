@@ -5,11 +5,13 @@ import java.util.stream.Collectors;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.trade.Trade;
 import nephele.app.trade.subject.AnisotropySubject;
+import nephele.app.trade.subject.CullingSphereSubject;
 import nephele.app.trade.subject.CullingSubject;
 import nephele.app.trade.subject.OutputSubject;
 import nephele.app.trade.subject.PlacementSubject;
 import nephele.app.trade.subject.PortalSubjects;
 import nephele.app.trade.subject.SamplesSubject;
+import nephele.app.trade.subject.SceneSubjects;
 import nephele.app.trade.subject.ShadowSubject;
 import nephele.app.trade.subject.TickRateSubject;
 import nephele.app.trade.subject.TraversalSubject;
@@ -29,7 +31,11 @@ public final class Trades {
             CullingSubject.OF_MANY,
             PlacementSubject.TRADE,
             TraversalSubject.TRADE,
-            TickRateSubject.TRADE);
+            TickRateSubject.TRADE,
+            SceneSubjects.SHADING,
+            SceneSubjects.TESSELLATION,
+            SceneSubjects.CONE_NORMALS,
+            CullingSphereSubject.TRADE);
 
     private Trades() {}
 
