@@ -16,6 +16,7 @@ public final class Proofs {
             new PortalIdsProof(),
             new PortalLightProof(),
             new ShadowEdgesProof(),
+            new SceneCullingProof(),
             new RayProof(),
             new RotationProof(),
             new PlacementProof(),

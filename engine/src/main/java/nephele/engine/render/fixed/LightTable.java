@@ -67,8 +67,7 @@ final class LightTable {
 
     private void position(int at, Vector3d v, Matrix4dc worldFromLight) {
         worldFromLight.transformPosition(v);
-        put(at, v);
-        packed[at + 3] = 1;
+        packed[at + 3] = put(at, v) ? 1 : 0;
     }
 
     private void direction(int at, Vector3d v, Matrix4dc worldFromLight) {
@@ -78,10 +77,11 @@ final class LightTable {
     }
 
     /** Where steps overflow there is no light: a direction of no length lights nothing. */
-    private void put(int at, Vector3d v) {
+    private boolean put(int at, Vector3d v) {
         boolean finite = Math.abs(v.x) + Math.abs(v.y) + Math.abs(v.z) < Float.MAX_VALUE;
         packed[at] = finite ? (float) v.x : 0;
         packed[at + 1] = finite ? (float) v.y : 0;
         packed[at + 2] = finite ? (float) v.z : 0;
+        return finite;
     }
 }
