@@ -22,7 +22,7 @@ public final class Commands {
             new CommandEntry(
                     "scene", "View an XML scene: scene [FILE.xml [ENTITY.xml [BACKGROUND]]]", SceneCommand::new),
             new CommandEntry(
-                    "import", "Turn an XML scene into a level: import FILE.xml --out LEVEL.json", UnbuiltCommand::new));
+                    "import", "Turn an XML scene into a level: import FILE.xml --out LEVEL.json", ImportCommand::new));
 
     private Commands() {}
 

@@ -1,0 +1,54 @@
+package nephele.app.command;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import nephele.app.scenes.SceneImport;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.LevelFormatException;
+import nephele.engine.level.LevelSaveException;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Turns an XML scene into a level. */
+@picocli.CommandLine.Command
+final class ImportCommand implements Command {
+    @Parameters(index = "0", paramLabel = "FILE.xml", description = "A scene.")
+    private Path scene;
+
+    @Option(
+            names = "--out",
+            required = true,
+            paramLabel = "LEVEL.json",
+            description = "The level to write; its meshes and pictures go beside it. An old one stays as .bak.")
+    private Path out;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) {
+        if (!out.toString().toLowerCase(Locale.ROOT).endsWith(".json")) {
+            throw CommandFailure.usage("--out must end in .json: " + out);
+        }
+        Level level = SceneImport.level(scene, out, terminal.err()::println);
+        try {
+            LevelFile.save(out, level);
+        } catch (LevelSaveException failure) {
+            throw CommandFailure.environment(failure.getMessage(), failure);
+        } catch (LevelFormatException wrong) {
+            throw CommandFailure.input(scene + ": makes no level: " + wrong.getMessage());
+        }
+        terminal.out().println(out + ": " + level.models().size() + " models; play it with: nephele play " + out);
+        return ExitCode.DONE;
+    }
+}

@@ -1,0 +1,133 @@
+package nephele.engine.xmlscene;
+
+import java.util.List;
+import java.util.Map;
+import nephele.engine.level.Camera;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.level.Solid;
+import nephele.engine.level.TextureMapping;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+
+/** What is added so that a scene can be walked in: a floor below everything, and somewhere on it to start. */
+record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
+    static final String FLOOR = "floor";
+
+    /** So far below the lowest point that a plane there is not drawn into the floor. */
+    private static final double GAP_METRES = 0.05;
+
+    private static final double THICKNESS_METRES = 1;
+    private static final double MARGIN_METRES = 20;
+    private static final double PLAYER_METRES = 2;
+
+    /** Beyond, walking takes for ever and the rest of a scene is sky. */
+    private static final double FARTHEST_METRES = 1e5;
+
+    static DraftGround around(List<Aabb> boxes, XmlScene.Eye eye) {
+        Aabb all = Aabb.EMPTY;
+        for (Aabb box : boxes) {
+            all = all.union(box);
+        }
+        return new DraftGround(all.isEmpty() ? Aabb.around(Vec3.ZERO, Vec3.ZERO) : within(all), boxes, eye);
+    }
+
+    private static Aabb within(Aabb box) {
+        return new Aabb(
+                clamped(box.minX(), FARTHEST_METRES),
+                clamped(box.minY(), FARTHEST_METRES),
+                clamped(box.minZ(), FARTHEST_METRES),
+                clamped(box.maxX(), FARTHEST_METRES),
+                clamped(box.maxY(), FARTHEST_METRES),
+                clamped(box.maxZ(), FARTHEST_METRES));
+    }
+
+    private static double clamped(double value, double most) {
+        return Math.max(-most, Math.min(most, value));
+    }
+
+    /** Around a box of a model, in the world. */
+    static Aabb box(Aabb box, Matrix4dc worldFromModel) {
+        Vector3d low = new Vector3d();
+        Vector3d high = new Vector3d();
+        worldFromModel.transformAab(
+                new Vector3d(box.minX(), box.minY(), box.minZ()),
+                new Vector3d(box.maxX(), box.maxY(), box.maxZ()),
+                low,
+                high);
+        return low.isFinite() && high.isFinite() ? new Aabb(low.x, low.y, low.z, high.x, high.y, high.z) : Aabb.EMPTY;
+    }
+
+    double top() {
+        return bounds.minY() - GAP_METRES;
+    }
+
+    Solid floor() {
+        double x = bounds.maxX() - bounds.minX();
+        double z = bounds.maxZ() - bounds.minZ();
+        double around = 2 * MARGIN_METRES + Math.max(x, z) / 2;
+        Vec3 middle = bounds.centre();
+        return new Solid.Box(
+                FLOOR,
+                FLOOR,
+                true,
+                TextureMapping.WORLD,
+                new Vec3(middle.x(), top() - THICKNESS_METRES / 2, middle.z()),
+                new Vec3(x + around, THICKNESS_METRES, z + around),
+                Map.of());
+    }
+
+    Camera camera() {
+        return new Camera(
+                "scene",
+                eye.position(),
+                eye.lookAt(),
+                eye.up(),
+                0,
+                eye.fovDegrees(),
+                eye.near(),
+                Math.min(1e7, eye.far()),
+                List.of());
+    }
+
+    /** Below the camera where there is room, else beside everything on its side; looks at the middle. */
+    PlayerStart player() {
+        Vec3 middle = bounds.centre();
+        double x = clampedTo(eye.position().x(), bounds.minX(), bounds.maxX());
+        double z = clampedTo(eye.position().z(), bounds.minZ(), bounds.maxZ());
+        if (isTaken(x, z)) {
+            z = eye.position().z() < middle.z() ? bounds.minZ() - MARGIN_METRES / 4 : bounds.maxZ() + MARGIN_METRES / 4;
+        }
+        double yaw = Math.toDegrees(StrictMath.atan2(x - middle.x(), z - middle.z()));
+        return new PlayerStart(new Vec3(x, top(), z), yaw, 0);
+    }
+
+    /** On the floor with a step to spare. */
+    private static double clampedTo(double value, double low, double high) {
+        return Math.max(low - MARGIN_METRES + 1, Math.min(high + MARGIN_METRES - 1, value));
+    }
+
+    private boolean isTaken(double x, double z) {
+        double half = PLAYER_METRES / 2;
+        Aabb body = new Aabb(x - half, top(), z - half, x + half, top() + PLAYER_METRES, z + half);
+        return boxes.stream().anyMatch(body::overlaps);
+    }
+
+    /** Of a lamp to what it lights. */
+    double meanDistanceMetres(Vec3 from) {
+        return boxes.stream()
+                .filter(box -> !box.isEmpty())
+                .mapToDouble(box -> box.centre().toVector().distance(from.x(), from.y(), from.z()))
+                .average()
+                .orElse(1);
+    }
+
+    /** Of a lamp to the farthest corner. */
+    double reachMetres(Vec3 from) {
+        double x = Math.max(Math.abs(bounds.minX() - from.x()), Math.abs(bounds.maxX() - from.x()));
+        double y = Math.max(Math.abs(top() - from.y()), Math.abs(bounds.maxY() - from.y()));
+        double z = Math.max(Math.abs(bounds.minZ() - from.z()), Math.abs(bounds.maxZ() - from.z()));
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+}

@@ -1,0 +1,78 @@
+package nephele.engine.xmlscene;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.level.Material;
+import nephele.engine.level.appearance.Decoding;
+import nephele.engine.math.Vec3;
+import nephele.engine.xmlscene.XmlModel.Colours;
+
+/** Display colours as materials of a level: one for each different look. */
+final class DraftLooks {
+    /** In the dark parts of a level one still wants to see where one goes. */
+    private static final double LEAST_AMBIENT = 0.1;
+
+    private final Map<Look, Material> looks = new LinkedHashMap<>();
+    private double ambient;
+    private double diffuse;
+
+    /** @param texture {@code null} for none */
+    private record Look(Colours colours, String texture) {}
+
+    /** @return the id of the material */
+    String of(Colours colours, String texture) {
+        ambient += mean(linear(colours.ambient()));
+        diffuse += mean(linear(colours.diffuse()));
+        return looks.computeIfAbsent(new Look(colours, texture), look -> material("look-" + (looks.size() + 1), look))
+                .id();
+    }
+
+    /** Colours are what a display shows; a level's are linear. */
+    private static Material material(String id, Look look) {
+        Colours colours = look.colours;
+        boolean dull = colours.specular().equals(Vec3.ZERO);
+        return new Material(
+                id,
+                linear(colours.diffuse()),
+                look.texture,
+                dull ? null : roughness(colours.shininess()),
+                null,
+                null,
+                linear(colours.emissive()),
+                1);
+    }
+
+    /**
+     * Of microfacets whose highlight is as wide as Blinn's lobe: α² = 2 / (shininess + 2) (Walter et al. 2007, section
+     * 5.2), and α is the roughness squared.
+     */
+    private static double roughness(double shininess) {
+        return Math.pow(2 / (shininess + 2), 0.25);
+    }
+
+    private static Vec3 linear(Vec3 display) {
+        return new Vec3(
+                Decoding.SRGB.linear(display.x()),
+                Decoding.SRGB.linear(display.y()),
+                Decoding.SRGB.linear(display.z()));
+    }
+
+    private static double mean(Vec3 colour) {
+        return (colour.x() + colour.y() + colour.z()) / 3;
+    }
+
+    /** What all surfaces together reflect of the scene's white ambient light, as a part of what they can. */
+    double ambientShare() {
+        return diffuse > 0 ? Math.min(1, Math.max(LEAST_AMBIENT, ambient / diffuse)) : 1;
+    }
+
+    /** With that of the floor. */
+    List<Material> materials() {
+        List<Material> materials = new ArrayList<>(looks.values());
+        Vec3 grey = new Vec3(0.36, 0.37, 0.39);
+        materials.add(new Material(DraftGround.FLOOR, grey, null, 0.9, null, null, Vec3.ZERO, 1));
+        return List.copyOf(materials);
+    }
+}

@@ -1,0 +1,70 @@
+package nephele.engine.xmlscene;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.PortalGun;
+import nephele.engine.level.PortalShape;
+import nephele.engine.math.Aabb;
+import nephele.engine.xmlscene.XmlScene.XmlWarning;
+
+/**
+ * A scene at time 0 as a level that plays: its models stand over a floor that portals open on, under a sky. A unit is a
+ * metre.
+ *
+ * @param warnings what a level cannot hold, in the order of lines
+ */
+public record LevelDraft(Level level, List<XmlWarning> warnings) {
+    private static final int LONGEST_NAME = 200;
+
+    /**
+     * What a level calls a model's files.
+     *
+     * @param file asset id of the mesh
+     * @param texture asset id, {@code null} for none
+     * @param box around the mesh, in its own frame
+     */
+    public record Part(String file, String texture, Aabb box) {}
+
+    /**
+     * @param name of the level
+     * @param parts as {@link PosedScene} numbers its models; {@code null} for one to leave out
+     */
+    public static LevelDraft of(String name, XmlScene scene, List<Part> parts) {
+        PosedScene posed = PosedScene.of(scene);
+        List<XmlWarning> warnings = new ArrayList<>();
+        DraftLooks looks = new DraftLooks();
+        DraftPlacements placements = DraftPlacements.of(scene, parts, looks, warnings);
+        DraftGround ground = DraftGround.around(boxes(posed, parts, placements), scene.eye());
+        DraftLights lights = DraftLights.of(posed, ground, scene, warnings);
+        Level level = new Level(
+                printable(name),
+                "an XML scene at time 0",
+                lights.environment(looks.ambientShare()),
+                ground.player(),
+                List.of(ground.camera()),
+                looks.materials(),
+                List.of(ground.floor()),
+                lights.lamps(),
+                List.of(),
+                placements.placed(),
+                List.of(),
+                new PortalGun(1.2, 2.1, PortalShape.ARCH, 500));
+        warnings.sort(Comparator.comparingInt(XmlWarning::line));
+        return new LevelDraft(level, List.copyOf(warnings));
+    }
+
+    private static List<Aabb> boxes(PosedScene posed, List<Part> parts, DraftPlacements placements) {
+        List<Aabb> boxes = new ArrayList<>();
+        for (int number : placements.numbers()) {
+            boxes.add(DraftGround.box(parts.get(number).box(), posed.worldFromModel(number)));
+        }
+        return boxes;
+    }
+
+    private static String printable(String name) {
+        String clean = name.replaceAll("\\p{Cntrl}", "?");
+        return clean.substring(0, Math.min(clean.length(), LONGEST_NAME));
+    }
+}
