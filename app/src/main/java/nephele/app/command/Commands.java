@@ -18,7 +18,7 @@ public final class Commands {
             new CommandEntry(
                     "bake", "Bake the sky into a skybox, and whatever a level caches: bake LEVEL", UnbuiltCommand::new),
             new CommandEntry(
-                    "generate", "Make a primitive mesh: generate SHAPE ARGUMENT... FILE.3d", UnbuiltCommand::new),
+                    "generate", "Make a primitive mesh: generate SHAPE NUMBER... OUT.3d", GenerateCommand::new),
             new CommandEntry(
                     "scene", "View an XML scene: scene [FILE.xml [ENTITY.xml [BACKGROUND]]]", SceneCommand::new),
             new CommandEntry(

@@ -13,6 +13,7 @@ import nephele.app.terminal.Terminal;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.WholeFile;
 import nephele.engine.level.LevelFormatException;
+import nephele.engine.model.ModelFileException;
 import nephele.engine.render.gl.GlUnavailableException;
 
 /** A failure in plain words: the only place that decides what an exception means to a user. */
@@ -21,7 +22,9 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
         if (failure instanceof CommandFailure known) {
             return new Explanation(known.exitCode(), known.getMessage(), failure);
         }
-        if (failure instanceof LevelFormatException || failure instanceof AssetException) {
+        if (failure instanceof LevelFormatException
+                || failure instanceof AssetException
+                || failure instanceof ModelFileException) {
             return new Explanation(ExitCode.INPUT, failure.getMessage(), failure);
         }
         if (failure instanceof GlUnavailableException) {
@@ -52,7 +55,7 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
 
     ExitCode tell(Terminal terminal, String command, boolean withStackTrace) {
         terminal.out().flush();
-        boolean namesTheFile = failure instanceof LevelFormatException;
+        boolean namesTheFile = failure instanceof LevelFormatException || failure instanceof ModelFileException;
         terminal.err().println(namesTheFile ? message : command + ": " + message);
         if (withStackTrace) {
             failure.printStackTrace(terminal.err());

@@ -9,6 +9,12 @@ final class MeshLimits {
     /** Bytes of a text file, read or written; larger ones would take seconds to read. */
     static final int MAX_TEXT_BYTES = 64 << 20;
 
+    /** Bytes of a glTF file, and of all its buffers: it is held a few times over while it is read. */
+    static final int MAX_GLTF_BYTES = 32 << 20;
+
+    /** Vertices, or triangles, of all nodes of a glTF file. */
+    static final int MAX_GLTF_VERTICES = 2_000_000;
+
     /** Largest coordinate: beyond, a float holds no more than 6 cm. */
     static final double MAX_COORDINATE = 1e6;
 

@@ -18,6 +18,12 @@ public final class ModelFiles {
         if (name.endsWith(".3d")) {
             return new TextMeshFile(file, bytes).read();
         }
+        if (name.endsWith(".obj")) {
+            return new ObjFile(file, bytes).read();
+        }
+        if (name.endsWith(".gltf") || name.endsWith(".glb")) {
+            return new GltfFile(file, bytes, neighbour).read();
+        }
         throw new ModelFileException(file, 0, "is no mesh that can be read", "use .3d, .obj, .gltf or .glb");
     }
 }

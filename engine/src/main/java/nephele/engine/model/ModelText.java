@@ -10,7 +10,7 @@ import java.util.List;
  */
 final class ModelText {
     private static final int MOST_WORDS = 4096;
-    private static final int LONGEST_WORD = 64;
+    private static final int LONGEST_WORD = 256;
 
     private final String file;
     private final byte[] bytes;
@@ -95,10 +95,20 @@ final class ModelText {
 
     float number(String word) {
         try {
-            return Float.parseFloat(word);
+            return Float.parseFloat(decimal(word));
         } catch (NumberFormatException notANumber) {
             throw wrong(quoted(word) + " is not a number", "write it as 1.5 or -2e-3");
         }
+    }
+
+    /** Returns the word unless it is a number only to Java, such as 1f, 0x1p3 or NaN. */
+    static String decimal(String word) {
+        for (int i = 0; i < word.length(); i++) {
+            if ("0123456789+-.eE".indexOf(word.charAt(i)) < 0) {
+                throw new NumberFormatException(word);
+            }
+        }
+        return word;
     }
 
     /** A whole number; Integer's own range bounds it. */
@@ -122,7 +132,7 @@ final class ModelText {
             at++;
         }
         if (before >= MOST_WORDS) {
-            throw wrong("has more than " + MOST_WORDS + " words in a line", "break the line");
+            throw tooManyWords();
         }
         int length = Math.min(at - start, LONGEST_WORD + 1);
         String word = new String(bytes, start, length, StandardCharsets.UTF_8);
@@ -130,6 +140,18 @@ final class ModelText {
             throw wrong(quoted(word) + " is longer than any number", "check that the file is a mesh in text form");
         }
         return word;
+    }
+
+    /** Returns the words unless they are too many. */
+    List<String> atMost(List<String> words) {
+        if (words.size() > MOST_WORDS) {
+            throw tooManyWords();
+        }
+        return words;
+    }
+
+    private ModelFileException tooManyWords() {
+        return wrong("has more than " + MOST_WORDS + " words in a line", "cut the polygon into smaller ones");
     }
 
     private boolean separates(byte c) {

@@ -4,43 +4,41 @@ import java.util.Locale;
 
 /** A number that describes a shape: what it means and what it may be. */
 public enum ShapeParameter {
-    LENGTH("length of a side, in units"),
-    RADIUS("radius, in units"),
-    HEIGHT("height, in units"),
-    TUBE("radius of the tube, in units; less than RADIUS"),
-    DIVISIONS("parts that a side is divided into", 1),
-    SLICES("parts that the circle around the y axis is divided into", 3),
-    STACKS("parts from bottom to top, or around the tube", 1),
-    TESSELLATION("parts that each side of a patch is divided into", 1);
+    /** Of a side, in units. */
+    LENGTH(0),
+    /** In units; of a torus, to the middle of the tube. */
+    RADIUS(0),
+    /** In units. */
+    HEIGHT(0),
+    /** Radius of the tube, in units. */
+    TUBE(0),
+    /** Parts of a side. */
+    DIVISIONS(1),
+    /** Parts of the circle around the y axis. */
+    SLICES(3),
+    /** Parts from bottom to top or around the tube. */
+    STACKS(1),
+    /** Parts of each side of a patch. */
+    TESSELLATION(1);
 
     static final int MOST_PARTS = 512;
     private static final double LEAST_MEASURE = 1e-6;
 
-    private final String meaning;
     private final int leastParts;
 
-    ShapeParameter(String meaning) {
-        this(meaning, 0);
-    }
-
-    ShapeParameter(String meaning, int leastParts) {
-        this.meaning = meaning;
+    /** @param leastParts 0 for what is measured instead of counted */
+    ShapeParameter(int leastParts) {
         this.leastParts = leastParts;
     }
 
-    public String meaning() {
-        return meaning;
-    }
-
-    /** Whether it is a whole number. */
-    public boolean counts() {
+    private boolean counts() {
         return leastParts > 0;
     }
 
     /** @throws IllegalArgumentException with what is wanted instead, for users */
     public double read(String word) {
         try {
-            return check(Double.parseDouble(word));
+            return check(Double.parseDouble(ModelText.decimal(word)));
         } catch (NumberFormatException notANumber) {
             throw new IllegalArgumentException(this + " is " + ModelText.quoted(word) + ", which is not a number");
         }

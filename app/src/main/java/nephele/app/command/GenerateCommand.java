@@ -1,0 +1,145 @@
+package nephele.app.command;
+
+import java.io.IOException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Supplier;
+import nephele.app.terminal.CommandFailure;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.engine.asset.WholeFile;
+import nephele.engine.model.BezierPatches;
+import nephele.engine.model.BezierShape;
+import nephele.engine.model.MeshText;
+import nephele.engine.model.PlaneShape;
+import nephele.engine.model.PlaneShape.Sides;
+import nephele.engine.model.Shape;
+import nephele.engine.model.ShapeKind;
+import nephele.engine.model.ShapeParameter;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** Makes a primitive mesh. */
+@picocli.CommandLine.Command(
+        customSynopsis = {
+            "nephele generate plane LENGTH DIVISIONS [--two-sided] OUT.3d",
+            "       nephele generate box LENGTH DIVISIONS OUT.3d",
+            "       nephele generate cone RADIUS HEIGHT SLICES STACKS OUT.3d",
+            "       nephele generate sphere RADIUS SLICES STACKS OUT.3d",
+            "       nephele generate cylinder RADIUS HEIGHT SLICES OUT.3d",
+            "       nephele generate torus RADIUS TUBE SLICES STACKS OUT.3d",
+            "       nephele generate patch FILE.patch TESSELLATION OUT.3d"
+        },
+        footer = {
+            "",
+            "LENGTH        of a side, in units",
+            "RADIUS        in units; of a torus, to the middle of the tube",
+            "HEIGHT        in units",
+            "TUBE          radius of the tube, less than RADIUS",
+            "DIVISIONS     parts of a side, 1 to 512",
+            "SLICES        parts of the circle around the y axis, 3 to 512",
+            "STACKS        parts from bottom to top or around the tube, 1 (sphere 2, torus 3) to 512",
+            "TESSELLATION  parts of each side of a Bézier patch, 1 to 512",
+            "",
+            "Meshes are centred at the origin; a cone stands on the xz plane.",
+            "docs/models.md has the formats."
+        })
+final class GenerateCommand implements Command {
+    private static final int LARGEST_PATCHES = 64 << 20;
+
+    @Parameters(arity = "1..*", hidden = true, paramLabel = "SHAPE NUMBER... OUT.3d")
+    private List<String> words;
+
+    @Option(names = "--two-sided", description = "Give a plane a face downward as well.")
+    private boolean twoSided;
+
+    @Mixin
+    private CommonOptions common;
+
+    @Override
+    public CommonOptions common() {
+        return common;
+    }
+
+    @Override
+    public ExitCode run(Terminal terminal) {
+        String kind = words.get(0);
+        boolean patch = kind.equals("patch");
+        if (!patch && ShapeKind.named(kind).isEmpty()) {
+            throw CommandFailure.usage(
+                    kind + " is no shape: use plane, box, cone, sphere, cylinder, torus or patch. " + help());
+        }
+        if (words.size() < 3) {
+            throw CommandFailure.usage(kind + " needs numbers and a file to write. " + help());
+        }
+        Path out = out();
+        List<String> numbers = words.subList(1, words.size() - 1);
+        Shape shape = patch ? patch(numbers) : primitive(ShapeKind.named(kind).get(), numbers);
+        byte[] text = text(shape);
+        WrittenFile.write(out, file -> WholeFile.write(file, text));
+        return ExitCode.DONE;
+    }
+
+    private Path out() {
+        String name = words.get(words.size() - 1);
+        if (!name.endsWith(".3d")) {
+            throw CommandFailure.usage("the last word names the file to write and ends in .3d, not " + name);
+        }
+        return path(name);
+    }
+
+    private Shape primitive(ShapeKind kind, List<String> numbers) {
+        Shape shape = usage(() -> kind.shape(numbers));
+        if (!twoSided) {
+            return shape;
+        }
+        if (!(shape instanceof PlaneShape plane)) {
+            throw CommandFailure.usage("--two-sided belongs to plane: a " + kind.word() + " has no second side");
+        }
+        return new PlaneShape(plane.length(), plane.divisions(), Sides.BOTH);
+    }
+
+    private Shape patch(List<String> numbers) {
+        if (numbers.size() != 2 || twoSided) {
+            throw CommandFailure.usage("patch takes a file, TESSELLATION and the file to write. " + help());
+        }
+        int tessellation = usage(() -> (int) ShapeParameter.TESSELLATION.read(numbers.get(1)));
+        BezierPatches patches = patches(numbers.get(0));
+        return usage(() -> new BezierShape(patches, tessellation));
+    }
+
+    private static BezierPatches patches(String file) {
+        try {
+            return BezierPatches.read(file, WholeFile.read(path(file), LARGEST_PATCHES));
+        } catch (IOException missing) {
+            throw CommandFailure.input(file + ": can't be read: " + WholeFile.reason(missing));
+        }
+    }
+
+    private static byte[] text(Shape shape) {
+        return usage(() -> MeshText.of(shape.mesh()));
+    }
+
+    private static Path path(String file) {
+        try {
+            return Path.of(file);
+        } catch (InvalidPathException noPath) {
+            throw CommandFailure.usage(file + ": " + noPath.getReason());
+        }
+    }
+
+    /** What the numbers make impossible is wrong use. */
+    private static <T> T usage(Supplier<T> made) {
+        try {
+            return made.get();
+        } catch (IllegalArgumentException wrong) {
+            throw CommandFailure.usage(wrong.getMessage());
+        }
+    }
+
+    private static String help() {
+        return "`nephele generate --help` has them all.";
+    }
+}

@@ -1,0 +1,28 @@
+package nephele.engine.model;
+
+import java.util.Arrays;
+
+/** Floats in a row that grows. */
+final class FloatList {
+    private float[] values = new float[48];
+    private int size;
+
+    int size() {
+        return size;
+    }
+
+    float at(int i) {
+        return values[i];
+    }
+
+    void add(double value) {
+        if (size == values.length) {
+            values = Arrays.copyOf(values, 2 * size);
+        }
+        values[size++] = (float) value;
+    }
+
+    float[] toArray() {
+        return Arrays.copyOf(values, size);
+    }
+}

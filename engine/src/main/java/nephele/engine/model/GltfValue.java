@@ -1,0 +1,114 @@
+package nephele.engine.model;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonPrimitive;
+import java.util.Iterator;
+import java.util.stream.IntStream;
+
+/**
+ * A value in a glTF file's JSON, with the path to it; asking for what isn't there says so by that path.
+ *
+ * @param json {@code null} where the member is missing
+ */
+record GltfValue(String file, String path, JsonElement json) {
+    boolean exists() {
+        return json != null;
+    }
+
+    GltfValue member(String name) {
+        if (!(json instanceof JsonObject object)) {
+            throw wrong("is no object");
+        }
+        return new GltfValue(file, path.isEmpty() ? name : path + "." + name, object.get(name));
+    }
+
+    /** Elements of an array; none of a missing one. */
+    int size() {
+        if (json == null) {
+            return 0;
+        }
+        if (!(json instanceof JsonArray array)) {
+            throw wrong("is no array");
+        }
+        return array.size();
+    }
+
+    GltfValue at(int i) {
+        return new GltfValue(file, path + "[" + i + "]", ((JsonArray) json).get(i));
+    }
+
+    Iterable<GltfValue> elements() {
+        return () -> elementIterator(size());
+    }
+
+    private Iterator<GltfValue> elementIterator(int size) {
+        return IntStream.range(0, size).mapToObj(this::at).iterator();
+    }
+
+    String text(String missing) {
+        if (json == null) {
+            return missing;
+        }
+        if (!(json instanceof JsonPrimitive primitive) || !primitive.isString()) {
+            throw wrong("is no text");
+        }
+        return primitive.getAsString();
+    }
+
+    double number() {
+        double value =
+                json instanceof JsonPrimitive primitive && primitive.isNumber() ? primitive.getAsDouble() : Double.NaN;
+        if (!(Math.abs(value) <= Float.MAX_VALUE)) {
+            throw wrong("is no number that a float holds");
+        }
+        return value;
+    }
+
+    /** A whole number from 0; {@code missing} where there is none. */
+    int count(int missing) {
+        if (json == null) {
+            return missing;
+        }
+        double value = number();
+        if (value != Math.rint(value) || value < 0 || value > Integer.MAX_VALUE) {
+            throw wrong("is no whole number from 0");
+        }
+        return (int) value;
+    }
+
+    int count() {
+        if (json == null) {
+            throw wrong("is missing");
+        }
+        return count(0);
+    }
+
+    /** A whole number below {@code limit} that says which one of {@code what}. */
+    int index(int limit, String what) {
+        int index = count();
+        if (index >= limit) {
+            throw wrong("is " + index + ", but there are " + limit + " " + what);
+        }
+        return index;
+    }
+
+    boolean flag() {
+        if (json == null) {
+            return false;
+        }
+        if (!(json instanceof JsonPrimitive primitive) || !primitive.isBoolean()) {
+            throw wrong("is neither true nor false");
+        }
+        return primitive.getAsBoolean();
+    }
+
+    ModelFileException wrong(String reason) {
+        return wrong(reason, "export the mesh again");
+    }
+
+    ModelFileException wrong(String reason, String remedy) {
+        return new ModelFileException(file, 0, (path.isEmpty() ? "the JSON" : path) + " " + reason, remedy);
+    }
+}

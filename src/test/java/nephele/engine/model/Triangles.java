@@ -1,0 +1,28 @@
+package nephele.engine.model;
+
+import org.joml.Vector3d;
+
+/** Corners, vertex normals and geometric normals of meshes, in double precision. */
+final class Triangles {
+    private Triangles() {}
+
+    static Vector3d position(Mesh mesh, int vertex) {
+        return row(mesh.positions(), vertex);
+    }
+
+    static Vector3d vertexNormal(Mesh mesh, int vertex) {
+        return row(mesh.normals(), vertex);
+    }
+
+    /** Twice the area long. @param first place of its first corner among the indices */
+    static Vector3d normal(Mesh mesh, int first) {
+        Vector3d a = position(mesh, mesh.indices()[first]);
+        Vector3d ab = position(mesh, mesh.indices()[first + 1]).sub(a);
+        Vector3d ac = position(mesh, mesh.indices()[first + 2]).sub(a);
+        return ab.cross(ac);
+    }
+
+    private static Vector3d row(float[] values, int vertex) {
+        return new Vector3d(values[3 * vertex], values[3 * vertex + 1], values[3 * vertex + 2]);
+    }
+}
