@@ -34,7 +34,7 @@ class CommandLineFrontTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"edit", "bake", "scene", "import"})
+    @ValueSource(strings = {"edit", "bake", "import"})
     void whatIsNotBuiltSaysSo(String name) {
         var answer = Captured.run(name, "anything", "--at-all");
         assertEquals(3, answer.exitCode());
