@@ -23,7 +23,7 @@ final class PackageTable {
 
     static {
         USES.put("math", List.of());
-        USES.put("level", List.of("math", "asset"));
+        USES.put("level", List.of("math", "asset", "model"));
         USES.put("asset", List.of("math"));
         USES.put("model", List.of("math", "asset"));
         USES.put("portal", List.of("level"));

@@ -8,9 +8,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
-import nephele.engine.level.Brush;
+import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelJson;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.SkyVisibility;
 import nephele.engine.scene.light.SkyVisibilityCache;
@@ -47,17 +48,15 @@ public final class BakedLight {
         if (name.isEmpty() || Files.exists(baked.resolve(name.get()))) {
             return;
         }
-        SkyVisibility visibility = SkyVisibility.bake(brushes(read(levelFile)), done -> {});
-        byte[] bytes = SkyVisibilityFile.encode(visibility.layout(), visibility.texels());
+        byte[] bytes = SkyVisibilityFile.encode(SkyVisibility.bake(statics(levelFile), done -> {}));
         Files.write(baked.resolve(name.get()), bytes);
         System.out.println(levelFile + ": " + bytes.length + " bytes");
     }
 
     /** The baked file that a level asks for; empty when no sky lights it. */
     public static Optional<String> fileNameFor(Path levelFile) throws IOException {
-        Level level = read(levelFile);
-        return LightNeeds.skyVisibility(level)
-                ? Optional.of(SkyVisibilityFile.nameFor(brushes(level)))
+        return LightNeeds.skyVisibility(read(levelFile))
+                ? Optional.of(SkyVisibilityFile.nameFor(statics(levelFile)))
                 : Optional.empty();
     }
 
@@ -65,8 +64,8 @@ public final class BakedLight {
         return LevelJson.read(levelFile.toString(), Files.readAllBytes(levelFile));
     }
 
-    private static List<Brush> brushes(Level level) {
-        return level.solids().stream().map(Brush::of).toList();
+    private static StaticShapes statics(Path levelFile) throws IOException {
+        return StaticShapes.of(read(levelFile), LevelAssets.beside(levelFile));
     }
 
     public static List<Path> files(Path folder, String ending) throws IOException {

@@ -26,9 +26,6 @@ final class AssetRules {
             check.density(
                     "environment.clouds[" + i + "].density.file", clouds.get(i).density());
         }
-        for (int i = 0; i < level.models().size(); i++) {
-            check.file("models[" + i + "].file", level.models().get(i).file());
-        }
     };
 
     private AssetRules() {}

@@ -10,7 +10,6 @@ final class FutureRules {
         Environment environment = level.environment();
         tell(!environment.clouds().isEmpty(), "environment.clouds", NOT_DRAWN, report);
         tell(environment.sky() instanceof Sky.Atmosphere, "environment.sky", NOT_DRAWN, report);
-        tell(!level.models().isEmpty(), "models", NOT_DRAWN, report);
     };
 
     private FutureRules() {}

@@ -26,7 +26,7 @@ public final class LevelRules {
             PlayerRules.SOMEWHERE,
             FutureRules.NOT_YET);
 
-    /** All rules; the last one decodes every picture. */
+    /** All rules; the last ones read every picture and every mesh. */
     public static final List<LevelRule> ALL = all();
 
     private LevelRules() {}
@@ -34,6 +34,7 @@ public final class LevelRules {
     private static List<LevelRule> all() {
         List<LevelRule> all = new ArrayList<>(STRUCTURE);
         all.add(AssetRules.READABLE);
+        all.add(ModelRules.READABLE);
         return List.copyOf(all);
     }
 

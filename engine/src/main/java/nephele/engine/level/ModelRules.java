@@ -4,8 +4,13 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
+import nephele.engine.asset.AssetException;
+import nephele.engine.level.placed.MeshAssets;
+import nephele.engine.level.placed.PlacedModels;
+import nephele.engine.model.Mesh;
 
-/** Models hang below models, without circles; iterative, so that ten thousand of them in a chain are no trouble. */
+/** Models hang below models, without circles, and all meshes can be read and are few and near enough. */
 final class ModelRules {
     static final LevelRule PARENTS = (level, assets, report) -> {
         Map<String, String> parents = new HashMap<>();
@@ -22,7 +27,43 @@ final class ModelRules {
         }
     };
 
+    static final LevelRule READABLE = (level, assets, report) -> {
+        Map<String, Mesh> meshes = new HashMap<>();
+        Map<String, String> objections = new HashMap<>();
+        MeshAssets source = new MeshAssets(assets);
+        for (int i = 0; i < level.models().size(); i++) {
+            String file = level.models().get(i).file();
+            if (!meshes.containsKey(file) && !objections.containsKey(file)) {
+                read(source, file, meshes, objections);
+            }
+            if (objections.containsKey(file)) {
+                report.accept(Problem.error("models[" + i + "].file", objections.get(file)));
+            }
+        }
+        if (objections.isEmpty()) {
+            placeable(level, meshes, report);
+        }
+    };
+
     private ModelRules() {}
+
+    private static void read(MeshAssets source, String file, Map<String, Mesh> meshes, Map<String, String> objections) {
+        try {
+            meshes.put(file, source.mesh(file));
+        } catch (AssetException problem) {
+            objections.put(file, problem.getMessage());
+        }
+    }
+
+    private static void placeable(Level level, Map<String, Mesh> meshes, Consumer<Problem> report) {
+        try {
+            PlacedModels.of(level, meshes::get);
+        } catch (AssetException problem) {
+            report.accept(Problem.error("models", problem.getMessage()));
+        } catch (IllegalArgumentException toldByAnotherRule) {
+            return;
+        }
+    }
 
     /** @param verdicts of the ids walked so far; grows, so that a chain is walked once */
     private static boolean circles(String start, Map<String, String> parents, Map<String, Boolean> verdicts) {

@@ -183,7 +183,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     }
 
     /** Gift wrapping: each next corner has all others on its left, seen from outside. Corners on an edge are dropped. */
-    static List<Vec3> counterClockwise(Plane plane, List<Vec3> points) {
+    public static List<Vec3> counterClockwise(Plane plane, List<Vec3> points) {
         List<Vec3> ring = new ArrayList<>();
         Vec3 first = lowest(points);
         Vec3 current = first;

@@ -6,6 +6,8 @@ public final class ModelFileException extends RuntimeException {
 
     private final String file;
     private final int line;
+    private final String reason;
+    private final String remedy;
 
     /** @param line the first is 1; 0 where no line is to blame */
     public ModelFileException(String file, int line, String reason, String remedy) {
@@ -16,6 +18,8 @@ public final class ModelFileException extends RuntimeException {
         super(file + (line > 0 ? ":" + line : "") + ": " + reason + "; " + remedy, cause);
         this.file = file;
         this.line = line;
+        this.reason = reason;
+        this.remedy = remedy;
     }
 
     public String file() {
@@ -24,5 +28,13 @@ public final class ModelFileException extends RuntimeException {
 
     public int line() {
         return line;
+    }
+
+    public String reason() {
+        return reason;
+    }
+
+    public String remedy() {
+        return remedy;
     }
 }

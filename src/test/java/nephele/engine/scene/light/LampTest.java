@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
 import nephele.engine.level.appearance.Lamp;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -68,7 +69,7 @@ class LampTest {
                 new Light.Point("short", Vec3.ZERO, WHITE, 1e-3, true),
                 new Light.Spot("needle", Vec3.ZERO, new Vec3(0, 1e-200, 0), WHITE, 9, 1e-9, 1e-9, true),
                 new Light.Spot("all-around", Vec3.ZERO, new Vec3(0, -1, 0), WHITE, 9, 500, 900, true));
-        LampTable table = LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1), List.of());
+        LampTable table = LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1), StaticShapes.of(List.of()));
         for (float f : table.packed(Vec3.ZERO)) {
             assertTrue(Float.isFinite(f), Arrays.toString(table.packed(Vec3.ZERO)));
         }
@@ -94,7 +95,7 @@ class LampTest {
     void gridListsEveryLampThatArrives() {
         SplittableRandom random = new SplittableRandom(44);
         List<Light> lights = randomLights(random, 1000);
-        LampTable table = LampTable.of(lights, new Aabb(-30, -2, -20, 30, 8, 20), List.of());
+        LampTable table = LampTable.of(lights, new Aabb(-30, -2, -20, 30, 8, 20), StaticShapes.of(List.of()));
         long listed = 0;
         for (int i = 0; i < 2000; i++) {
             double spread = i % 4 == 0 ? 90 : 32;
@@ -175,7 +176,7 @@ class LampTest {
                 new Light.Point("a", new Vec3(-2, 2, 1), WHITE, 30, true),
                 new Light.Point("b", new Vec3(3, 2, -1), WHITE, 30, true),
                 new Light.Point("through", new Vec3(3, 2, -1), WHITE, 30, false));
-        LampTable table = LampTable.of(lights, walls);
+        LampTable table = LampTable.of(lights, StaticShapes.of(walls));
         SplittableRandom random = new SplittableRandom(9);
         Occluders solids = new Occluders(walls);
         int leftOut = 0;
@@ -202,11 +203,11 @@ class LampTest {
     @Test
     void shadowLayersKeepToTheirBudget() {
         List<Light> lights = randomLights(new SplittableRandom(1), 1000);
-        LampShadows shadows =
-                LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1), List.of()).shadows();
+        LampShadows shadows = LampTable.of(lights, new Aabb(-1, -1, -1, 1, 1, 1), StaticShapes.of(List.of()))
+                .shadows();
         assertTrue((long) shadows.side() * shadows.side() * shadows.layers().size() <= 1 << 23);
         assertEquals(LampShadows.SMALLEST_SIDE, shadows.side());
-        LampShadows few = LampTable.of(lights.subList(0, 4), new Aabb(-1, -1, -1, 1, 1, 1), List.of())
+        LampShadows few = LampTable.of(lights.subList(0, 4), new Aabb(-1, -1, -1, 1, 1, 1), StaticShapes.of(List.of()))
                 .shadows();
         assertEquals(LampShadows.LARGEST_SIDE, few.side());
     }

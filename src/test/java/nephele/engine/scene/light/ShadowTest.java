@@ -12,6 +12,7 @@ import nephele.engine.level.Light;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.appearance.Lamp;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix4d;
@@ -114,7 +115,7 @@ class ShadowTest {
         Light.Spot spot =
                 new Light.Spot("s", new Vec3(0, 3, 0), new Vec3(1, -2, 0.5), new Vec3(1, 1, 1), 9, 20, 35, true);
         List<Lamp> lamps = List.of(Lamp.of(spot).orElseThrow());
-        LampTable table = LampTable.of(List.of(spot), new Aabb(-5, 0, -5, 5, 3, 5), List.of());
+        LampTable table = LampTable.of(List.of(spot), new Aabb(-5, 0, -5, 5, 3, 5), StaticShapes.of(List.of()));
         assertEquals(1, table.shadows().layers().size());
         Vector3d axis = lamps.get(0).axis().toVector();
         Vector3d side = LampShadows.right(lamps.get(0));

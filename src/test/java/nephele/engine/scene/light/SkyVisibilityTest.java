@@ -10,6 +10,7 @@ import java.util.Map;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
@@ -46,7 +47,7 @@ class SkyVisibilityTest {
     @Test
     void nothingIsSeenInAClosedRoom() {
         List<Brush> room = room();
-        SkyVisibility baked = SkyVisibility.bake(room, done -> {});
+        SkyVisibility baked = SkyVisibility.bake(StaticShapes.of(room), done -> {});
         double brightest = 0;
         for (double x = -2.5; x <= 2.5; x += 0.05) {
             for (double z = -2.5; z <= 2.5; z += 0.05) {
@@ -91,8 +92,8 @@ class SkyVisibilityTest {
     @Test
     void resultDoesNotDependOnThreadsOrRuns() {
         List<Brush> room = room();
-        short[] once = SkyVisibility.bake(room, done -> {}).texels();
-        short[] again = SkyVisibility.bake(room, done -> {}).texels();
+        short[] once = SkyVisibility.bake(StaticShapes.of(room), done -> {}).texels();
+        short[] again = SkyVisibility.bake(StaticShapes.of(room), done -> {}).texels();
         assertArrayEquals(once, again);
     }
 
@@ -127,7 +128,7 @@ class SkyVisibilityTest {
     }
 
     private static SkyVisibility baked(List<Brush> scene) {
-        return SkyVisibility.bake(scene, done -> {});
+        return SkyVisibility.bake(StaticShapes.of(scene), done -> {});
     }
 
     private static double seen(SkyVisibility baked, int brush, int face, Vec3 p) {

@@ -1,8 +1,7 @@
 package nephele.engine.render.frame;
 
-import java.util.List;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
@@ -23,13 +22,13 @@ final class LampLight implements AutoCloseable {
     private final BufferTexture grid;
 
     /**
-     * @param brushes of the level, if it has lamps
+     * @param statics of the level
      * @param anchor what positions in shaders are relative to
      */
-    LampLight(GlContext gl, Level level, List<Brush> brushes, Vec3 anchor) {
+    LampLight(GlContext gl, Level level, StaticShapes statics, Vec3 anchor) {
         this.anchor = anchor;
         shadow = LightNeeds.lampShadow(level);
-        table = LightNeeds.lamps(level) ? LampTable.of(level.lights(), brushes) : null;
+        table = LightNeeds.lamps(level) ? LampTable.of(level.lights(), statics) : null;
         texels = table == null ? null : BufferTexture.ofFloats(gl, "lamps", table.packed(anchor));
         grid = table == null ? null : grid(gl);
     }

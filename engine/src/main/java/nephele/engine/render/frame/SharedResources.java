@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.Map;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.level.Brush;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Texture;
@@ -88,9 +87,7 @@ public final class SharedResources implements AutoCloseable {
 
     private SkyProbes skyProbes() {
         boolean wanted = LightNeeds.skyShines(scene.level());
-        return wanted
-                ? new SkyProbes(scene.level().solids().stream().map(Brush::of).toList())
-                : null;
+        return wanted ? new SkyProbes(scene.statics()) : null;
     }
 
     /** Defines, uniforms and textures of {@code surface-light.glsl}. */

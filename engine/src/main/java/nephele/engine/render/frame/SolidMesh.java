@@ -13,22 +13,35 @@ import nephele.engine.scene.SolidGeometry;
 import nephele.engine.scene.View;
 import nephele.engine.scene.VisibleSet;
 
-/** {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates, 3 light map. */
+/**
+ * {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates, 3 light map
+ * or, of models, smooth normal and sky visibility.
+ */
 public final class SolidMesh implements AutoCloseable {
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
     private static final VertexFormat LIGHT_MAPPED =
             VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2, Attribute.INT16X2);
 
+    private static final VertexFormat OF_MODELS =
+            VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2, Attribute.INT16X4);
+
     private final SolidGeometry geometry;
-    private final GpuMesh mesh;
+    private final GpuMesh solids;
+    private final GpuMesh models;
     private final List<IndexRanges> ranges = new ArrayList<>();
 
     SolidMesh(GlContext gl, SolidGeometry geometry) {
         this.geometry = geometry;
         VertexFormat format = geometry.lightMapped() ? LIGHT_MAPPED : FORMAT;
-        mesh = new GpuMesh(gl, "solids", format, geometry.vertices(), geometry.indices());
+        solids = mesh(gl, "solids", format, geometry.solids());
+        models = mesh(gl, "models", OF_MODELS, geometry.models());
         int mostRanges = geometry.slotCount();
         geometry.batches().forEach(batch -> ranges.add(new IndexRanges(mostRanges)));
+    }
+
+    /** {@code null} where there is nothing. */
+    private static GpuMesh mesh(GlContext gl, String name, VertexFormat format, SolidGeometry.Triangles triangles) {
+        return triangles.isEmpty() ? null : new GpuMesh(gl, name, format, triangles.vertices(), triangles.indices());
     }
 
     public List<SolidBatch> batches() {
@@ -39,7 +52,7 @@ public final class SolidMesh implements AutoCloseable {
     public void draw(int batch, VisibleSet visible) {
         IndexRanges batchRanges = ranges.get(batch);
         batchRanges.set(visible.firsts(batch), visible.lengths(batch), visible.size(batch));
-        mesh.draw(batchRanges);
+        (batches().get(batch).form().isModel() ? models : solids).draw(batchRanges);
     }
 
     /**
@@ -59,7 +72,12 @@ public final class SolidMesh implements AutoCloseable {
 
     @Override
     public void close() {
-        mesh.close();
+        if (solids != null) {
+            solids.close();
+        }
+        if (models != null) {
+            models.close();
+        }
         ranges.forEach(IndexRanges::close);
     }
 }

@@ -1,9 +1,9 @@
 package nephele.engine.render.frame;
 
 import java.util.List;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.light.LightNeeds;
@@ -18,19 +18,21 @@ final class SunLight {
     private final ShadowFrame frame;
 
     /**
-     * @param brushes of the level, if its sun casts
+     * @param statics of the level
      * @param anchor what positions in shaders are relative to
      */
-    SunLight(Level level, List<Brush> brushes, Vec3 anchor, Quality quality) {
+    SunLight(Level level, StaticShapes statics, Vec3 anchor, Quality quality) {
         this.level = level;
-        frame = LightNeeds.sunCasts(level) ? frame(level.environment().sun(), brushes, anchor, quality) : null;
+        frame = LightNeeds.sunCasts(level) ? frame(level.environment().sun(), statics, anchor, quality) : null;
     }
 
-    private static ShadowFrame frame(Sun sun, List<Brush> brushes, Vec3 anchor, Quality quality) {
+    private static ShadowFrame frame(Sun sun, StaticShapes statics, Vec3 anchor, Quality quality) {
         Vec3 towardsSun = sun.directionTowardsSun();
-        List<Vec3> corners = ShadowCasters.of(brushes, towardsSun).stream()
-                .flatMap(brush -> brush.shape().vertices().stream())
-                .toList();
+        List<Vec3> corners = ShadowCasters.corners(statics, towardsSun);
+        if (corners.isEmpty() && !statics.models().isEmpty()) {
+            // The frame plan knows the level only, not that all its meshes are empty.
+            corners = List.of(anchor);
+        }
         return corners.isEmpty() ? null : ShadowFrame.fit(corners, towardsSun, anchor, quality.shadowTexels());
     }
 

@@ -1,11 +1,9 @@
 package nephele.engine.render.frame;
 
 import java.util.EnumSet;
-import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
@@ -38,11 +36,8 @@ public final class SurfaceLight implements AutoCloseable {
         this.pictureOf = pictureOf;
         this.scene = scene;
         level = scene.level();
-        List<Brush> brushes = LightNeeds.sunCasts(level) || LightNeeds.lamps(level)
-                ? level.solids().stream().map(Brush::of).toList()
-                : List.of();
-        sun = new SunLight(level, brushes, anchor(), context.quality());
-        lamps = new LampLight(gl, level, brushes, anchor());
+        sun = new SunLight(level, scene.statics(), anchor(), context.quality());
+        lamps = new LampLight(gl, level, scene.statics(), anchor());
         thingShade = new ThingShade(gl, level, context.figure());
     }
 
@@ -106,6 +101,13 @@ public final class SurfaceLight implements AutoCloseable {
                 .withIf(scene.skyVisibility() != null, "SKY_VISIBILITY");
     }
 
+    /** The same for models, whose share of the sky stands in their vertices. */
+    public Defines addForModels(Defines defines) {
+        return addLights(defines)
+                .withIf(needsPositions(), "ANCHOR_POSITION")
+                .withIf(scene.skyVisibility() != null, "SKY_AMBIENT");
+    }
+
     /** The same for what moves: it has no place in the light map, so its share of the sky comes otherwise. */
     public Defines addForThings(Defines defines) {
         return addLights(defines).with("ANCHOR_POSITION").withIf(LightNeeds.skyShines(level), "SKY_AMBIENT");
@@ -121,6 +123,14 @@ public final class SurfaceLight implements AutoCloseable {
         setLights(uniforms);
         if (scene.skyVisibility() != null) {
             uniforms.sampler("skyVisibilityMap", SKY_VISIBILITY_UNIT);
+            LightUniforms.setSky(uniforms, skyIrradiance());
+        }
+    }
+
+    /** Sets what a program compiled with {@link #addForModels} needs, once and for all. */
+    public void setForModels(Uniforms uniforms) {
+        setLights(uniforms);
+        if (scene.skyVisibility() != null) {
             LightUniforms.setSky(uniforms, skyIrradiance());
         }
     }

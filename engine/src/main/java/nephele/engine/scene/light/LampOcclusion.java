@@ -1,8 +1,8 @@
 package nephele.engine.scene.light;
 
 import java.util.List;
-import nephele.engine.level.Brush;
 import nephele.engine.level.appearance.Lamp;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
@@ -16,8 +16,8 @@ public final class LampOcclusion {
     private final int[] firstLayer;
 
     /** @param firstLayer negative for lamps whose light passes through everything */
-    LampOcclusion(List<Brush> brushes, List<Lamp> lamps, int[] firstLayer) {
-        this.solids = new Occluders(brushes);
+    LampOcclusion(StaticShapes statics, List<Lamp> lamps, int[] firstLayer) {
+        this.solids = new Occluders(statics);
         this.lamps = lamps;
         this.firstLayer = firstLayer;
     }

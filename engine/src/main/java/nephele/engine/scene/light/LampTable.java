@@ -1,9 +1,9 @@
 package nephele.engine.scene.light;
 
 import java.util.List;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
 import nephele.engine.level.appearance.Lamp;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -17,18 +17,17 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows) {
     /** Texels of four floats that one lamp takes in {@link #packed}. */
     public static final int TEXELS_PER_LAMP = 4;
 
-    /** @param brushes what may be lit and what hides */
-    public static LampTable of(List<Light> lights, List<Brush> brushes) {
-        Aabb bounds = brushes.stream().map(brush -> brush.shape().bounds()).reduce(Aabb.EMPTY, Aabb::union);
-        return of(lights, bounds, brushes);
+    /** @param statics what may be lit and what hides */
+    public static LampTable of(List<Light> lights, StaticShapes statics) {
+        return of(lights, statics.bounds(), statics);
     }
 
     /** @param bounds of what may be lit */
-    static LampTable of(List<Light> lights, Aabb bounds, List<Brush> brushes) {
+    static LampTable of(List<Light> lights, Aabb bounds, StaticShapes statics) {
         List<Lamp> lamps =
                 lights.stream().flatMap(light -> Lamp.of(light).stream()).toList();
         LampShadows shadows = LampShadows.of(lamps);
-        LampOcclusion hiding = new LampOcclusion(brushes, lamps, shadows.firstLayer());
+        LampOcclusion hiding = new LampOcclusion(statics, lamps, shadows.firstLayer());
         return new LampTable(lamps, LampGrid.of(lamps, bounds, hiding), shadows);
     }
 

@@ -18,30 +18,37 @@ public final class LightNeeds {
         return sun != null && !sun.irradiance().equals(Vec3.ZERO);
     }
 
-    /** A sun that casts, and more than one solid: a shadow is possible, {@link ShadowCasters} know whether it is there. */
+    /**
+     * A sun that casts, and a model or more than one solid: a shadow is possible, {@link ShadowCasters} know whether it is
+     * there.
+     */
     public static boolean sunCasts(Level level) {
         return sun(level)
                 && level.environment().sun().castsShadow()
-                && level.solids().size() > 1;
+                && (level.solids().size() > 1 || !level.models().isEmpty());
     }
 
-    /** A sun that casts, and a solid that another one can be shaded by; derives every solid to know. */
+    /** A sun that casts, and a model or a solid that another one can be shaded by; derives every solid to know. */
     public static boolean sunShadow(Level level) {
         if (!sunCasts(level)) {
             return false;
+        }
+        if (!level.models().isEmpty()) {
+            return true;
         }
         List<Brush> brushes = level.solids().stream().map(Brush::of).toList();
         return ShadowCasters.any(brushes, level.environment().sun().directionTowardsSun());
     }
 
     public static boolean lamps(Level level) {
-        return !level.solids().isEmpty()
+        return hasSurfaces(level)
                 && level.lights().stream().anyMatch(light -> Lamp.of(light).isPresent());
     }
 
-    /** A lamp that casts, and more than one solid or body: a convex one does not shade itself. */
+    /** A lamp that casts, and a model or more than one solid or body: a convex one does not shade itself. */
     public static boolean lampShadow(Level level) {
-        boolean several = level.solids().size() + level.bodies().size() > 1;
+        boolean several = level.solids().size() + level.bodies().size() > 1
+                || !level.models().isEmpty();
         return several && lamps(level) && level.lights().stream().anyMatch(LightNeeds::casts);
     }
 
@@ -50,9 +57,22 @@ public final class LightNeeds {
         return light.castsShadow() && Lamp.of(light).isPresent();
     }
 
-    /** A sky that shines, solids for it to fall on, and no constant in its place. */
+    /** A sky that shines, solids or models for it to fall on, and no constant in its place. */
     public static boolean skyVisibility(Level level) {
-        return !level.solids().isEmpty() && skyShines(level);
+        return hasSurfaces(level) && skyShines(level);
+    }
+
+    /** What there is to be lit and to shade, as a reason is told. */
+    public static String surfaces(Level level) {
+        if (level.models().isEmpty()) {
+            return "solids";
+        }
+        return level.solids().isEmpty() ? "models" : "solids, models";
+    }
+
+    /** Whether anything that never moves is there to be lit. */
+    public static boolean hasSurfaces(Level level) {
+        return !level.solids().isEmpty() || !level.models().isEmpty();
     }
 
     /** A sky that shines, and no constant in its place. */

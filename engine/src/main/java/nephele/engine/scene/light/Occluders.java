@@ -1,32 +1,58 @@
 package nephele.engine.scene.light;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemRayTest;
 import nephele.engine.math.Ray;
 import nephele.engine.math.SpatialIndex;
+import nephele.engine.math.TriangleMeeting;
+import nephele.engine.math.Vec3;
 
 /**
- * Answers whether a half-line meets any convex solid. Solids are tested as what lies behind all their planes: exact at
- * edges, so that touching solids leave no gap. Immutable and safe to share between threads.
+ * Answers whether a half-line meets anything that never moves. Convex solids are tested as what lies behind all their
+ * planes: exact at edges, so that touching solids leave no gap. Items are the level's solids, then its convex models,
+ * then the triangles of the others. Immutable and safe to share between threads.
  */
 final class Occluders {
     private final double[][] planes;
+    private final double[] triangles;
     private final SpatialIndex index;
 
     Occluders(List<Brush> brushes) {
-        planes = brushes.stream().map(brush -> brush.shape().flatPlanes()).toArray(double[][]::new);
-        index = SpatialIndex.of(brushes.stream().map(b -> b.shape().bounds()).toList());
+        this(StaticShapes.of(brushes));
     }
 
-    /** Inside or on the surface of a solid other than {@code except}. */
-    boolean isInside(double[] p, int except) {
-        for (int i = 0; i < planes.length; i++) {
-            if (i != except && behindAll(planes[i], p)) {
-                return true;
-            }
+    Occluders(StaticShapes shapes) {
+        List<Brush> convex = new ArrayList<>(shapes.solids());
+        convex.addAll(shapes.models().solids());
+        planes = convex.stream().map(brush -> brush.shape().flatPlanes()).toArray(double[][]::new);
+        triangles = shapes.models().sheets().stream()
+                .flatMapToDouble(model -> Arrays.stream(model.triangles().corners()))
+                .toArray();
+        List<Aabb> boxes = new ArrayList<>();
+        convex.forEach(brush -> boxes.add(brush.shape().bounds()));
+        for (int at = 0; at < triangles.length; at += 9) {
+            boxes.add(Aabb.of(List.of(corner(at), corner(at + 3), corner(at + 6))));
         }
-        return false;
+        index = SpatialIndex.of(boxes);
+    }
+
+    private Vec3 corner(int at) {
+        return new Vec3(triangles[at], triangles[at + 1], triangles[at + 2]);
+    }
+
+    /** Inside or on the surface of a solid other than {@code except}; nothing is inside a surface that is not closed. */
+    boolean isInside(double[] p, int except) {
+        boolean[] inside = new boolean[1];
+        index.overlapping(
+                new double[] {p[0], p[1], p[2], p[0], p[1], p[2]},
+                0,
+                item -> inside[0] |= item != except && item < planes.length && behindAll(planes[item], p));
+        return inside[0];
     }
 
     private static boolean behindAll(double[] solid, double[] p) {
@@ -38,22 +64,22 @@ final class Occluders {
         return true;
     }
 
-    /** Whether the half-line from {@code o} along {@code d} meets a solid other than {@code except}. */
+    /** Whether the half-line from {@code o} along {@code d} meets an item other than {@code except}. */
     boolean isOccluded(double[] o, double[] d, int except) {
         return index.anyHit(
                 new Ray(o[0], o[1], o[2], d[0], d[1], d[2]),
                 Double.MAX_VALUE,
-                (ray, item, limit) -> answer(item != except && meetsSolid(planes[item], o, d, limit)));
+                (ray, item, limit) -> answer(item != except && meets(item, o, d, limit)));
     }
 
-    /** For callers that keep their test: whether it hits any solid up to {@code limit}. */
+    /** For callers that keep their test: whether it hits any item up to {@code limit}. */
     boolean anyHit(Ray ray, double limit, ItemRayTest test) {
         return index.anyHit(ray, limit, test);
     }
 
-    /** The answer of such a test for one solid. */
-    double hit(int solid, double[] o, double[] d, double limit) {
-        return answer(meetsSolid(planes[solid], o, d, limit));
+    /** The answer of such a test for one item. */
+    double hit(int item, double[] o, double[] d, double limit) {
+        return answer(meets(item, o, d, limit));
     }
 
     /** Whether a single solid meets every segment from {@code o} to {@code o + segments[i]}. */
@@ -62,20 +88,29 @@ final class Occluders {
         return index.anyHit(
                 new Ray(o[0], o[1], o[2], first[0], first[1], first[2]),
                 1,
-                (ray, item, limit) -> answer(meetsAll(planes[item], o, segments)));
+                (ray, item, limit) -> answer(meetsAll(item, o, segments)));
     }
 
     private static double answer(boolean hit) {
         return hit ? 0 : Double.POSITIVE_INFINITY;
     }
 
-    private static boolean meetsAll(double[] solid, double[] o, double[][] segments) {
+    private boolean meetsAll(int item, double[] o, double[][] segments) {
         for (double[] segment : segments) {
-            if (!meetsSolid(solid, o, segment, 1)) {
+            if (!meets(item, o, segment, 1)) {
                 return false;
             }
         }
         return true;
+    }
+
+    private boolean meets(int item, double[] o, double[] d, double length) {
+        if (item < planes.length) {
+            return meetsSolid(planes[item], o, d, length);
+        }
+        int at = 9 * (item - planes.length);
+        double t = TriangleMeeting.parameter(o[0], o[1], o[2], d[0], d[1], d[2], triangles, at);
+        return t >= 0 && t <= length;
     }
 
     /** Clips o + t · d, 0 ≤ t ≤ length, by every plane (Cyrus and Beck 1978); what is left lies inside. */

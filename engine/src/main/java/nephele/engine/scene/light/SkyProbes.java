@@ -1,8 +1,7 @@
 package nephele.engine.scene.light;
 
 import java.util.Arrays;
-import java.util.List;
-import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.ItemRayTest;
 import nephele.engine.math.Ray;
 
@@ -34,8 +33,8 @@ public final class SkyProbes {
     private float[] known = new float[256 * VALUES];
     private int size;
 
-    public SkyProbes(List<Brush> brushes) {
-        occluders = new Occluders(brushes);
+    public SkyProbes(StaticShapes statics) {
+        occluders = new Occluders(statics);
         meets = (sight, item, limit) -> occluders.hit(item, from, way, limit);
         for (int i = 0; i < DIRECTIONS; i++) {
             // Evenly over the sphere (Vogel 1979).

@@ -1,21 +1,27 @@
 package nephele.engine.scene.light;
 
-import java.util.List;
 import java.util.function.DoubleConsumer;
-import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShapes;
 
 /**
- * How much of the sky each place on the static faces sees: the cosine-weighted fraction of the hemisphere over the face
- * that meets no solid. 1 on an open plane, ½ at the foot of an endless wall, 0 in a closed room.
+ * How much of the sky each place on what never moves sees: the cosine-weighted fraction of the hemisphere over it that
+ * meets nothing. 1 on an open plane, ½ at the foot of an endless wall, 0 in a closed room.
  *
- * @param texels row by row from the lowest, 0–65535 for 0–1
+ * @param texels of the solids' faces, row by row from the lowest, 0–65535 for 0–1
+ * @param ofModels likewise for every vertex of every model in turn
  */
-public record SkyVisibility(LightMapLayout layout, short[] texels) {
+public record SkyVisibility(LightMapLayout layout, short[] texels, short[] ofModels) {
 
     /** @param progress receives the done fraction, 0–1, from any thread */
-    public static SkyVisibility bake(List<Brush> brushes, DoubleConsumer progress) {
-        LightMapLayout layout = LightMapLayout.of(brushes);
-        return new SkyVisibility(layout, SkyVisibilityBake.texels(layout, brushes, progress));
+    public static SkyVisibility bake(StaticShapes statics, DoubleConsumer progress) {
+        return bake(LightMapLayout.of(statics.solids()), statics, progress);
+    }
+
+    static SkyVisibility bake(LightMapLayout layout, StaticShapes statics, DoubleConsumer progress) {
+        double ofModels = statics.models().isEmpty() ? 0 : 0.5;
+        short[] texels = SkyVisibilityBake.texels(layout, statics, done -> progress.accept(done * (1 - ofModels)));
+        short[] values = ModelVisibility.values(statics, done -> progress.accept(1 - ofModels + done * ofModels));
+        return new SkyVisibility(layout, texels, values);
     }
 
     /** As the shader sees it: bilinear between the four nearest texels; texels from the map's lower left corner. */

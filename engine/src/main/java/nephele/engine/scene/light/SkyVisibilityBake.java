@@ -1,10 +1,9 @@
 package nephele.engine.scene.light;
 
-import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
-import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShapes;
 import org.joml.Vector3d;
 
 /** Casts the rays of the sky visibility. The result does not depend on the number of threads. */
@@ -26,11 +25,11 @@ public final class SkyVisibilityBake {
 
     private final LightMapLayout layout;
     private final Occluders solids;
-    private final double[] spiral = spiral();
+    private final double[] spiral = spiral(RAYS);
 
-    private SkyVisibilityBake(LightMapLayout layout, List<Brush> brushes) {
+    private SkyVisibilityBake(LightMapLayout layout, StaticShapes statics) {
         this.layout = layout;
-        this.solids = new Occluders(brushes);
+        this.solids = new Occluders(statics);
     }
 
     private static double[] tent(int parts) {
@@ -42,8 +41,8 @@ public final class SkyVisibilityBake {
         return middles;
     }
 
-    public static short[] texels(LightMapLayout layout, List<Brush> brushes, DoubleConsumer progress) {
-        SkyVisibilityBake bake = new SkyVisibilityBake(layout, brushes);
+    public static short[] texels(LightMapLayout layout, StaticShapes statics, DoubleConsumer progress) {
+        SkyVisibilityBake bake = new SkyVisibilityBake(layout, statics);
         short[] texels = new short[layout.width() * layout.height()];
         AtomicInteger done = new AtomicInteger();
         int charts = layout.charts().size();
@@ -136,11 +135,11 @@ public final class SkyVisibilityBake {
      * Directions of equal cosine weight: a sunflower spiral on the unit disc (Vogel 1979), lifted to the hemisphere
      * (Malley's method). Every texel uses the same ones, so neighbours differ smoothly and not by noise.
      */
-    private static double[] spiral() {
+    static double[] spiral(int rays) {
         double goldenAngle = Math.PI * (3 - Math.sqrt(5));
-        double[] directions = new double[3 * RAYS];
-        for (int i = 0; i < RAYS; i++) {
-            double r2 = (i + 0.5) / RAYS;
+        double[] directions = new double[3 * rays];
+        for (int i = 0; i < rays; i++) {
+            double r2 = (i + 0.5) / rays;
             double angle = i * goldenAngle + 0.5;
             directions[3 * i] = Math.sqrt(r2) * StrictMath.cos(angle);
             directions[3 * i + 1] = Math.sqrt(r2) * StrictMath.sin(angle);

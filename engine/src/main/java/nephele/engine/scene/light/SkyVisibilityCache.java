@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.function.DoubleConsumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShapes;
 
 /**
  * Finds a baked sky visibility or bakes it. Levels that come with the game carry theirs in {@code baked/} beside them,
@@ -39,16 +39,18 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
     }
 
     /** @param progress of a bake, 0–1; not called when nothing has to be baked */
-    public SkyVisibility of(List<Brush> brushes, DoubleConsumer progress) {
-        LightMapLayout layout = LightMapLayout.of(brushes);
-        String name = SkyVisibilityFile.nameFor(brushes);
-        Optional<short[]> known = stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, bytes));
+    public SkyVisibility of(StaticShapes statics, DoubleConsumer progress) {
+        LightMapLayout layout = LightMapLayout.of(statics.solids());
+        String name = SkyVisibilityFile.nameFor(statics);
+        int vertices = statics.models().vertexCount();
+        Optional<SkyVisibility> known =
+                stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, vertices, bytes));
         if (known.isPresent()) {
-            return new SkyVisibility(layout, known.get());
+            return known.get();
         }
-        short[] texels = SkyVisibilityBake.texels(layout, brushes, progress);
-        store(name, SkyVisibilityFile.encode(layout, texels));
-        return new SkyVisibility(layout, texels);
+        SkyVisibility visibility = SkyVisibility.bake(layout, statics, progress);
+        store(name, SkyVisibilityFile.encode(visibility));
+        return visibility;
     }
 
     private Optional<byte[]> stored(String name) {

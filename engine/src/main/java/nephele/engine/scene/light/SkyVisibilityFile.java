@@ -11,12 +11,13 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
-import java.util.List;
 import java.util.Optional;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
 import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 
@@ -30,19 +31,33 @@ public final class SkyVisibilityFile {
     private SkyVisibilityFile() {}
 
     /** The same for the same shapes in the same order, whatever their materials. */
-    public static String nameFor(List<Brush> brushes) {
+    public static String nameFor(StaticShapes statics) {
         MessageDigest digest = sha256();
         ByteBuffer buffer = ByteBuffer.allocate(4 * Double.BYTES);
         digest.update((byte) VERSION);
         digest.update(bytes(buffer, LightMapLayout.TEXEL_METRES, SkyVisibilityBake.RAYS, 0, 0));
-        for (Brush brush : brushes) {
+        for (Brush brush : statics.solids()) {
             digest.update((byte) brush.shape().faces().size());
             for (ConvexPolyhedron.Face face : brush.shape().faces()) {
                 Plane p = face.plane();
                 digest.update(bytes(buffer, p.nx(), p.ny(), p.nz(), p.distance()));
             }
         }
+        statics.models().all().forEach(model -> addMesh(model.triangles(), digest));
         return "sky-visibility-" + HexFormat.of().formatHex(digest.digest(), 0, 10) + ".bin";
+    }
+
+    private static void addMesh(WorldTriangles mesh, MessageDigest digest) {
+        ByteBuffer bytes = ByteBuffer.allocate(
+                Integer.BYTES * (1 + mesh.vertices().length) + 2 * Double.BYTES * mesh.positions().length);
+        bytes.putInt(mesh.vertices().length);
+        for (int vertex : mesh.vertices()) {
+            bytes.putInt(vertex);
+        }
+        for (int i = 0; i < mesh.positions().length; i++) {
+            bytes.putDouble(mesh.positions()[i] + 0.0).putDouble(mesh.normals()[i] + 0.0);
+        }
+        digest.update(bytes.array());
     }
 
     private static byte[] bytes(ByteBuffer buffer, double a, double b, double c, double d) {
@@ -61,7 +76,8 @@ public final class SkyVisibilityFile {
     }
 
     /** Rows as differences from texel to texel, deflated: smooth light packs to a quarter. */
-    public static byte[] encode(LightMapLayout layout, short[] texels) {
+    public static byte[] encode(SkyVisibility visibility) {
+        LightMapLayout layout = visibility.layout();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream head = new DataOutputStream(bytes)) {
             head.write(MAGIC);
@@ -69,16 +85,21 @@ public final class SkyVisibilityFile {
             head.writeInt(layout.height());
             head.writeLong(placement(layout));
             try (DataOutputStream body = new DataOutputStream(new DeflaterOutputStream(bytes))) {
-                short previous = 0;
-                for (short texel : texels) {
-                    body.writeShort(texel - previous);
-                    previous = texel;
-                }
+                write(visibility.texels(), body);
+                write(visibility.ofModels(), body);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
         return bytes.toByteArray();
+    }
+
+    private static void write(short[] values, DataOutputStream body) throws IOException {
+        short previous = 0;
+        for (short value : values) {
+            body.writeShort(value - previous);
+            previous = value;
+        }
     }
 
     /** Where every chart lies: a map of the same size may be packed in another order. */
@@ -95,32 +116,41 @@ public final class SkyVisibilityFile {
         return crc.getValue();
     }
 
-    /** Empty when the bytes are no visibility for this layout: it is then baked anew. */
-    public static Optional<short[]> decode(LightMapLayout layout, byte[] bytes) {
+    /**
+     * Empty when the bytes are no visibility for this layout: it is then baked anew.
+     *
+     * @param vertices of models
+     */
+    public static Optional<SkyVisibility> decode(LightMapLayout layout, int vertices, byte[] bytes) {
         try (DataInputStream head = new DataInputStream(new ByteArrayInputStream(bytes))) {
             byte[] magic = head.readNBytes(MAGIC.length);
             boolean fits = MessageDigest.isEqual(magic, MAGIC)
                     && head.readInt() == layout.width()
                     && head.readInt() == layout.height()
                     && head.readLong() == placement(layout);
-            return fits ? Optional.of(body(head, layout.width() * layout.height())) : Optional.empty();
+            if (!fits) {
+                return Optional.empty();
+            }
+            InflaterInputStream body = new InflaterInputStream(head);
+            short[] texels = values(body, layout.width() * layout.height());
+            return Optional.of(new SkyVisibility(layout, texels, values(body, vertices)));
         } catch (IOException e) {
             return Optional.empty();
         }
     }
 
-    private static short[] body(DataInputStream head, int count) throws IOException {
-        byte[] packed = new InflaterInputStream(head).readNBytes(2 * count);
+    private static short[] values(InflaterInputStream body, int count) throws IOException {
+        byte[] packed = body.readNBytes(2 * count);
         if (packed.length != 2 * count) {
             throw new IOException("too short");
         }
         ByteBuffer differences = ByteBuffer.wrap(packed);
-        short[] texels = new short[count];
+        short[] values = new short[count];
         short previous = 0;
         for (int i = 0; i < count; i++) {
             previous += differences.getShort();
-            texels[i] = previous;
+            values[i] = previous;
         }
-        return texels;
+        return values;
     }
 }

@@ -43,7 +43,7 @@ float lampLitShare(Lamp lamp, vec3 fromLamp, vec3 faceNormal) {
     depths = nearerDepths(depths, coordinates);
 #endif
     vec4 nearerBy = nearerThanPlaneOfLamp(depths, distance, gradient, range, four);
-#ifdef MOVING_RECEIVER
+#if defined(MOVING_RECEIVER) || defined(CURVED_RECEIVER)
     return litShare(nearerBy, four.weight, halfTexel, slope);
 #else
     return litShareOfMapped(nearerBy, looksLike(depths, faceNormal), four.weight, halfTexel, slope);

@@ -16,7 +16,7 @@ float sunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
     Footprint four = footprintAt(texel);
     vec4 depths = textureGather(sunShadowMap, vec3(gatherPoint(texel) / size, 0.0));
     vec4 nearerBy = nearerThanPlane(depths, m.z, gradient, four);
-#ifdef MOVING_RECEIVER
+#if defined(MOVING_RECEIVER) || defined(CURVED_RECEIVER)
     return litShare(nearerBy, four.weight, sunMapUp.w, slope);
 #else
     return litShareOfMapped(nearerBy, looksLike(depths, faceNormal), four.weight, sunMapUp.w, slope);

@@ -1,5 +1,6 @@
 // Radiance that a surface sends to the eye; uniforms and textures come from render.frame.SurfaceLight. What is compiled is what the level asks for:
 //   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, THING_SUN_SHADOW, THING_LAMP_SHADOW, LAMPS, LAMP_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static faces.
+// CURVED_RECEIVER: triangles that stand for a curve, whose planes no depth map resolves, are shaded as what moves is.
 // ANCHOR_POSITION goes with each of SUN_SHADOW, THING_SUN_SHADOW and LAMPS.
 
 struct Surface {

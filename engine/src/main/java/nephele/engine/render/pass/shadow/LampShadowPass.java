@@ -42,7 +42,7 @@ public final class LampShadowPass implements Pass {
     private static String because(Level level) {
         for (int i = 0; i < level.lights().size(); i++) {
             if (LightNeeds.casts(level.lights().get(i))) {
-                return "lights[" + i + "].castsShadow: solids that shade others";
+                return "lights[" + i + "].castsShadow: " + LightNeeds.surfaces(level) + " that shade others";
             }
         }
         throw new IllegalArgumentException("no lamp casts");

@@ -31,7 +31,8 @@ public final class SkyVisibilityPass implements Pass {
 
     private static List<Required> requiredBy(Level level) {
         return LightNeeds.skyVisibility(level)
-                ? List.of(new Required("environment.sky: its light falls on solids", SkyVisibilityPass::new))
+                ? List.of(new Required(
+                        "environment.sky: its light falls on " + LightNeeds.surfaces(level), SkyVisibilityPass::new))
                 : List.of();
     }
 

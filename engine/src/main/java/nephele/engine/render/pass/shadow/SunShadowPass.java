@@ -30,7 +30,9 @@ public final class SunShadowPass implements Pass {
 
     private static List<Required> requiredBy(Level level) {
         return LightNeeds.sunShadow(level)
-                ? List.of(new Required("environment.sun.castsShadow: solids that shade others", SunShadowPass::new))
+                ? List.of(new Required(
+                        "environment.sun.castsShadow: " + LightNeeds.surfaces(level) + " that shade others",
+                        SunShadowPass::new))
                 : List.of();
     }
 

@@ -25,8 +25,9 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.scene.SolidBatch;
+import nephele.engine.scene.light.LightNeeds;
 
-/** The solids: one multi-draw for each batch. */
+/** Solids and models: one multi-draw for each batch. */
 public final class SolidPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("solid", SolidPass::requiredBy);
 
@@ -49,11 +50,12 @@ public final class SolidPass implements Pass {
     }
 
     private static List<Required> requiredBy(Level level) {
-        if (level.solids().isEmpty()) {
+        if (!LightNeeds.hasSurfaces(level)) {
             return List.of();
         }
+        String what = LightNeeds.surfaces(level);
         Set<Target> reads = SurfaceLight.targetsRead(level);
-        return List.of(new Required("solids: surfaces to see", gl -> new SolidPass(gl, reads)));
+        return List.of(new Required(what + ": surfaces to see", gl -> new SolidPass(gl, reads)));
     }
 
     @Override
@@ -78,7 +80,7 @@ public final class SolidPass implements Pass {
         }
         materials = new MaterialBlocks(gl, context.scene().materials().surfaces());
         for (SolidBatch batch : mesh.batches()) {
-            SolidVariant variant = SolidVariant.of(batch.kind(), context.scene().level());
+            SolidVariant variant = SolidVariant.of(batch, context.scene().level());
             programOfBatch.add(programs.computeIfAbsent(
                     variant, wanted -> wanted.program(context, materials.materialsPerBlock())));
         }

@@ -17,19 +17,22 @@ import nephele.engine.scene.SolidBatch;
  *
  * @param emission whether any material shines
  */
-record SolidVariant(SurfaceVariant surface, boolean emission) {
+record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emission) {
     private static final String FOLDER = "/nephele/engine/render/pass/solid/";
 
-    static SolidVariant of(SolidBatch.Kind kind, Level level) {
+    static SolidVariant of(SolidBatch batch, Level level) {
         boolean emission =
                 level.materials().stream().anyMatch(m -> !m.emission().equals(Vec3.ZERO));
-        return new SolidVariant(SurfaceVariant.of(kind), emission);
+        return new SolidVariant(batch.form(), SurfaceVariant.of(batch.kind()), emission);
     }
 
     GlProgram<SolidUniforms> program(LoadContext context, int materialsPerBlock) {
         SurfaceLight light = context.shared().surfaceLight(context);
-        var defines = surface.addTo(light.addTo(Defines.of(context)), materialsPerBlock)
+        Defines lit = form.isModel() ? light.addForModels(Defines.of(context)) : light.addTo(Defines.of(context));
+        var defines = surface.addTo(lit, materialsPerBlock)
                 .withIf(emission, "EMISSION")
+                .withIf(form.isModel(), "MODEL")
+                .withIf(form == SolidBatch.Form.CURVED_MODEL, "CURVED_RECEIVER")
                 .withIf(isLitPerFace(light), "FLAT_LIGHT")
                 .values();
         return new GlProgram<>(
@@ -41,12 +44,16 @@ record SolidVariant(SurfaceVariant surface, boolean emission) {
 
     /** Where light cannot differ from one point of a face to the next. */
     private boolean isLitPerFace(SurfaceLight light) {
-        return surface.lambert() && !surface.normalMapped() && !light.variesOverFaces();
+        return !form.isModel() && surface.lambert() && !surface.normalMapped() && !light.variesOverFaces();
     }
 
     private SolidUniforms uniforms(Uniforms uniforms, SurfaceLight light) {
         surface.set(uniforms);
-        light.set(uniforms);
+        if (form.isModel()) {
+            light.setForModels(uniforms);
+        } else {
+            light.set(uniforms);
+        }
         return new SolidUniforms(
                 uniforms.vector3("eyeHigh"),
                 uniforms.vector3("eyeLow"),

@@ -21,8 +21,14 @@ flat in vec3 reflectedPerAlbedo;
 flat in vec3 faceNormal;
 flat in float materialIndex;
 #endif
-#if defined(METALLIC_ROUGHNESS) || defined(FOG)
+#if defined(METALLIC_ROUGHNESS) || defined(FOG) || (defined(MODEL) && defined(NORMAL_MAP))
 in vec3 relativePosition;
+#endif
+#ifdef MODEL
+in vec3 smoothNormal;
+#ifdef SKY_AMBIENT
+in float skyVisibility;
+#endif
 #endif
 #ifdef ANCHOR_POSITION
 in vec3 anchorPosition;
@@ -39,6 +45,27 @@ flat in vec3 emission;
 vec3 textureAcross(vec3 n) {
     return normalize(abs(n.y) > 0.999 ? vec3(1.0, 0.0, 0.0) - n * n.x : cross(vec3(0.0, 1.0, 0.0), n));
 }
+
+#ifdef MODEL
+// A direction laid along the surface; where there is none, another one.
+vec3 along(vec3 direction, vec3 n, vec3 otherwise) {
+    vec3 tangent = direction - n * dot(n, direction);
+    float square = dot(tangent, tangent);
+    return square > 0.0 ? tangent * inversesqrt(square) : otherwise;
+}
+
+// As the mesh has it: where its texture coordinates grow (Schueler 2013, "Normal Mapping without Precomputed Tangents").
+// Twin: nephele.engine.level.placed.MeshTexture.
+vec3 meshMappedNormal(vec3 texel, vec3 n) {
+    vec3 right = cross(dFdy(relativePosition), faceNormal);
+    vec3 above = cross(faceNormal, dFdx(relativePosition));
+    vec2 rightwards = dFdx(st);
+    vec2 upwards = dFdy(st);
+    vec3 across = along(right * rightwards.x + above * upwards.x, n, textureAcross(n));
+    vec3 up = along(-(right * rightwards.y + above * upwards.y), n, cross(n, across));
+    return mappedNormal(texel, n, across, up);
+}
+#endif
 #endif
 
 #ifndef FLAT_LIGHT
@@ -47,12 +74,20 @@ vec3 litRadiance(vec3 texel) {
     Surface s;
     s.baseColour = material.baseColourRoughness.rgb * texel;
     s.faceNormal = faceNormal;
+#ifdef MODEL
+    s.normal = normalize(smoothNormal);
+#else
     s.normal = faceNormal;
+#endif
     float roughness = material.baseColourRoughness.a;
 #ifdef NORMAL_MAP
     vec4 detail = texture(normals, vec3(st, layers.y));
+#ifdef MODEL
+    s.normal = meshMappedNormal(detail.rgb, s.normal);
+#else
     vec3 across = textureAcross(faceNormal);
     s.normal = mappedNormal(detail.rgb, faceNormal, across, cross(faceNormal, across));
+#endif
     roughness *= detail.a;
 #endif
 #ifdef METALLIC_ROUGHNESS
@@ -65,6 +100,8 @@ vec3 litRadiance(vec3 texel) {
 #endif
 #ifdef SKY_VISIBILITY
     s.skyVisibility = skyVisibilityAt(lightMapPosition);
+#elif defined(SKY_AMBIENT)
+    s.skyVisibility = skyVisibility;
 #endif
     return surfaceRadiance(s);
 }

@@ -13,6 +13,9 @@ layout(location = 2) in vec2 textureCoordinates;
 #ifdef SKY_VISIBILITY
 layout(location = 3) in vec2 lightMapSixteenths;
 #endif
+#ifdef MODEL
+layout(location = 3) in vec4 smoothNormalAndSky; // 32767 for 1
+#endif
 
 #if defined(TEXTURED) || defined(NORMAL_MAP)
 out vec2 st;
@@ -24,8 +27,14 @@ flat out vec3 reflectedPerAlbedo;
 flat out vec3 faceNormal;
 flat out float materialIndex;
 #endif
-#if defined(METALLIC_ROUGHNESS) || defined(FOG)
+#if defined(METALLIC_ROUGHNESS) || defined(FOG) || (defined(MODEL) && defined(NORMAL_MAP))
 out vec3 relativePosition;
+#endif
+#ifdef MODEL
+out vec3 smoothNormal;
+#ifdef SKY_AMBIENT
+out float skyVisibility;
+#endif
 #endif
 #ifdef ANCHOR_POSITION
 uniform vec3 cellFromAnchor; // the cell's origin, metres from the anchor
@@ -56,8 +65,14 @@ void main() {
     faceNormal = normal;
     materialIndex = normalAndMaterial.w;
 #endif
-#if defined(METALLIC_ROUGHNESS) || defined(FOG)
+#if defined(METALLIC_ROUGHNESS) || defined(FOG) || (defined(MODEL) && defined(NORMAL_MAP))
     relativePosition = relative;
+#endif
+#ifdef MODEL
+    smoothNormal = smoothNormalAndSky.xyz / 32767.0;
+#ifdef SKY_AMBIENT
+    skyVisibility = smoothNormalAndSky.w / 32767.0;
+#endif
 #endif
 #ifdef ANCHOR_POSITION
     anchorPosition = position + cellFromAnchor;

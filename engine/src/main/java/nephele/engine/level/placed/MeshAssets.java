@@ -1,0 +1,47 @@
+package nephele.engine.level.placed;
+
+import java.util.Optional;
+import java.util.function.Function;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.model.GeneratedName;
+import nephele.engine.model.Mesh;
+import nephele.engine.model.ModelFileException;
+import nephele.engine.model.ModelFiles;
+import nephele.engine.model.Shape;
+
+/** The meshes that asset ids stand for: files, or shapes made on the spot where a name says which. */
+public final class MeshAssets {
+    private final AssetSource assets;
+
+    public MeshAssets(AssetSource assets) {
+        this.assets = assets;
+    }
+
+    /** @throws AssetException where there is neither, or the file cannot be used */
+    public Mesh mesh(String assetId) {
+        try {
+            return assets.exists(assetId)
+                    ? ModelFiles.read(assetId, assets.bytes(assetId), besides(assetId))
+                    : generated(assetId);
+        } catch (ModelFileException problem) {
+            String where = problem.line() > 0 ? problem.file() + ":" + problem.line() : problem.file();
+            throw new AssetException(where, problem.reason(), problem.remedy(), problem);
+        }
+    }
+
+    private Mesh generated(String assetId) {
+        Optional<Shape> shape = GeneratedName.shape(assetId, besides(assetId));
+        return shape.orElseThrow(() -> new AssetException(
+                        assetId,
+                        "there is no such file, and the generator makes none of that name",
+                        "put it into the level's folder or into assets/"))
+                .mesh();
+    }
+
+    /** What lies in the same folder; {@code null} where nothing does. */
+    private Function<String, byte[]> besides(String assetId) {
+        String folder = assetId.substring(0, assetId.lastIndexOf('/') + 1);
+        return name -> assets.exists(folder + name) ? assets.bytes(folder + name) : null;
+    }
+}

@@ -1,0 +1,17 @@
+package nephele.engine.level.placed;
+
+import nephele.engine.level.Brush;
+import nephele.engine.level.ModelPlacement;
+import nephele.engine.math.Aabb;
+
+/**
+ * A model where the level has it.
+ *
+ * @param index in the level's list
+ * @param solid its shape where it is convex and closed, so that it is solid all through; {@code null} for any other
+ */
+public record PlacedModel(int index, ModelPlacement said, WorldTriangles triangles, Aabb bounds, Brush solid) {
+    static PlacedModel of(int index, ModelPlacement said, WorldTriangles triangles) {
+        return new PlacedModel(index, said, triangles, triangles.bounds(), ConvexModel.solid(said, triangles));
+    }
+}

@@ -1,0 +1,99 @@
+package nephele.engine.level.placed;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Level;
+import nephele.engine.level.ModelPlacement;
+import nephele.engine.model.Mesh;
+import org.joml.Matrix4dc;
+
+/** A level's models, each file read once; immutable. */
+public record PlacedModels(List<PlacedModel> all) {
+    public static final PlacedModels NONE = new PlacedModels(List.of());
+
+    /** Of all models together: each triangle is drawn, shades and is solid. */
+    public static final int MOST_TRIANGLES = 200_000;
+
+    /** The size of the world, as for everything that a level places. */
+    private static final double FARTHEST_METRES = 1e7;
+
+    /**
+     * @throws AssetException naming a file that is missing or cannot be used, also for its size here
+     * @throws IllegalArgumentException when parents are missing or in a circle; the level rules say so first
+     */
+    public static PlacedModels of(Level level, AssetSource assets) {
+        return of(level, new MeshAssets(assets)::mesh);
+    }
+
+    /** @param meshOf a file's mesh; asked once for each file */
+    public static PlacedModels of(Level level, Function<String, Mesh> meshOf) {
+        if (level.models().isEmpty()) {
+            return NONE;
+        }
+        List<Matrix4dc> frames = ModelFrames.of(level.models());
+        Map<String, Mesh> meshes = new HashMap<>();
+        List<PlacedModel> placed = new ArrayList<>();
+        long triangles = 0;
+        for (int i = 0; i < level.models().size(); i++) {
+            ModelPlacement said = level.models().get(i);
+            Mesh mesh = meshes.computeIfAbsent(said.file(), meshOf);
+            triangles += mesh.triangleCount();
+            requireFew(said, triangles);
+            PlacedModel model = PlacedModel.of(i, said, WorldTriangles.of(mesh, frames.get(i)));
+            requireNear(model);
+            placed.add(model);
+        }
+        return new PlacedModels(List.copyOf(placed));
+    }
+
+    private static void requireFew(ModelPlacement said, long triangles) {
+        if (triangles > MOST_TRIANGLES) {
+            throw new AssetException(
+                    said.file(),
+                    "with '" + said.id() + "' the level's models have " + triangles + " triangles or more, of "
+                            + MOST_TRIANGLES + " that a level may have",
+                    "place fewer models or coarser ones");
+        }
+    }
+
+    private static void requireNear(PlacedModel model) {
+        // Also what overflowed: it would be left out as a triangle without area.
+        if (!Arrays.stream(model.triangles().positions()).allMatch(x -> Math.abs(x) <= FARTHEST_METRES)) {
+            throw new AssetException(
+                    model.said().file(),
+                    "as '" + model.said().id() + "' it reaches farther than 10 000 km",
+                    "scale it down or move it nearer");
+        }
+    }
+
+    /** Of all meshes. */
+    public int vertexCount() {
+        return all.stream()
+                .mapToInt(model -> model.triangles().positions().length / 3)
+                .sum();
+    }
+
+    public boolean isEmpty() {
+        return all.isEmpty();
+    }
+
+    /** Those that are convex and closed. */
+    public List<Brush> solids() {
+        return all.stream()
+                .filter(model -> model.solid() != null)
+                .map(PlacedModel::solid)
+                .toList();
+    }
+
+    /** Those that are not: surfaces without an inside. */
+    public List<PlacedModel> sheets() {
+        return all.stream().filter(model -> model.solid() == null).toList();
+    }
+}

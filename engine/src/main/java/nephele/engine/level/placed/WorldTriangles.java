@@ -1,0 +1,169 @@
+package nephele.engine.level.placed;
+
+import java.util.Arrays;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Normals;
+import nephele.engine.math.Vec3;
+import nephele.engine.model.Mesh;
+import org.joml.Matrix3d;
+import org.joml.Matrix3dc;
+import org.joml.Matrix4dc;
+import org.joml.Vector3d;
+
+/**
+ * A mesh's triangles in the world, counter-clockwise seen from outside, mirrored or not; those without area are left out.
+ *
+ * @param positions x, y, z of each of the mesh's vertices
+ * @param normals likewise, of unit length
+ * @param textureCoordinates s, t of each, t = 0 at the picture's top row
+ * @param vertices three for each triangle
+ * @param faceNormals x, y, z of each triangle: the unit normal of its plane
+ */
+public record WorldTriangles(
+        double[] positions, double[] normals, double[] textureCoordinates, int[] vertices, double[] faceNormals) {
+    /** Flatter triangles, by height over longest edge, have no normal that rounding did not decide. */
+    private static final double LEAST_HEIGHT = 1e-6;
+
+    /** Cosine up to which a vertex's normal is that of its triangle: 0.08°, beyond what files round. */
+    private static final double SAME_NORMAL = 0.999999;
+
+    public static WorldTriangles of(Mesh mesh, Matrix4dc worldFromModel) {
+        Matrix3d linear = new Matrix3d(worldFromModel);
+        double[] positions = positions(mesh, worldFromModel);
+        double[] normals = normals(mesh, linear);
+        double[] texture = new double[mesh.textureCoordinates().length];
+        for (int i = 0; i < texture.length; i++) {
+            double given = mesh.textureCoordinates()[i];
+            texture[i] = i % 2 == 0 ? given : 1 - given;
+        }
+        boolean flips = Normals.flipsWinding(linear);
+        int[] vertices = new int[mesh.indices().length];
+        double[] faceNormals = new double[vertices.length];
+        int kept = 0;
+        for (int at = 0; at < vertices.length; at += 3) {
+            int a = mesh.indices()[at];
+            int b = mesh.indices()[flips ? at + 2 : at + 1];
+            int c = mesh.indices()[flips ? at + 1 : at + 2];
+            Vec3 normal = faceNormal(positions, a, b, c);
+            if (normal != null) {
+                vertices[kept] = a;
+                vertices[kept + 1] = b;
+                vertices[kept + 2] = c;
+                faceNormals[kept] = normal.x();
+                faceNormals[kept + 1] = normal.y();
+                faceNormals[kept + 2] = normal.z();
+                kept += 3;
+            }
+        }
+        return new WorldTriangles(
+                positions, normals, texture, Arrays.copyOf(vertices, kept), Arrays.copyOf(faceNormals, kept));
+    }
+
+    private static double[] positions(Mesh mesh, Matrix4dc worldFromModel) {
+        double[] positions = new double[mesh.positions().length];
+        Vector3d p = new Vector3d();
+        for (int i = 0; i < positions.length; i += 3) {
+            p.set(mesh.positions()[i], mesh.positions()[i + 1], mesh.positions()[i + 2]);
+            worldFromModel.transformPosition(p).get(positions, i);
+        }
+        return positions;
+    }
+
+    private static double[] normals(Mesh mesh, Matrix3dc linear) {
+        double[] normals = new double[mesh.normals().length];
+        for (int i = 0; i < normals.length; i += 3) {
+            Vec3 given = new Vec3(mesh.normals()[i], mesh.normals()[i + 1], mesh.normals()[i + 2]);
+            Vec3 n = Normals.transformed(linear, given);
+            normals[i] = n.x();
+            normals[i + 1] = n.y();
+            normals[i + 2] = n.z();
+        }
+        return normals;
+    }
+
+    /** {@code null} for a triangle without area to speak of. */
+    private static Vec3 faceNormal(double[] p, int a, int b, int c) {
+        Vec3 ab = between(p, a, b);
+        Vec3 ac = between(p, a, c);
+        Vec3 doubled = Directions.cross(ab, ac);
+        double longest = Math.max(Math.max(square(ab), square(ac)), square(between(p, b, c)));
+        boolean hasArea = Directions.length(doubled) > LEAST_HEIGHT * longest;
+        return hasArea ? Directions.unit(doubled.x(), doubled.y(), doubled.z()) : null;
+    }
+
+    private static Vec3 between(double[] p, int a, int b) {
+        return new Vec3(p[3 * b] - p[3 * a], p[3 * b + 1] - p[3 * a + 1], p[3 * b + 2] - p[3 * a + 2]);
+    }
+
+    private static double square(Vec3 v) {
+        return Directions.dot(v, v);
+    }
+
+    public int count() {
+        return vertices.length / 3;
+    }
+
+    /** @param corner 0 to 2 */
+    public Vec3 corner(int triangle, int corner) {
+        int at = 3 * vertices[3 * triangle + corner];
+        return new Vec3(positions[at], positions[at + 1], positions[at + 2]);
+    }
+
+    public Vec3 faceNormal(int triangle) {
+        return new Vec3(faceNormals[3 * triangle], faceNormals[3 * triangle + 1], faceNormals[3 * triangle + 2]);
+    }
+
+    /** Of the surface that the mesh stands for; where a file has it point behind the triangle, the triangle's own. */
+    public Vec3 normal(int triangle, int corner) {
+        Vec3 own = ofVertex(vertices[3 * triangle + corner]);
+        Vec3 face = faceNormal(triangle);
+        return Directions.dot(own, face) > 0 ? own : face;
+    }
+
+    private Vec3 ofVertex(int vertex) {
+        return new Vec3(normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2]);
+    }
+
+    public double s(int triangle, int corner) {
+        return textureCoordinates[2 * vertices[3 * triangle + corner]];
+    }
+
+    public double t(int triangle, int corner) {
+        return textureCoordinates[2 * vertices[3 * triangle + corner] + 1];
+    }
+
+    /** Whether light on it is that on its triangles: no normal stands for a curved surface. */
+    public boolean isFaceted() {
+        for (int triangle = 0; triangle < count(); triangle++) {
+            for (int corner = 0; corner < 3; corner++) {
+                if (Directions.dot(normal(triangle, corner), faceNormal(triangle)) < SAME_NORMAL) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** Of what is left of the mesh; empty for nothing. */
+    public Aabb bounds() {
+        double[] least = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+        double[] most = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+        for (int vertex : vertices) {
+            for (int axis = 0; axis < 3; axis++) {
+                least[axis] = Math.min(least[axis], positions[3 * vertex + axis]);
+                most[axis] = Math.max(most[axis], positions[3 * vertex + axis]);
+            }
+        }
+        return new Aabb(least[0], least[1], least[2], most[0], most[1], most[2]);
+    }
+
+    /** Nine numbers for each triangle: its corners. */
+    public double[] corners() {
+        double[] corners = new double[3 * vertices.length];
+        for (int i = 0; i < vertices.length; i++) {
+            System.arraycopy(positions, 3 * vertices[i], corners, 3 * i, 3);
+        }
+        return corners;
+    }
+}

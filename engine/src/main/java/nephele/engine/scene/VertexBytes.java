@@ -1,0 +1,54 @@
+package nephele.engine.scene;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import nephele.engine.math.Vec3;
+
+/** Vertices as the GPU reads them, appended one by one. */
+final class VertexBytes {
+    private final ByteBuffer bytes;
+    private final int vertexBytes;
+
+    VertexBytes(int vertices, int vertexBytes) {
+        this.vertexBytes = vertexBytes;
+        bytes = ByteBuffer.allocateDirect(vertices * vertexBytes).order(ByteOrder.nativeOrder());
+    }
+
+    /** Of vertices so far; only between two of them. */
+    int count() {
+        return bytes.position() / vertexBytes;
+    }
+
+    void position(Vec3 p, Vec3 cell) {
+        bytes.putFloat((float) (p.x() - cell.x()));
+        bytes.putFloat((float) (p.y() - cell.y()));
+        bytes.putFloat((float) (p.z() - cell.z()));
+    }
+
+    /** A unit vector in 16 bits a component, and a whole number with it. */
+    void normal(Vec3 n, int fourth) {
+        bytes.putShort(unit16(n.x()));
+        bytes.putShort(unit16(n.y()));
+        bytes.putShort(unit16(n.z()));
+        bytes.putShort((short) fourth);
+    }
+
+    private static short unit16(double x) {
+        return (short) Math.round(x * Short.MAX_VALUE);
+    }
+
+    void floats(double s, double t) {
+        bytes.putFloat((float) s);
+        bytes.putFloat((float) t);
+    }
+
+    void shorts(double a, double b) {
+        bytes.putShort((short) Math.round(a));
+        bytes.putShort((short) Math.round(b));
+    }
+
+    /** Direct, native byte order. */
+    ByteBuffer finished() {
+        return bytes.flip();
+    }
+}

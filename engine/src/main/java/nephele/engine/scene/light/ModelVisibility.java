@@ -1,0 +1,142 @@
+package nephele.engine.scene.light;
+
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.DoubleConsumer;
+import java.util.stream.IntStream;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.placed.WorldTriangles;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+
+/**
+ * The sky visibility of models, at their vertices: the hemisphere is that over the vertex's normal, so that a curved
+ * surface is as smooth under the sky as it is under the sun. The result does not depend on the number of threads.
+ */
+final class ModelVisibility {
+    /** Of all models together; a vertex gets its part of them, within {@link #LEAST_RAYS} and those of a texel. */
+    private static final int ALL_RAYS = 1 << 23;
+
+    private static final int LEAST_RAYS = 64;
+
+    /** Over the thickness of anything, and over what a curve's triangles sink below it so near to a vertex. */
+    private static final double LIFT_METRES = 1e-3;
+
+    /** A vertex looks from so far within a triangle of its: on the border it would be in what stands against it. */
+    private static final double INSET_METRES = 2e-3;
+
+    private static final double LARGEST_INSET = 0.25;
+
+    private final StaticShapes statics;
+    private final Occluders occluders;
+    private final double[] spiral;
+
+    private ModelVisibility(StaticShapes statics) {
+        this.statics = statics;
+        occluders = new Occluders(statics);
+        long vertices = statics.models().all().stream()
+                .mapToLong(model -> model.triangles().positions().length / 3)
+                .sum();
+        long rays = vertices == 0 ? LEAST_RAYS : Math.max(LEAST_RAYS, ALL_RAYS / vertices);
+        spiral = SkyVisibilityBake.spiral((int) Math.min(rays, SkyVisibilityBake.RAYS));
+    }
+
+    /** A value, 0–65535 for 0–1, for every vertex of every model in turn. */
+    static short[] values(StaticShapes statics, DoubleConsumer progress) {
+        ModelVisibility bake = new ModelVisibility(statics);
+        int count = statics.models().all().size();
+        short[][] byModel = new short[count][];
+        AtomicInteger done = new AtomicInteger();
+        IntStream.range(0, count).parallel().forEach(i -> {
+            byModel[i] = bake.model(statics.models().all().get(i), bake.itemOf(i));
+            progress.accept((double) done.incrementAndGet() / count);
+        });
+        short[] all = new short
+                [Arrays.stream(byModel).mapToInt(values -> values.length).sum()];
+        int at = 0;
+        for (short[] values : byModel) {
+            System.arraycopy(values, 0, all, at, values.length);
+            at += values.length;
+        }
+        return all;
+    }
+
+    /** What a convex model does not shade: itself. −1 for others. */
+    private int itemOf(int model) {
+        int item = statics.solids().size();
+        for (int i = 0; i < model; i++) {
+            item += statics.models().all().get(i).solid() == null ? 0 : 1;
+        }
+        return statics.models().all().get(model).solid() == null ? -1 : item;
+    }
+
+    private short[] model(PlacedModel model, int item) {
+        WorldTriangles mesh = model.triangles();
+        double[] seen = new double[mesh.positions().length / 3];
+        boolean[] known = new boolean[seen.length];
+        for (int i = 0; i < 3 * mesh.count(); i++) {
+            int vertex = mesh.vertices()[i];
+            if (!known[vertex]) {
+                known[vertex] = true;
+                seen[vertex] = visibility(mesh, i / 3, i % 3, item);
+            }
+        }
+        fillFromNeighbours(mesh, seen);
+        short[] values = new short[seen.length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = (short) Math.round(seen[i] * 65535);
+        }
+        return values;
+    }
+
+    /** NaN inside a solid. */
+    private double visibility(WorldTriangles mesh, int triangle, int corner, int item) {
+        Vec3 n = mesh.normal(triangle, corner);
+        double[] origin = inside(mesh, triangle, corner);
+        origin[0] += LIFT_METRES * n.x();
+        origin[1] += LIFT_METRES * n.y();
+        origin[2] += LIFT_METRES * n.z();
+        if (occluders.isInside(origin, item)) {
+            return Double.NaN;
+        }
+        Vec3 s = Directions.perpendicular(n);
+        Vec3 t = Directions.cross(n, s);
+        double[] d = new double[3];
+        int free = 0;
+        for (int i = 0; i < spiral.length; i += 3) {
+            d[0] = spiral[i] * s.x() + spiral[i + 1] * t.x() + spiral[i + 2] * n.x();
+            d[1] = spiral[i] * s.y() + spiral[i + 1] * t.y() + spiral[i + 2] * n.y();
+            d[2] = spiral[i] * s.z() + spiral[i + 1] * t.z() + spiral[i + 2] * n.z();
+            free += occluders.isOccluded(origin, d, item) ? 0 : 1;
+        }
+        return 3.0 * free / spiral.length;
+    }
+
+    private static double[] inside(WorldTriangles mesh, int triangle, int corner) {
+        Vec3 p = mesh.corner(triangle, corner);
+        Vec3 a = mesh.corner(triangle, (corner + 1) % 3);
+        Vec3 b = mesh.corner(triangle, (corner + 2) % 3);
+        Vec3 inward = new Vec3((a.x() + b.x()) / 2 - p.x(), (a.y() + b.y()) / 2 - p.y(), (a.z() + b.z()) / 2 - p.z());
+        double share = Math.min(LARGEST_INSET, INSET_METRES / Directions.length(inward));
+        return new double[] {p.x() + share * inward.x(), p.y() + share * inward.y(), p.z() + share * inward.z()};
+    }
+
+    /** A vertex inside a solid, unseen itself, gets what the others of its triangles see: light is interpolated to it. */
+    private static void fillFromNeighbours(WorldTriangles mesh, double[] seen) {
+        double[] sums = new double[seen.length];
+        int[] counts = new int[seen.length];
+        for (int i = 0; i < mesh.vertices().length; i++) {
+            for (int other = 1; other < 3; other++) {
+                double value = seen[mesh.vertices()[i - i % 3 + (i + other) % 3]];
+                sums[mesh.vertices()[i]] += Double.isNaN(value) ? 0 : value;
+                counts[mesh.vertices()[i]] += Double.isNaN(value) ? 0 : 1;
+            }
+        }
+        for (int i = 0; i < seen.length; i++) {
+            if (Double.isNaN(seen[i])) {
+                seen[i] = counts[i] == 0 ? 0 : sums[i] / counts[i];
+            }
+        }
+    }
+}
