@@ -34,7 +34,7 @@ class CommandLineFrontTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"edit", "bake", "import"})
+    @ValueSource(strings = {"edit", "bake"})
     void whatIsNotBuiltSaysSo(String name) {
         var answer = Captured.run(name, "anything", "--at-all");
         assertEquals(3, answer.exitCode());

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.CatmullRom;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -64,6 +65,18 @@ class ClosedCurveTest {
         for (double at = 0.001; at < 1; at += 0.01) {
             Vector3d difference = position(curve, at + 1e-6).sub(position(curve, at - 1e-6));
             assertEquals(0, difference.div(2e-6).distance(derivative(curve, at)), 1e-3);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4, 5, 16})
+    void itIsTheUniformCatmullRomCurveThatAllocates(int count) {
+        List<Vec3> points = random(new Random(count), count);
+        ClosedCurve curve = new ClosedCurve(points);
+        CatmullRom twin = CatmullRom.uniformLoop(points);
+        for (double at = -0.5; at < 1.5; at += 0.0137) {
+            assertEquals(0, position(curve, at).distance(twin.position(at, new Vector3d())), 1e-11);
+            assertEquals(0, derivative(curve, at).distance(twin.derivative(at, new Vector3d())), 1e-9);
         }
     }
 

@@ -3,6 +3,7 @@ package nephele.engine.xmlscene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Supplier;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
@@ -19,16 +20,16 @@ final class Remarks {
     }
 
     void warn(int line, String message) {
-        if (isFull()) {
-            more++;
-        } else {
-            warnings.add(new XmlWarning(line, message));
-        }
+        warn(line, () -> message);
     }
 
-    /** True when nobody will read another one. */
-    boolean isFull() {
-        return warnings.size() >= MOST;
+    /** @param message not made where nobody will read it */
+    void warn(int line, Supplier<String> message) {
+        if (warnings.size() < MOST) {
+            warnings.add(new XmlWarning(line, message.get()));
+        } else {
+            more++;
+        }
     }
 
     ModelFileException error(int line, String reason, String remedy) {

@@ -9,7 +9,7 @@ import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
 /** XML scenes of both dialects: bytes to records. What is odd is a warning, and what can be shown is there. */
 public final class XmlSceneFile {
-    public static final int MOST_BYTES = 16 << 20;
+    public static final int MOST_BYTES = 8 << 20;
     public static final int MOST_NESTED_GROUPS = 10_000;
 
     static final int MOST_ELEMENTS = 250_000;

@@ -62,16 +62,18 @@ final class XmlTags {
     }
 
     private void skipText() {
-        int end = text.indexOf('<', at);
-        end = end < 0 ? text.length() : end;
+        int tag = text.indexOf('<', at);
+        int end = tag < 0 ? text.length() : tag;
         int start = at;
         while (start < end && text.charAt(start) <= ' ') {
             start++;
         }
         if (start < end) {
             at = start;
-            String shown = text.substring(start, Math.min(end, start + 50));
-            remarks.warn(lineHere(), "text means nothing here: " + Remarks.quoted(shown) + " is skipped");
+            remarks.warn(
+                    lineHere(),
+                    () -> "text means nothing here: " + Remarks.quoted(text.substring(at, Math.min(end, at + 50)))
+                            + " is skipped");
         }
         at = end;
     }
@@ -103,7 +105,8 @@ final class XmlTags {
             } else if (isNameStart(at)) {
                 attribute(name, attributes);
             } else {
-                remarks.warn(lineHere(), "stray " + Remarks.quoted(String.valueOf(c)) + " in <" + name + ">: skipped");
+                remarks.warn(
+                        lineHere(), () -> "stray " + Remarks.quoted(String.valueOf(c)) + " in <" + name + ">: skipped");
                 at++;
             }
         }
@@ -111,10 +114,10 @@ final class XmlTags {
 
     private XmlTag ended(char sign, boolean closing, String name, int tagLine, List<XmlAttribute> attributes) {
         if (sign == '<') {
-            remarks.warn(tagLine, "<" + name + " has no '>'");
+            remarks.warn(tagLine, () -> "<" + name + " has no '>'");
         }
         if (!unquoted.isEmpty()) {
-            remarks.warn(tagLine, "<" + name + "> has values without quotes: " + String.join(", ", unquoted));
+            remarks.warn(tagLine, () -> "<" + name + "> has values without quotes: " + String.join(", ", unquoted));
         }
         at += sign == '<' ? 0 : sign == '>' ? 1 : 2;
         XmlTag.Kind open = sign == '/' ? XmlTag.Kind.EMPTY : XmlTag.Kind.OPEN;
@@ -130,7 +133,7 @@ final class XmlTags {
         String name = name();
         skipBlanks();
         if (at >= text.length() || text.charAt(at) != '=') {
-            remarks.warn(attributeLine, "'" + name + "' in <" + tag + "> has no value: skipped");
+            remarks.warn(attributeLine, () -> "'" + name + "' in <" + tag + "> has no value: skipped");
             return;
         }
         at++;
@@ -138,7 +141,7 @@ final class XmlTags {
         String value = value(name);
         boolean twice = attributes.stream().anyMatch(other -> other.name().equalsIgnoreCase(name));
         if (twice) {
-            remarks.warn(attributeLine, "'" + name + "' is there twice in <" + tag + ">: the first counts");
+            remarks.warn(attributeLine, () -> "'" + name + "' is there twice in <" + tag + ">: the first counts");
         } else {
             attributes.add(new XmlAttribute(name, value, attributeLine));
         }

@@ -61,7 +61,7 @@ final class XmlTree {
         while (!open.isEmpty()) {
             XmlTag tag = tags.next();
             if (tag == null) {
-                closeFrom(0, "the file's end");
+                closeFrom(0, null);
                 return;
             }
             if (tag.kind() == XmlTag.Kind.CLOSE) {
@@ -88,17 +88,21 @@ final class XmlTree {
             at = 0;
         }
         if (open.get(at).name().equalsIgnoreCase(tag.name())) {
-            closeFrom(at + 1, "</" + tag.name() + "> in line " + tag.line());
+            closeFrom(at + 1, tag);
             remove(at);
         } else if (!takenOut.contains(key(tag))) {
-            remarks.warn(tag.line(), "</" + tag.name() + "> closes nothing: skipped");
+            remarks.warn(tag.line(), () -> "</" + tag.name() + "> closes nothing: skipped");
         }
     }
 
-    private void closeFrom(int first, String before) {
+    /** @param before {@code null} for the file's end */
+    private void closeFrom(int first, XmlTag before) {
         for (int i = open.size() - 1; i >= first; i--) {
             XmlElement left = open.get(i);
-            remarks.warn(left.line(), "<" + left.name() + "> is not closed: it ends before " + before);
+            remarks.warn(
+                    left.line(),
+                    () -> "<" + left.name() + "> is not closed: it ends before "
+                            + (before == null ? "the file's end" : before.name() + " in line " + before.line()));
             remove(i);
         }
     }
@@ -112,8 +116,10 @@ final class XmlTree {
         Vocabulary.Word word = vocabulary.word(tag.name());
         if (word == null) {
             takeOut(tag);
-            String guess = remarks.isFull() ? "" : Vocabulary.suggestion(tag.name(), vocabulary.names());
-            remarks.warn(tag.line(), "<" + tag.name() + "> is unknown: skipped" + guess);
+            remarks.warn(
+                    tag.line(),
+                    () -> "<" + tag.name() + "> is unknown: skipped"
+                            + Vocabulary.suggestion(tag.name(), vocabulary.names()));
             return;
         }
         int parent = open.size() - 1;
@@ -121,12 +127,12 @@ final class XmlTree {
             if (open.get(parent).word().isFrame()) {
                 takeOut(tag);
                 String frame = open.get(parent).name();
-                remarks.warn(tag.line(), "<" + word.name() + "> does not belong in <" + frame + ">: skipped");
+                remarks.warn(tag.line(), () -> "<" + word.name() + "> does not belong in <" + frame + ">: skipped");
                 return;
             }
             parent--;
         }
-        closeFrom(parent + 1, "<" + tag.name() + "> in line " + tag.line());
+        closeFrom(parent + 1, tag);
         XmlElement element = element(word, tag);
         open.get(parent).add(element);
         if (tag.kind() == XmlTag.Kind.OPEN) {
@@ -145,10 +151,10 @@ final class XmlTree {
         }
         for (XmlAttribute attribute : tag.attributes()) {
             if (!word.attributes().contains(attribute.name())) {
-                String guess = remarks.isFull() ? "" : Vocabulary.suggestion(attribute.name(), word.attributes());
                 remarks.warn(
                         attribute.line(),
-                        "'" + attribute.name() + "' is unknown in <" + word.name() + ">: skipped" + guess);
+                        () -> "'" + attribute.name() + "' is unknown in <" + word.name() + ">: skipped"
+                                + Vocabulary.suggestion(attribute.name(), word.attributes()));
             }
         }
         return new XmlElement(word, tag);

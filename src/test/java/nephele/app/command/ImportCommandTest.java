@@ -1,0 +1,115 @@
+package nephele.app.command;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What is left on the disk when a scene becomes a level. */
+class ImportCommandTest {
+    private static final String SCENE = "<scene>\n<models><model file=\"box_2_3.3d\"/>"
+            + "<model file=\"own/tri.3d\" texture=\"own/t.png\"/>\n<model file=\"nowhere.3d\"/></models></scene>";
+    private static final String TRIANGLE = "0 0 0\n1 0 0\n0 1 0\n";
+
+    @TempDir
+    Path folder;
+
+    private Path scene(String text) throws IOException {
+        Path from = Files.createDirectories(folder.resolve("from/own")).getParent();
+        Files.writeString(from.resolve("own/tri.3d"), TRIANGLE);
+        Files.copy(Path.of("assets/textures/plaster.png"), from.resolve("own/t.png"));
+        return Files.writeString(from.resolve("scene.xml"), text);
+    }
+
+    private static Captured imported(Path scene, Path level) {
+        return Captured.run("import", scene.toString(), "--out", level.toString());
+    }
+
+    private static List<String> names(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(Files::isRegularFile)
+                    .map(file -> folder.relativize(file).toString().replace('\\', '/'))
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    @Test
+    void theLevelsFilesLieBesideItAndItIsWithoutErrors() throws IOException {
+        Path level = folder.resolve("to/level.json");
+        Captured answer = imported(scene(SCENE), level);
+        assertEquals(0, answer.exitCode(), answer.err());
+        assertTrue(answer.err().contains("scene.xml:3: nowhere.3d"), answer.err());
+        assertEquals(List.of("box_2_3.3d", "level.json", "own/t.png", "own/tri.3d"), names(level.getParent()));
+        Captured checked = Captured.run("check", level.toString());
+        assertEquals(0, checked.exitCode(), checked.out());
+        Level read = LevelFile.read(level);
+        assertEquals(2, read.models().size());
+        assertEquals("scene", read.name());
+    }
+
+    @Test
+    void besideTheSceneNothingIsWrittenThatIsThere() throws IOException {
+        Path scene = scene(SCENE);
+        assertEquals(0, imported(scene, folder.resolve("from/level.json")).exitCode());
+        assertEquals(
+                List.of("box_2_3.3d", "level.json", "own/t.png", "own/tri.3d", "scene.xml"), names(scene.getParent()));
+        assertEquals(TRIANGLE, Files.readString(scene.resolveSibling("own/tri.3d")));
+        assertEquals(0, imported(scene, folder.resolve("from/level.json")).exitCode());
+        assertEquals(
+                List.of("box_2_3.3d", "level.json", "level.json.bak", "own/t.png", "own/tri.3d", "scene.xml"),
+                names(scene.getParent()));
+    }
+
+    @Test
+    void whatHasTheNameAlreadyStaysAsItIs() throws IOException {
+        Path to = Files.createDirectories(folder.resolve("to/own")).getParent();
+        byte[] other = {1, 2, 3};
+        Files.write(to.resolve("box_2_3.3d"), other);
+        Files.write(to.resolve("own/t.png"), other);
+        assertEquals(0, imported(scene(SCENE), to.resolve("level.json")).exitCode());
+        assertArrayEquals(other, Files.readAllBytes(to.resolve("box_2_3.3d")));
+        assertArrayEquals(other, Files.readAllBytes(to.resolve("own/t.png")));
+        Level level = LevelFile.read(to.resolve("level.json"));
+        assertEquals("box_2_3-2.3d", level.models().get(0).file());
+        assertEquals("own/t-2.png", level.materials().get(1).texture());
+        assertEquals(
+                0, Captured.run("check", to.resolve("level.json").toString()).exitCode());
+    }
+
+    @Test
+    void aBrokenSceneNamesFileAndLineAndLeavesNothing() throws IOException {
+        for (String broken : List.of(
+                "<scene>\n<models><model file='a",
+                "<scene>\n<models/></scene>",
+                "<scene><models>\n<model file='nowhere.3d'/></models></scene>",
+                "\n<!DOCTYPE scene>")) {
+            Path to = folder.resolve("to");
+            Path file = Files.writeString(folder.resolve("broken.xml"), broken);
+            Captured answer = imported(file, to.resolve("level.json"));
+            assertEquals(1, answer.exitCode(), answer.err());
+            assertTrue(answer.err().contains("broken.xml:"), answer.err());
+            assertFalse(answer.err().contains("Exception"), answer.err());
+            assertFalse(Files.exists(to), "something was written");
+        }
+    }
+
+    @Test
+    void aMissingSceneAndAWrongEndingAreTold() throws IOException {
+        Captured missing = imported(folder.resolve("none.xml"), folder.resolve("level.json"));
+        assertEquals(1, missing.exitCode());
+        assertTrue(missing.err().contains("none.xml: it can't be read: there is no such file"), missing.err());
+        assertEquals(2, imported(scene(SCENE), folder.resolve("level.txt")).exitCode());
+        assertEquals(2, Captured.run("import", "a.xml").exitCode());
+    }
+}
