@@ -43,9 +43,13 @@ final class FloatText {
         return whole + "." + "0".repeat(decimals - rest.length()) + rest;
     }
 
+    /**
+     * Every decimal of six digits survives a normal float (Matula 1968), so a shorter text is what six digits leave
+     * after stripping zeros.
+     */
     private static String any(float magnitude) {
         BigDecimal exact = new BigDecimal(magnitude);
-        for (int digits = 1; digits < ENOUGH_DIGITS; digits++) {
+        for (int digits = magnitude < Float.MIN_NORMAL ? 1 : 6; digits < ENOUGH_DIGITS; digits++) {
             String text = text(exact, digits);
             if (Float.parseFloat(text) == magnitude) {
                 return text;

@@ -2,9 +2,9 @@ package nephele.engine.model;
 
 /** How large a mesh and the text of one may be, so that no file and no number exhausts the memory. */
 final class MeshLimits {
-    static final int MAX_TRIANGLES = 4_000_000;
+    static final int MAX_TRIANGLES = 1 << 22;
 
-    static final int MAX_VERTICES = 4_000_000;
+    static final int MAX_VERTICES = 1 << 22;
 
     /** Bytes of a text file, read or written; larger ones would take seconds to read. */
     static final int MAX_TEXT_BYTES = 64 << 20;

@@ -1,6 +1,7 @@
 package nephele.engine.model;
 
 import java.util.List;
+import java.util.function.Predicate;
 
 /**
  * Reads the text of a {@code .3d} file: points, then normals, texture coordinates and triangles, of which each may be
@@ -40,16 +41,18 @@ final class TextMeshFile {
             throw text.wrongAt(points.line(0), "has " + points.width() + " numbers", "begin with points: x, y and z");
         }
         for (NumberRows block : blocks.subList(1, blocks.size())) {
-            assign(block);
+            boolean last = block == blocks.get(blocks.size() - 1);
+            assign(block, last ? this::holdsNormals : ignored -> true);
         }
     }
 
-    private void assign(NumberRows block) {
+    /** @param isNormals whether a block of three numbers in a row is that; else it is triangles */
+    private void assign(NumberRows block, Predicate<NumberRows> isNormals) {
         if (triangles != null) {
             throw text.wrongAt(block.line(0), "a block follows the triangles", "end the file with the triangles");
         } else if (block.width() == 2 && texture == null) {
             texture = block;
-        } else if (block.width() == 3 && normals == null && texture == null && holdsNormals(block)) {
+        } else if (block.width() == 3 && normals == null && texture == null && isNormals.test(block)) {
             normals = block;
         } else if (block.width() != 2 && block.rows() > 0) {
             triangles = block;
@@ -58,7 +61,10 @@ final class TextMeshFile {
         }
     }
 
-    /** Three indices that have length 1 are two times 0: no triangle that could be meant. */
+    /**
+     * Whether the last block is normals: whole numbers from 0 are points' numbers, unless they have length 1 or 0, as
+     * no three different ones have.
+     */
     private boolean holdsNormals(NumberRows block) {
         float x = block.at(0, 0);
         float y = block.at(0, 1);

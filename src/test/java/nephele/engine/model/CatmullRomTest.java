@@ -1,0 +1,194 @@
+package nephele.engine.model;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** C.2 rows 40 and 41: curves through points. */
+class CatmullRomTest {
+    private static final Vec3 A = new Vec3(1, 2, 3);
+    private static final Vec3 B = new Vec3(4, 0, -1);
+
+    enum Loop {
+        UNIFORM(CatmullRom::uniformLoop),
+        CENTRIPETAL(CatmullRom::centripetalLoop);
+
+        private final Function<List<Vec3>, CatmullRom> of;
+
+        Loop(Function<List<Vec3>, CatmullRom> of) {
+            this.of = of;
+        }
+    }
+
+    private static Vector3d position(CatmullRom curve, double at) {
+        return curve.position(at, new Vector3d());
+    }
+
+    private static Vector3d derivative(CatmullRom curve, double at) {
+        return curve.derivative(at, new Vector3d());
+    }
+
+    private static List<Vec3> randomPoints(SplittableRandom random) {
+        List<Vec3> points = new ArrayList<>();
+        int count = random.nextInt(1, 9);
+        for (int i = 0; i < count; i++) {
+            boolean coincident = i > 0 && random.nextInt(4) == 0;
+            points.add(
+                    coincident
+                            ? points.get(i - 1)
+                            : new Vec3(
+                                    random.nextDouble(-10, 10),
+                                    random.nextDouble(-10, 10),
+                                    random.nextDouble(-10, 10)));
+        }
+        return points;
+    }
+
+    @Test
+    void aUniformLoopPassesItsPointsAtEqualParameters() {
+        List<Vec3> points = List.of(A, B, new Vec3(0, 5, 0), new Vec3(-3, 1, 2));
+        CatmullRom loop = CatmullRom.uniformLoop(points);
+        for (int i = 0; i < 8; i++) {
+            assertEquals(0, position(loop, i / 4.0).distance(points.get(i % 4).toVector()), 1e-12);
+        }
+        Vector3d wanted = points.get(2).toVector().sub(A.toVector()).mul(0.5 * 4);
+        assertEquals(0, derivative(loop, 0.25).distance(wanted), 1e-9, "half the neighbours' difference a span");
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void everyPointIsOnTheCurve(Loop loop) {
+        var random = new SplittableRandom(1);
+        for (int trial = 0; trial < 200; trial++) {
+            List<Vec3> points = randomPoints(random);
+            CatmullRom curve = loop.of.apply(points);
+            for (Vec3 point : points) {
+                double nearest = Double.POSITIVE_INFINITY;
+                for (int i = 0; i <= 20_000 / points.size(); i++) {
+                    nearest = Math.min(
+                            nearest,
+                            position(curve, (double) i * points.size() / 20_000).distance(point.toVector()));
+                }
+                assertTrue(nearest < 0.05, "misses " + point + " by " + nearest);
+            }
+        }
+    }
+
+    /** Positions and derivatives go on over every knot and over the end, for coincident, single and two points too. */
+    @ParameterizedTest
+    @EnumSource
+    void loopsAreClosedSmoothAndFinite(Loop loop) {
+        var random = new SplittableRandom(2);
+        for (int trial = 0; trial < 300; trial++) {
+            CatmullRom curve = loop.of.apply(randomPoints(random));
+            assertEquals(0, position(curve, 0).distance(position(curve, 1 - 1e-12)), 1e-4);
+            assertEquals(0, derivative(curve, 0).distance(derivative(curve, 1 - 1e-12)), 1e-4);
+            Vector3d before = position(curve, 0);
+            Vector3d slope = derivative(curve, 0);
+            for (int i = 1; i <= 2000; i++) {
+                Vector3d here = position(curve, i / 1000.0);
+                assertTrue(here.isFinite() && derivative(curve, i / 1000.0).isFinite());
+                assertEquals(
+                        here.distance(before) * 1000, slope.length(), 0.5 * slope.length() + 2000 * 0.2, "no jump");
+                before.set(here);
+                slope = derivative(curve, i / 1000.0);
+            }
+        }
+    }
+
+    /** Just before and after each knot the derivative is the same, whatever the knots are. */
+    @Test
+    void theDerivativeHasNoJumpAtAnyKnot() {
+        var random = new SplittableRandom(3);
+        for (int trial = 0; trial < 500; trial++) {
+            List<Vec3> points = randomPoints(random);
+            double[] seconds = new double[points.size()];
+            for (int i = 1; i < seconds.length; i++) {
+                seconds[i] = seconds[i - 1] + random.nextDouble(0.5, 3);
+            }
+            CatmullRom curve = CatmullRom.timed(points, seconds);
+            for (int i = 1; i < seconds.length - 1; i++) {
+                assertEquals(
+                        0, position(curve, seconds[i]).distance(points.get(i).toVector()), 1e-6);
+                Vector3d jump = derivative(curve, seconds[i] - 1e-9).sub(derivative(curve, seconds[i] + 1e-9));
+                assertEquals(0, jump.length(), 1e-5);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void theDerivativeIsThePositionsChange(Loop loop) {
+        CatmullRom curve = loop.of.apply(List.of(A, B, new Vec3(0, 5, 0), new Vec3(0, 5, 0), new Vec3(-3, 1, 2)));
+        for (int i = 0; i < 1000; i++) {
+            double at = (i + 0.5) / 1000;
+            Vector3d difference =
+                    position(curve, at + 1e-6).sub(position(curve, at - 1e-6)).div(2e-6);
+            assertEquals(0, difference.distance(derivative(curve, at)), 1e-2);
+        }
+    }
+
+    /** Yuksel, Schaefer and Keyser: uniform curves overshoot beside a short span, centripetal ones don't. */
+    @Test
+    void centripetalCurvesDoNotOvershootBesideShortSpans() {
+        List<Vec3> points = List.of(new Vec3(0, 0, 0), new Vec3(10, 0, 0), new Vec3(10.1, 0.1, 0), new Vec3(10, 10, 0));
+        assertTrue(farthest(CatmullRom.timed(points, new double[] {0, 1 / 3.0, 2 / 3.0, 1})) > 10.6);
+        assertTrue(farthest(CatmullRom.centripetal(points)) < 10.2);
+    }
+
+    private static double farthest(CatmullRom curve) {
+        double farthest = 0;
+        for (int i = 0; i <= 1000; i++) {
+            farthest = Math.max(farthest, position(curve, i / 1000.0).x);
+        }
+        return farthest;
+    }
+
+    @Test
+    void oneTimeIsForEver() {
+        CatmullRom still = CatmullRom.timed(List.of(A), new double[] {5});
+        for (double at : new double[] {-1e9, 0, 5, 1e9, Double.NaN}) {
+            assertEquals(A.toVector(), position(still, at));
+            assertEquals(new Vector3d(), derivative(still, at));
+        }
+        assertEquals(0, position(CatmullRom.uniformLoop(List.of(A)), 0.3).distance(A.toVector()), 1e-12);
+    }
+
+    @Test
+    void theLastOfEqualTimesCounts() {
+        CatmullRom curve = CatmullRom.timed(List.of(B, A, B, A), new double[] {0, 0, 1, 1});
+        assertEquals(A.toVector(), position(curve, 0));
+        assertEquals(A.toVector(), position(curve, 0.5));
+        assertEquals(A.toVector(), position(curve, 1));
+    }
+
+    @Test
+    void timesThatDecreaseOrAreNoneAreRefused() {
+        List<Vec3> two = List.of(A, B);
+        assertThrows(IllegalArgumentException.class, () -> CatmullRom.timed(two, new double[] {1, 0}));
+        assertThrows(IllegalArgumentException.class, () -> CatmullRom.timed(two, new double[] {0, Double.NaN}));
+        assertThrows(IllegalArgumentException.class, () -> CatmullRom.timed(two, new double[] {0}));
+        assertThrows(IllegalArgumentException.class, () -> CatmullRom.timed(List.of(), new double[] {}));
+        assertThrows(IllegalArgumentException.class, () -> CatmullRom.uniformLoop(List.of()));
+        assertThrows(IllegalArgumentException.class, () -> CatmullRom.uniformLoop(List.of(new Vec3(0, Double.NaN, 0))));
+    }
+
+    @Test
+    void beyondItsEndsAnOpenCurveStandsStill() {
+        CatmullRom curve = CatmullRom.centripetal(List.of(A, B));
+        assertEquals(A.toVector(), position(curve, -1));
+        assertEquals(B.toVector(), position(curve, 2));
+        assertEquals(new Vector3d(), derivative(curve, 2));
+        assertTrue(derivative(curve, 0.5).length() > 1);
+    }
+}

@@ -1,0 +1,31 @@
+package nephele.engine.model;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.joml.Vector3d;
+
+/** Edges between positions, each way for itself: in a closed surface every one has its counterpart. */
+final class EdgeCount {
+    private EdgeCount() {}
+
+    /** How many edges of a mesh have not exactly one that runs the other way, by positions equal to the last bit. */
+    static long open(Mesh mesh) {
+        Map<List<Vector3d>, Integer> edges = new HashMap<>();
+        for (int i = 0; i < mesh.indices().length; i++) {
+            int next = i % 3 == 2 ? i - 2 : i + 1;
+            Vector3d from = Triangles.position(mesh, mesh.indices()[i]);
+            Vector3d to = Triangles.position(mesh, mesh.indices()[next]);
+            edges.merge(List.of(from, to), 1, Integer::sum);
+        }
+        return edges.entrySet().stream()
+                .filter(edge -> edge.getValue()
+                        != edges.getOrDefault(
+                                        List.of(
+                                                edge.getKey().get(1),
+                                                edge.getKey().get(0)),
+                                        0)
+                                .intValue())
+                .count();
+    }
+}
