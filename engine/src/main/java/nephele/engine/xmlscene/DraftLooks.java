@@ -71,8 +71,8 @@ final class DraftLooks {
     /** With that of the floor. */
     List<Material> materials() {
         List<Material> materials = new ArrayList<>(looks.values());
-        Vec3 grey = new Vec3(0.36, 0.37, 0.39);
-        materials.add(new Material(DraftGround.FLOOR, grey, null, 0.9, null, null, Vec3.ZERO, 1));
+        Vec3 grey = new Vec3(0.25, 0.26, 0.28);
+        materials.add(new Material(DraftGround.FLOOR, grey, null, null, null, null, Vec3.ZERO, 1));
         return List.copyOf(materials);
     }
 }
