@@ -7,37 +7,30 @@ import nephele.app.art.Surface.Texel;
 final class CoastPainters {
     private static final int TOWER_SIDE = 256;
     private static final Colour WHITE = Colour.of(0xF1EDE4);
-    private static final Colour RED = Colour.of(0xB8302A);
 
     private CoastPainters() {}
 
-    /** Five bands once over a tower's side, with brick courses under the paint and rain marks below the bands. */
-    static BufferedImage stripes() {
+    /** Whitewashed brick with rain marks; what tints it paints the bands of a tower. */
+    static BufferedImage whitewash() {
         BufferedImage picture = new BufferedImage(TOWER_SIDE, TOWER_SIDE, BufferedImage.TYPE_INT_RGB);
         TileNoise noise = new TileNoise(961);
         for (int row = 0; row < TOWER_SIDE; row++) {
             for (int column = 0; column < TOWER_SIDE; column++) {
                 double u = (column + 0.5) / TOWER_SIDE;
                 double v = 1 - (row + 0.5) / TOWER_SIDE;
-                picture.setRGB(column, row, tower(noise, u, v).rgb());
+                picture.setRGB(column, row, brick(noise, u, v).rgb());
             }
         }
         return picture;
     }
 
-    private static Colour tower(TileNoise noise, double u, double v) {
-        double bands = 5 * v;
-        double inBand = bands - Math.floor(bands);
-        double soft = 0.012;
-        double red = (int) bands % 2 == 0 ? Shapes.ramp(0, soft, inBand) * (1 - Shapes.ramp(1 - soft, 1, inBand)) : 0;
-        double course = v * 40;
-        double brick = u * 24 + ((int) course % 2 == 0 ? 0.5 : 0);
+    private static Colour brick(TileNoise noise, double u, double v) {
+        double course = v * 10;
+        double brick = u * 28 + ((int) course % 2 == 0 ? 0.5 : 0);
         double joint = Math.max(
-                Shapes.line(course - Math.rint(course), 0.07, 0.06),
-                Shapes.line(brick - Math.rint(brick), 0.045, 0.04));
+                Shapes.line(course - Math.rint(course), 0.07, 0.06), Shapes.line(brick - Math.rint(brick), 0.05, 0.04));
         double rain = Math.max(0, noise.stretched(u, v, 40, 3, 3));
-        double weather = 1 + 0.04 * noise.cloud(u, v, 6, 5) - 0.1 * rain - 0.1 * joint;
-        return WHITE.mix(RED, red).times(weather);
+        return WHITE.times(1 + 0.05 * noise.cloud(u, v, 6, 5) - 0.12 * rain - 0.14 * joint);
     }
 
     /** Dark stone in folded layers, with cracks. */

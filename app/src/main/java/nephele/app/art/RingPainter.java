@@ -19,7 +19,7 @@ final class RingPainter {
         TileNoise clumps = new TileNoise(881);
         for (int row = 0; row < HEIGHT; row++) {
             double turn = 1 - (row + 0.5) / HEIGHT;
-            double out = 0.5 + 0.5 * StrictMath.cos(2 * Math.PI * turn);
+            double out = 0.5 - 0.5 * StrictMath.cos(2 * Math.PI * turn);
             double grooves = 0.5 * noise.smooth(5 * out, 0.3, 0.1)
                     + 0.35 * noise.smooth(17 * out, 4.3, 0.1)
                     + 0.3 * noise.smooth(47 * out, 8.3, 0.1);

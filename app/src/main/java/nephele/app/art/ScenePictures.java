@@ -24,7 +24,7 @@ final class ScenePictures {
             new PictureRecipe("textures/scenes/saturn-rings.png", RingPainter::paint),
             new PictureRecipe("textures/scenes/stars.png", StarPainter::paint),
             new PictureRecipe("textures/scenes/hull.png", HullPainter::paint),
-            new PictureRecipe("textures/scenes/lighthouse.png", CoastPainters::stripes),
+            new PictureRecipe("textures/scenes/whitewash.png", CoastPainters::whitewash),
             new PictureRecipe("textures/scenes/rock.png", () -> tile(CoastPainters::rock)),
             new PictureRecipe("textures/scenes/sea.png", () -> tile(CoastPainters::sea)),
             new PictureRecipe(NumberedGrid.FILE, NumberedGrid::paint));

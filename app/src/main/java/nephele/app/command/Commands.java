@@ -20,7 +20,10 @@ public final class Commands {
             new CommandEntry(
                     "generate", "Make a primitive mesh: generate SHAPE NUMBER... OUT.3d", GenerateCommand::new),
             new CommandEntry(
-                    "scene", "View an XML scene: scene [FILE.xml [ENTITY.xml [BACKGROUND]]]", SceneCommand::new),
+                    "scene",
+                    "View an XML scene: scene [FILE.xml [ENTITY.xml [BACKGROUND]]]",
+                    SceneCommand::new,
+                    SceneCommand::preload),
             new CommandEntry(
                     "import", "Turn an XML scene into a level: import FILE.xml --out LEVEL.json", ImportCommand::new));
 

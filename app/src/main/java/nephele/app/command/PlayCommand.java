@@ -3,7 +3,6 @@ package nephele.app.command;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import nephele.app.levels.LevelName;
 import nephele.app.levels.LevelShelf;
 import nephele.app.play.OffscreenWalk;
@@ -13,6 +12,7 @@ import nephele.app.play.WindowedGame;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
+import nephele.app.window.SystemDisplay;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.sim.Replay;
 import nephele.engine.sim.SimSettings;
@@ -91,7 +91,7 @@ final class PlayCommand implements Command {
     private CommonOptions common;
 
     static Preload preload() {
-        return hasDisplay() ? Preload.nothing() : Preload.offscreenGraphics();
+        return SystemDisplay.isPresent() ? Preload.nothing() : Preload.offscreenGraphics();
     }
 
     @Override
@@ -102,7 +102,7 @@ final class PlayCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) throws IOException {
         var request = request();
-        boolean windowed = hasDisplay();
+        boolean windowed = SystemDisplay.isPresent();
         if (windowed && profileStart) {
             new WindowedGame(request).profileStart(profile, terminal.out());
         } else if (windowed) {
@@ -141,17 +141,5 @@ final class PlayCommand implements Command {
         } catch (IllegalArgumentException outOfRange) {
             throw CommandFailure.usage("--ticks-per-second: " + outOfRange.getMessage());
         }
-    }
-
-    /** Only X and Wayland can be absent. */
-    private static boolean hasDisplay() {
-        var system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
-        boolean alwaysHas = system.contains("mac") || system.contains("windows");
-        return alwaysHas || isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
-    }
-
-    private static boolean isSet(String variable) {
-        var value = System.getenv(variable);
-        return value != null && !value.isEmpty();
     }
 }

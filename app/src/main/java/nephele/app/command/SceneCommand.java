@@ -1,13 +1,20 @@
 package nephele.app.command;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import nephele.app.scenes.OpenedScene;
+import nephele.app.scenes.SceneName;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
+import nephele.app.view.OffscreenTour;
+import nephele.app.view.SceneStart;
+import nephele.app.view.SceneViewer;
+import nephele.app.window.GameWindow;
+import nephele.app.window.SystemDisplay;
 import nephele.engine.render.Capture;
 import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.fixed.LightTerm;
@@ -16,29 +23,31 @@ import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import org.joml.Matrix4d;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Shows an XML scene: one picture offscreen. */
+/** Shows an XML scene: in a window, or a picture of it offscreen. */
 @picocli.CommandLine.Command
 final class SceneCommand implements Command {
-    /** How far ahead of the eye an entity rests, along the scene's z axis. */
-    private static final double REST_AHEAD = 3;
+    private static final Path PICTURES = Path.of("build", "pictures");
 
-    @Parameters(index = "0", arity = "0..1", paramLabel = "FILE.xml", description = "A scene.")
-    private Path scene;
+    @Parameters(
+            index = "0",
+            arity = "0..1",
+            paramLabel = "FILE.xml",
+            description = "A scene (default: a solar system).")
+    private String scene;
 
     @Parameters(index = "1", arity = "0..1", paramLabel = "ENTITY.xml", description = "What is flown about in it.")
-    private Path entity;
+    private String entity;
 
     @Parameters(
             index = "2",
             arity = "0..1",
             paramLabel = "BACKGROUND",
             description = "A picture that fills the window behind it.")
-    private Path background;
+    private String background;
 
     @Option(
             names = "--out",
@@ -71,31 +80,51 @@ final class SceneCommand implements Command {
         return common;
     }
 
+    static Preload preload() {
+        return SystemDisplay.isPresent() ? Preload.nothing() : Preload.offscreenGraphics();
+    }
+
     @Override
-    public ExitCode run(Terminal terminal) {
+    public ExitCode run(Terminal terminal) throws IOException {
         checkUsage();
-        var opened = OpenedScene.of(scene, entity, background, terminal.err()::println);
-        var pixels = size != null
-                ? size
-                : new Size(
-                        opened.scene().window().width(), opened.scene().window().height());
-        try (var gl = GlContext.offscreen();
-                var target = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, pixels.width(), pixels.height());
-                var drawing = FixedSceneDrawing.load(gl, opened.sources())) {
-            var view = FixedSceneDrawing.view(opened.scene().eye(), (double) pixels.width() / pixels.height());
-            var ahead = new Matrix4d().translation(0, 0, REST_AHEAD);
-            drawing.draw(view, timeSeconds, ahead, look.look(), target);
-            gl.requireNoError("scene");
-            WrittenFile.write(out, file -> Capture.png(target, file));
+        var name = scene == null ? SceneName.SAMPLE : new SceneName(scene);
+        var start = new SceneStart(opened(name, terminal), look.look(), timeSeconds);
+        var pixels = pixels(start);
+        if (out != null) {
+            savePicture(start, pixels);
+        } else if (SystemDisplay.isPresent()) {
+            SceneViewer.show(start, new GameWindow.Request(name.title(), pixels.width(), pixels.height()));
+        } else {
+            new OffscreenTour(start, terminal.out()).save(PICTURES, name.stem(), pixels.width(), pixels.height());
         }
         return ExitCode.DONE;
     }
 
-    private void checkUsage() {
-        if (scene == null || out == null) {
-            throw CommandFailure.usage("name a scene and --out F.png");
+    private OpenedScene opened(SceneName name, Terminal terminal) {
+        if (scene == null) {
+            return OpenedScene.of(name, SceneName.SAMPLE_ENTITY, SceneName.SAMPLE_BACKGROUND, terminal.err()::println);
         }
-        if (!out.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {
+        return OpenedScene.of(name, entity == null ? null : new SceneName(entity), background, terminal.err()::println);
+    }
+
+    private Size pixels(SceneStart start) {
+        var window = start.opened().scene().window();
+        return size != null ? size : new Size(window.width(), window.height());
+    }
+
+    private void savePicture(SceneStart start, Size pixels) {
+        try (var gl = GlContext.offscreen();
+                var target = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, pixels.width(), pixels.height());
+                var drawing = FixedSceneDrawing.load(gl, start.opened().sources())) {
+            var view = FixedSceneDrawing.view(start.opened().scene().eye(), (double) pixels.width() / pixels.height());
+            drawing.draw(view, start.seconds(), start.worldFromEntity(), start.look(), target);
+            gl.requireNoError("scene");
+            WrittenFile.write(out, file -> Capture.png(target, file));
+        }
+    }
+
+    private void checkUsage() {
+        if (out != null && !out.toString().toLowerCase(Locale.ROOT).endsWith(".png")) {
             throw CommandFailure.usage("--out must end in .png: " + out);
         }
         if (!Double.isFinite(timeSeconds)) {

@@ -1,5 +1,6 @@
 package nephele.app.play;
 
+import nephele.app.draw.Screenshots;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Hud;
 import nephele.app.play.hud.HudContent;

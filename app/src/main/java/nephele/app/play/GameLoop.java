@@ -1,5 +1,6 @@
 package nephele.app.play;
 
+import nephele.app.draw.Screenshots;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;

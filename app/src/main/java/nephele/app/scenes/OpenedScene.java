@@ -1,11 +1,13 @@
 package nephele.app.scenes;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import nephele.app.terminal.CommandFailure;
 import nephele.engine.asset.AssetException;
-import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.AssetId;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.WholeFile;
@@ -14,7 +16,6 @@ import nephele.engine.render.fixed.FixedSceneDrawing.Source;
 import nephele.engine.render.fixed.FixedSceneDrawing.Sources;
 import nephele.engine.render.fixed.SceneFolder;
 import nephele.engine.xmlscene.XmlScene;
-import nephele.engine.xmlscene.XmlSceneFile;
 
 /** A scene with its entity and background, read from files. */
 public record OpenedScene(Sources sources) {
@@ -22,15 +23,15 @@ public record OpenedScene(Sources sources) {
 
     /**
      * @param entity {@code null} for none
-     * @param background {@code null} for none
+     * @param background a file or else an asset; {@code null} for none
      * @param complaints takes a line for all that is odd and shown all the same, or left out
      */
-    public static OpenedScene of(Path scene, Path entity, Path background, Consumer<String> complaints) {
+    public static OpenedScene of(SceneName scene, SceneName entity, String background, Consumer<String> complaints) {
         try {
             return new OpenedScene(new Sources(
                     source(scene, complaints),
                     entity == null ? null : source(entity, complaints),
-                    background == null ? null : picture(background, complaints)));
+                    background == null ? null : picture(background, scene.assets(), complaints)));
         } catch (ModelFileException problem) {
             throw CommandFailure.input(problem.getMessage());
         }
@@ -40,18 +41,21 @@ public record OpenedScene(Sources sources) {
         return sources.scene().scene();
     }
 
-    private static Source source(Path file, Consumer<String> complaints) {
-        XmlScene scene = XmlSceneFile.read(file);
-        scene.warnings().forEach(warning -> complaints.accept(file + ":" + warning.line() + ": " + warning.message()));
-        return new Source(scene, new SceneFolder(file.toString(), LevelAssets.beside(file), complaints));
+    private static Source source(SceneName name, Consumer<String> complaints) {
+        XmlScene scene = name.read();
+        scene.warnings()
+                .forEach(warning -> complaints.accept(name.typed() + ":" + warning.line() + ": " + warning.message()));
+        return new Source(scene, new SceneFolder(name.typed(), name.assets(), complaints));
     }
 
     /** {@code null} where it cannot be shown: the scene can all the same. */
-    private static Picture picture(Path file, Consumer<String> complaints) {
+    private static Picture picture(String name, AssetSource assets, Consumer<String> complaints) {
         try {
-            return PictureDecoder.decode(file.toString(), WholeFile.read(file, MOST_BACKGROUND_BYTES));
+            boolean isAsset = !Files.exists(Path.of(name)) && AssetId.objection(name) == null && assets.exists(name);
+            byte[] bytes = isAsset ? assets.bytes(name) : WholeFile.read(Path.of(name), MOST_BACKGROUND_BYTES);
+            return PictureDecoder.decode(name, bytes);
         } catch (IOException problem) {
-            complaints.accept(file + ": can't be read: " + WholeFile.reason(problem));
+            complaints.accept(name + ": can't be read: " + WholeFile.reason(problem));
         } catch (AssetException problem) {
             complaints.accept(problem.getMessage());
         }

@@ -13,8 +13,8 @@ public enum Control {
     RUN("Shift", "run", GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
     JUMP("Space", "jump", GLFW_KEY_SPACE),
     CROUCH("Ctrl  C", "crouch", GLFW_KEY_LEFT_CONTROL, GLFW_KEY_C),
-    FIRE_FIRST("Left click", "first portal; throws what is held", Control.MOUSE + GLFW_MOUSE_BUTTON_LEFT),
-    FIRE_SECOND("Right click", "second portal", Control.MOUSE + GLFW_MOUSE_BUTTON_RIGHT),
+    FIRE_FIRST("Left click", "first portal; throws what is held", InputListener.MOUSE + GLFW_MOUSE_BUTTON_LEFT),
+    FIRE_SECOND("Right click", "second portal", InputListener.MOUSE + GLFW_MOUSE_BUTTON_RIGHT),
     CARRY("E", "pick up and let go", GLFW_KEY_E),
     THROW("F", "throw what is held", GLFW_KEY_F),
     PERSON("V", "see yourself, or through your own eyes", GLFW_KEY_V),
@@ -25,9 +25,6 @@ public enum Control {
     FIGURES("F3", "figures: time per pass, draws, memory", GLFW_KEY_F3),
     FULL_SCREEN("F11", "full screen", GLFW_KEY_F11),
     SCREENSHOT("F12", "picture; with Shift without the overlay", GLFW_KEY_F12);
-
-    /** Added to a mouse button's code: key codes are smaller. */
-    static final int MOUSE = 1000;
 
     private final String keys;
     private final String meaning;
@@ -48,10 +45,10 @@ public enum Control {
     }
 
     boolean isOnMouse() {
-        return codes.get(0) >= MOUSE;
+        return codes.get(0) >= InputListener.MOUSE;
     }
 
-    /** GLFW key codes, and mouse buttons from {@link #MOUSE} on. */
+    /** GLFW key codes, and mouse buttons from {@link InputListener#MOUSE} on. */
     List<Integer> codes() {
         return codes;
     }

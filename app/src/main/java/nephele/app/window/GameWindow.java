@@ -16,11 +16,11 @@ import org.lwjgl.system.Configuration;
 public final class GameWindow implements AutoCloseable {
     private final long handle;
     private final WindowEvents events;
-    private final Input input;
+    private final InputListener input;
     private boolean fullScreen;
     private final int[] restoredBounds = new int[4];
 
-    private GameWindow(long handle, Input input) {
+    private GameWindow(long handle, InputListener input) {
         this.handle = handle;
         this.input = input;
         events = new WindowEvents(handle, input);
@@ -30,7 +30,7 @@ public final class GameWindow implements AutoCloseable {
     public record Request(String title, int width, int height) {}
 
     /** Opens the window; a failure says what the system said (exit code 3). */
-    public static GameWindow open(Request request, Input input) {
+    public static GameWindow open(Request request, InputListener input) {
         var complaints = new Complaints();
         String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
         if (system.contains("mac")) {
@@ -67,7 +67,7 @@ public final class GameWindow implements AutoCloseable {
         return CommandFailure.environment(what + ": " + complaints.text()
                 + "\nNephele needs a graphics driver with OpenGL 4.1 (on Debian or Ubuntu: apt-get install libgl1"
                 + " libgl1-mesa-dri)."
-                + "\nWithout a display, unset DISPLAY: `nephele play` then draws offscreen.");
+                + "\nWithout a display, unset DISPLAY: Nephele then draws offscreen.");
     }
 
     /** Takes what happened since the last call. */

@@ -7,7 +7,7 @@ import java.util.EnumSet;
  * What keyboard and mouse have said since they were asked last. Knows no window: the window tells it, tests too.
  * Motion is in mouse counts, positions in pixels of the picture.
  */
-public final class Input {
+public final class Input implements InputListener {
     private static final int MOST_WAITING = 64;
 
     private final EnumSet<Control> held = EnumSet.noneOf(Control.class);
@@ -23,7 +23,8 @@ public final class Input {
     private boolean pointerShown;
     private Click clicked;
 
-    void key(int code, boolean down) {
+    @Override
+    public void key(int code, boolean down) {
         for (var control : Control.values()) {
             if (control.codes().contains(code)) {
                 key(control, down);
@@ -48,6 +49,7 @@ public final class Input {
      * The captured mouse is at (x, y) of an endless plane. The first position after a start, a capture or a regained
      * focus only says where it is: taking it as a motion would make the view jump.
      */
+    @Override
     public void look(double x, double y) {
         if (!Double.isNaN(lastX)) {
             countsRight += x - lastX;
@@ -61,6 +63,7 @@ public final class Input {
     public record Click(double x, double y) {}
 
     /** The free pointer is over this pixel. */
+    @Override
     public void point(double x, double y) {
         pointerX = x;
         pointerY = y;
@@ -72,6 +75,7 @@ public final class Input {
      * The button went down. A pointer that has not moved since it was given back lies where nobody has put it: its first
      * click only points, so that the player sees what the next one would do.
      */
+    @Override
     public void click() {
         if (pointerShown) {
             clicked = new Click(pointerX, pointerY);
@@ -81,6 +85,7 @@ public final class Input {
     }
 
     /** Forgets every key, motion and click: the focus went away. */
+    @Override
     public void forget() {
         held.clear();
         struck.clear();
@@ -89,6 +94,7 @@ public final class Input {
     }
 
     /** Forgets motion and clicks: the mouse serves another purpose from now on. Keys keep what they have said. */
+    @Override
     public void forgetMouse() {
         countsRight = 0;
         countsDown = 0;

@@ -5,7 +5,7 @@ import static org.lwjgl.glfw.GLFW.*;
 /** Listens to one window: its state for the window, its keys and mouse for the input. */
 final class WindowEvents {
     private final long handle;
-    private final Input input;
+    private final InputListener input;
     private int width;
     private int height;
     private boolean minimised;
@@ -13,7 +13,7 @@ final class WindowEvents {
     private double scale = 1;
     private boolean looking;
 
-    WindowEvents(long handle, Input input) {
+    WindowEvents(long handle, InputListener input) {
         this.handle = handle;
         this.input = input;
         readInitialState();
@@ -28,16 +28,18 @@ final class WindowEvents {
             input.forget();
         });
         glfwSetKeyCallback(handle, (window, key, scanCode, action, modifiers) -> {
-            if (action != GLFW_REPEAT) {
+            if (action == GLFW_REPEAT) {
+                input.repeated(key);
+            } else {
                 input.key(key, action == GLFW_PRESS);
             }
         });
         glfwSetCursorPosCallback(handle, (window, x, y) -> moved(x, y));
         glfwSetMouseButtonCallback(handle, (window, button, action, modifiers) -> {
             if (looking) {
-                input.key(Control.MOUSE + button, action == GLFW_PRESS);
-            } else if (action == GLFW_PRESS && button == GLFW_MOUSE_BUTTON_LEFT) {
-                input.click();
+                input.key(InputListener.MOUSE + button, action == GLFW_PRESS);
+            } else if (button == GLFW_MOUSE_BUTTON_LEFT) {
+                leftButton(action == GLFW_PRESS);
             }
         });
     }
@@ -53,6 +55,14 @@ final class WindowEvents {
         glfwGetWindowContentScale(handle, x, y);
         scale = x[0];
         focus = glfwGetWindowAttrib(handle, GLFW_FOCUSED) == GLFW_TRUE;
+    }
+
+    private void leftButton(boolean down) {
+        if (down) {
+            input.click();
+        } else {
+            input.letGo();
+        }
     }
 
     /** GLFW gives window units; the picture's pixels can be finer. */

@@ -37,8 +37,13 @@ public final class LevelAssets implements AssetSource {
 
     /** @param resource a level in the jar, below {@link #JAR_LEVELS}, such as {@code samples/sky.json} */
     public static LevelAssets inJar(String resource) {
+        return inJar(JAR_LEVELS, resource);
+    }
+
+    /** @param resource a file in the jar, below {@code root}, such as {@code /scenes} */
+    public static LevelAssets inJar(String root, String resource) {
         int slash = resource.lastIndexOf('/');
-        String folder = slash < 0 ? JAR_LEVELS : JAR_LEVELS + "/" + resource.substring(0, slash);
+        String folder = slash < 0 ? root : root + "/" + resource.substring(0, slash);
         return new LevelAssets(List.of(new ResourceAssets(folder), new ResourceAssets(JAR_ASSETS)), null);
     }
 

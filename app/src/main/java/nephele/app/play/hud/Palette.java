@@ -3,12 +3,12 @@ package nephele.app.play.hud;
 import nephele.engine.render.pass.overlay.Colour;
 
 /** The overlay's few colours. */
-final class Palette {
-    static final Colour INK = Colour.opaque(0xf3f6fa);
+public final class Palette {
+    public static final Colour INK = Colour.opaque(0xf3f6fa);
     static final Colour QUIET_INK = Colour.opaque(0xa9b6c6);
-    static final Colour ACCENT = Colour.opaque(0x86ccff);
+    public static final Colour ACCENT = Colour.opaque(0x86ccff);
     static final Colour PANEL = Colour.opaque(0x0b1119).withAlpha(0.78);
-    static final Colour VEIL = Colour.opaque(0x0b1119).withAlpha(0.45);
+    public static final Colour VEIL = Colour.opaque(0x0b1119).withAlpha(0.45);
     static final Colour SELECTED = Colour.opaque(0x86ccff).withAlpha(0.18);
     static final Colour SHADOW = Colour.opaque(0x000000).withAlpha(0.4);
 

@@ -1,4 +1,4 @@
-package nephele.app.play;
+package nephele.app.draw;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -9,16 +9,16 @@ import nephele.engine.render.Capture;
 import nephele.engine.render.gl.RenderTarget;
 
 /** Pictures that a player takes: in the folder for pictures, else in a checkout's build folder, else here. */
-final class Screenshots {
+public final class Screenshots {
     private static final DateTimeFormatter STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS");
 
     private final Path folder;
 
-    Screenshots(Path folder) {
+    public Screenshots(Path folder) {
         this.folder = folder;
     }
 
-    static Screenshots inUsualFolder() {
+    public static Screenshots inUsualFolder() {
         var pictures = Path.of(System.getProperty("user.home", "."), "Pictures");
         if (Files.isDirectory(pictures)) {
             return new Screenshots(pictures.resolve("Nephele"));
@@ -28,7 +28,7 @@ final class Screenshots {
     }
 
     /** Saves what the target shows; returns what to tell the player. */
-    String take(RenderTarget picture) {
+    public String take(RenderTarget picture) {
         var file = folder.resolve("nephele-" + STAMP.format(LocalDateTime.now()) + ".png");
         try {
             Capture.png(picture, file);

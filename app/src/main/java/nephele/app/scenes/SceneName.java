@@ -1,0 +1,64 @@
+package nephele.app.scenes;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import nephele.engine.asset.AssetId;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.ResourceAssets;
+import nephele.engine.model.ModelFileException;
+import nephele.engine.xmlscene.XmlScene;
+import nephele.engine.xmlscene.XmlSceneFile;
+
+/** A scene as a user names it: a file, or else one of the jar's, such as {@code scenes/lighthouse.xml}. */
+public record SceneName(String typed) {
+    public static final SceneName SAMPLE = new SceneName("scenes/solar-system.xml");
+    public static final SceneName SAMPLE_ENTITY = new SceneName("scenes/ship.xml");
+    /** An asset. */
+    public static final String SAMPLE_BACKGROUND = "textures/scenes/stars.png";
+
+    private static final String JAR_SCENES = "/scenes";
+
+    /** The file's name without folder and ending: "solar-system.xml" is "Solar system". */
+    public String title() {
+        String words = stem().replace('-', ' ');
+        return words.isEmpty() ? typed : Character.toUpperCase(words.charAt(0)) + words.substring(1);
+    }
+
+    /** The file's name without folder and ending. */
+    public String stem() {
+        String name = typed.substring(Math.max(typed.lastIndexOf('/'), typed.lastIndexOf('\\')) + 1);
+        return name.replaceFirst("\\.[xX][mM][lL]$", "");
+    }
+
+    /** @throws ModelFileException when it cannot be read or holds nothing to show */
+    XmlScene read() {
+        return isInJar() ? XmlSceneFile.read(typed, jar().bytes(inScenes())) : XmlSceneFile.read(path());
+    }
+
+    /** What its models and pictures are named relative to. */
+    AssetSource assets() {
+        return isInJar() ? LevelAssets.inJar(JAR_SCENES, inScenes()) : LevelAssets.beside(path());
+    }
+
+    private boolean isInJar() {
+        return !Files.exists(path()) && AssetId.objection(inScenes()) == null && jar().exists(inScenes());
+    }
+
+    private static AssetSource jar() {
+        return new ResourceAssets(JAR_SCENES);
+    }
+
+    private String inScenes() {
+        return typed.replace('\\', '/').replaceFirst("^(\\./)?scenes/", "");
+    }
+
+    private Path path() {
+        try {
+            return Path.of(typed);
+        } catch (InvalidPathException noPath) {
+            throw new ModelFileException(typed, 0, "is no file name here", "name an XML scene", noPath);
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package nephele.app.view;
+
+import java.util.List;
+import nephele.app.play.hud.Palette;
+import nephele.engine.render.pass.overlay.OverlayCanvas;
+
+/** What the keys do, in lines along the lower edge; and what was done last, above them. */
+final class KeyHints {
+    private static final double EM = 13;
+    private static final double LINE = 19;
+    private static final double PADDING = 12;
+    private static final double GAP = 15;
+    private static final double KEY_GAP = 6;
+
+    private static final List<Hint> ALL = List.of(
+            new Hint("W A S D", "move"),
+            new Hint("Shift", "faster"),
+            new Hint("← → ↑ ↓", "or drag: turn"),
+            new Hint("F1", "wireframe"),
+            new Hint("F2", "axes"),
+            new Hint("F3", "shading"),
+            new Hint("1", "ambient"),
+            new Hint("2", "diffuse"),
+            new Hint("3", "specular"),
+            new Hint("4", "emissive"),
+            new Hint("Space", "pause"),
+            new Hint("R", "back to the start"),
+            new Hint("F11", "full screen"),
+            new Hint("F12", "picture"),
+            new Hint("H", "these keys"),
+            new Hint("Esc", "leave"));
+
+    private KeyHints() {}
+
+    private record Hint(String keys, String meaning) {
+        double width(OverlayCanvas canvas) {
+            return canvas.width(EM, keys) + KEY_GAP + canvas.width(EM, meaning);
+        }
+    }
+
+    /** @param opacity 1 while they are shown, less while they fade; 0 for none */
+    static void draw(OverlayCanvas canvas, double width, double height, double opacity) {
+        if (opacity <= 0) {
+            return;
+        }
+        int lines = 1 + walk(canvas, width, (hint, x, line) -> {});
+        double top = height - 2 * PADDING - lines * LINE;
+        canvas.rectangle(0, top, width, height - top, Palette.VEIL.withAlpha(0.55 * opacity));
+        walk(canvas, width, (hint, x, line) -> {
+            double baseline = top + PADDING + (line + 0.7) * LINE;
+            double after = canvas.text(x, baseline, EM, Palette.ACCENT.withAlpha(opacity), hint.keys);
+            canvas.text(after + KEY_GAP, baseline, EM, Palette.INK.withAlpha(opacity), hint.meaning);
+        });
+    }
+
+    /** A line of words in the upper left corner. */
+    static void say(OverlayCanvas canvas, String message) {
+        double width = canvas.width(EM, message) + 2 * PADDING;
+        canvas.rectangle(PADDING, PADDING, width, LINE + PADDING, Palette.VEIL.withAlpha(0.55));
+        canvas.text(2 * PADDING, PADDING + LINE, EM, Palette.INK, message);
+    }
+
+    private interface Placing {
+        void at(Hint hint, double x, int line);
+    }
+
+    /** Places the hints as words of a text; returns the last line's number. */
+    private static int walk(OverlayCanvas canvas, double width, Placing placing) {
+        double x = PADDING;
+        int line = 0;
+        for (Hint hint : ALL) {
+            double hintWidth = hint.width(canvas);
+            if (x > PADDING && x + hintWidth > width - PADDING) {
+                x = PADDING;
+                line++;
+            }
+            placing.at(hint, x, line);
+            x += hintWidth + GAP;
+        }
+        return line;
+    }
+}

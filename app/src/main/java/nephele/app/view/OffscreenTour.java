@@ -1,0 +1,61 @@
+package nephele.app.view;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import nephele.engine.render.Capture;
+import nephele.engine.render.fixed.FixedSceneDrawing;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+
+/** What `scene` does without a display: three pictures – at rest, on the way ahead, and leaning into a turn. */
+public final class OffscreenTour {
+    private static final List<Leg> LEGS = List.of(
+            new Leg(0, Set.of(), 0),
+            new Leg(1.5, Set.of(ViewerKey.AHEAD), 2),
+            new Leg(0.5, Set.of(ViewerKey.AHEAD, ViewerKey.RIGHT), 0));
+
+    private final SceneStart start;
+    private final PrintStream out;
+
+    /** Keys held for a time, after a number of presses that turn left. */
+    private record Leg(double seconds, Set<ViewerKey> held, int turns) {}
+
+    public OffscreenTour(SceneStart start, PrintStream out) {
+        this.start = start;
+        this.out = out;
+    }
+
+    /** @param name what the pictures' names begin with */
+    public void save(Path folder, String name, int width, int height) throws IOException {
+        var viewing = start.viewing();
+        try (var gl = GlContext.offscreen();
+                var target = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);
+                var drawing = FixedSceneDrawing.load(gl, start.opened().sources())) {
+            out.println(name + ": drawn offscreen by " + gl.limits().renderer());
+            for (int i = 0; i < LEGS.size(); i++) {
+                fly(viewing, LEGS.get(i));
+                drawing.draw(
+                        viewing.view((double) width / height),
+                        viewing.sceneSeconds(),
+                        viewing.place().worldFromEntity(),
+                        viewing.look(),
+                        target);
+                Path file = folder.resolve(name + "-" + (i + 1) + ".png");
+                Capture.png(target, file);
+                out.println("picture: " + file);
+            }
+            gl.requireNoError("scene");
+        }
+    }
+
+    private static void fly(Viewing viewing, Leg leg) {
+        for (int i = 0; i < leg.turns; i++) {
+            viewing.press(ViewerKey.TURN_LEFT);
+        }
+        viewing.advance(leg.seconds, leg.held);
+    }
+}

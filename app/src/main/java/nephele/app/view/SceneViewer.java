@@ -1,0 +1,105 @@
+package nephele.app.view;
+
+import nephele.app.draw.Screenshots;
+import nephele.app.window.GameWindow;
+import nephele.engine.render.fixed.FixedSceneDrawing;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.RenderTarget;
+
+/** The viewer in a window of its own. */
+public final class SceneViewer implements AutoCloseable {
+    private static final double HIDDEN_WAIT_SECONDS = 0.1;
+
+    private final GameWindow window;
+    private final ViewerInput input;
+    private final GlContext gl;
+    private final FixedSceneDrawing drawing;
+    private final ViewerOverlay overlay;
+    private final Viewing viewing;
+    private final Screenshots screenshots = Screenshots.inUsualFolder();
+    private RenderTarget target;
+    private long lastNanos = System.nanoTime();
+    private boolean leaving;
+    private boolean pictureAsked;
+
+    private SceneViewer(SceneStart start, GameWindow window, ViewerInput input, GlContext gl) {
+        this.window = window;
+        this.input = input;
+        this.gl = gl;
+        viewing = start.viewing();
+        drawing = FixedSceneDrawing.load(gl, start.opened().sources());
+        overlay = new ViewerOverlay(gl);
+    }
+
+    /** Shows a scene until its viewer leaves. */
+    public static void show(SceneStart start, GameWindow.Request request) {
+        System.setProperty("java.awt.headless", "true"); // pictures are written by ImageIO, which must open no display
+        var input = new ViewerInput();
+        try (var window = GameWindow.open(request, input);
+                var gl = GlContext.ofCurrentWindow();
+                var viewer = new SceneViewer(start, window, input, gl)) {
+            while (!viewer.leaving) {
+                viewer.frame();
+            }
+        }
+    }
+
+    private void frame() {
+        window.poll();
+        if (!window.isDrawable()) {
+            window.waitForEvents(HIDDEN_WAIT_SECONDS);
+        }
+        leaving |= window.closeRequested();
+        obeyKeys();
+        viewing.drag(input.takeDraggedRight() / window.scale(), input.takeDraggedDown() / window.scale());
+        advance();
+        if (window.isDrawable()) {
+            draw();
+        }
+    }
+
+    private void obeyKeys() {
+        for (var key = input.nextPressed(); key != null; key = input.nextPressed()) {
+            switch (key) {
+                case LEAVE -> leaving = true;
+                case FULL_SCREEN -> window.toggleFullScreen();
+                case SCREENSHOT -> pictureAsked = true;
+                case KEYS -> overlay.toggleKeys();
+                default -> viewing.press(key).ifPresent(overlay::say);
+            }
+        }
+    }
+
+    private void advance() {
+        long now = System.nanoTime();
+        double seconds = (now - lastNanos) * 1e-9;
+        lastNanos = now;
+        viewing.advance(seconds, input.takeHeld());
+        overlay.advance(seconds);
+    }
+
+    private void draw() {
+        boolean fits = target != null && target.width() == window.width() && target.height() == window.height();
+        if (!fits) {
+            target = RenderTarget.window(gl, window.width(), window.height());
+        }
+        drawing.draw(
+                viewing.view((double) target.width() / target.height()),
+                viewing.sceneSeconds(),
+                viewing.place().worldFromEntity(),
+                viewing.look(),
+                target);
+        if (pictureAsked) {
+            overlay.say(screenshots.take(target));
+            pictureAsked = false;
+        }
+        overlay.draw(window, target);
+        window.show();
+    }
+
+    @Override
+    public void close() {
+        overlay.close();
+        drawing.close();
+    }
+}

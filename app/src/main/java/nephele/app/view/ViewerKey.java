@@ -1,0 +1,68 @@
+package nephele.app.view;
+
+import static org.lwjgl.glfw.GLFW.*;
+
+import java.util.List;
+import nephele.engine.render.fixed.LightTerm;
+
+/** Every key of the viewer. */
+enum ViewerKey {
+    AHEAD(GLFW_KEY_W),
+    BACK(GLFW_KEY_S),
+    LEFT(GLFW_KEY_A),
+    RIGHT(GLFW_KEY_D),
+    FASTER(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+    TURN_LEFT(GLFW_KEY_LEFT),
+    TURN_RIGHT(GLFW_KEY_RIGHT),
+    /** The report's way, as with a stick. */
+    LOOK_DOWN(GLFW_KEY_UP),
+    LOOK_UP(GLFW_KEY_DOWN),
+    WIREFRAME(GLFW_KEY_F1),
+    AXES(GLFW_KEY_F2),
+    SHADING(GLFW_KEY_F3),
+    AMBIENT(GLFW_KEY_1),
+    DIFFUSE(GLFW_KEY_2),
+    SPECULAR(GLFW_KEY_3),
+    EMISSIVE(GLFW_KEY_4),
+    PAUSE(GLFW_KEY_SPACE),
+    HOME(GLFW_KEY_R),
+    KEYS(GLFW_KEY_H),
+    FULL_SCREEN(GLFW_KEY_F11),
+    SCREENSHOT(GLFW_KEY_F12),
+    LEAVE(GLFW_KEY_ESCAPE);
+
+    private final List<Integer> codes;
+
+    ViewerKey(Integer... codes) {
+        this.codes = List.of(codes);
+    }
+
+    /** Of GLFW's code; {@code null} for keys that do nothing. */
+    static ViewerKey of(int code) {
+        for (var key : values()) {
+            if (key.codes.contains(code)) {
+                return key;
+            }
+        }
+        return null;
+    }
+
+    /** Whether each repeat of the held key counts as a press. */
+    boolean repeats() {
+        return switch (this) {
+            case TURN_LEFT, TURN_RIGHT, LOOK_DOWN, LOOK_UP -> true;
+            default -> false;
+        };
+    }
+
+    /** The part of the light model that it switches; {@code null} for other keys. */
+    LightTerm term() {
+        return switch (this) {
+            case AMBIENT -> LightTerm.AMBIENT;
+            case DIFFUSE -> LightTerm.DIFFUSE;
+            case SPECULAR -> LightTerm.SPECULAR;
+            case EMISSIVE -> LightTerm.EMISSIVE;
+            default -> null;
+        };
+    }
+}
