@@ -100,8 +100,8 @@ class InputTest {
     /** Slow frames hold several ticks, or none: a press between two of them is not lost. */
     @Test
     void aShortPressIsToldOnce() {
-        input.key(Control.MOUSE + GLFW.GLFW_MOUSE_BUTTON_RIGHT, true);
-        input.key(Control.MOUSE + GLFW.GLFW_MOUSE_BUTTON_RIGHT, false);
+        input.key(InputListener.MOUSE + GLFW.GLFW_MOUSE_BUTTON_RIGHT, true);
+        input.key(InputListener.MOUSE + GLFW.GLFW_MOUSE_BUTTON_RIGHT, false);
         assertFalse(input.holds(Control.FIRE_SECOND));
         assertFalse(input.takeHold(Control.FIRE_FIRST));
         assertTrue(input.takeHold(Control.FIRE_SECOND));
@@ -115,7 +115,7 @@ class InputTest {
 
     @Test
     void aMouseThatChangesHandsHoldsNoButton() {
-        input.key(Control.MOUSE + GLFW.GLFW_MOUSE_BUTTON_LEFT, true);
+        input.key(InputListener.MOUSE + GLFW.GLFW_MOUSE_BUTTON_LEFT, true);
         input.forgetMouse();
         assertFalse(input.takeHold(Control.FIRE_FIRST));
     }
