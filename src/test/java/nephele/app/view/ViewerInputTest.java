@@ -1,0 +1,73 @@
+package nephele.app.view;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+
+import java.util.HashSet;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.lwjgl.glfw.GLFW;
+
+/** What the window tells becomes what the viewer asks. */
+class ViewerInputTest {
+    private final ViewerInput input = new ViewerInput();
+
+    @Test
+    void aKeyThatWasStruckBetweenTwoFramesIsHeldForOne() {
+        input.key(GLFW.GLFW_KEY_W, true);
+        input.key(GLFW.GLFW_KEY_W, false);
+        input.key(GLFW.GLFW_KEY_D, true);
+        assertEquals(Set.of(ViewerKey.AHEAD, ViewerKey.RIGHT), input.takeHeld());
+        assertEquals(Set.of(ViewerKey.RIGHT), input.takeHeld());
+    }
+
+    @Test
+    void onlyTurnsRepeat() {
+        input.key(GLFW.GLFW_KEY_LEFT, true);
+        input.repeated(GLFW.GLFW_KEY_LEFT);
+        input.repeated(GLFW.GLFW_KEY_F1);
+        assertEquals(ViewerKey.TURN_LEFT, input.nextPressed());
+        assertEquals(ViewerKey.TURN_LEFT, input.nextPressed());
+        assertNull(input.nextPressed());
+    }
+
+    @Test
+    void thePointerTurnsOnlyWhileItsButtonIsDown() {
+        input.point(10, 10);
+        input.point(50, 10);
+        input.click();
+        input.point(53, 14);
+        input.point(55, 15);
+        input.letGo();
+        input.point(500, 500);
+        assertEquals(5, input.takeDraggedRight());
+        assertEquals(5, input.takeDraggedDown());
+        assertEquals(0, input.takeDraggedRight());
+    }
+
+    @Test
+    void nothingIsHeldAfterTheFocusWent() {
+        input.key(GLFW.GLFW_KEY_W, true);
+        input.click();
+        input.point(5, 5);
+        input.forget();
+        input.point(50, 50);
+        assertEquals(Set.of(), input.takeHeld());
+        assertEquals(0, input.takeDraggedRight());
+        assertNull(input.nextPressed());
+    }
+
+    @Test
+    void noCodeHasTwoMeanings() {
+        var seen = new HashSet<ViewerKey>();
+        for (int code = 0; code <= GLFW.GLFW_KEY_LAST; code++) {
+            var key = ViewerKey.of(code);
+            if (key != null) {
+                seen.add(key);
+            }
+        }
+        assertEquals(Set.of(ViewerKey.values()), seen);
+        input.key(-1, true);
+        assertNull(input.nextPressed());
+    }
+}
