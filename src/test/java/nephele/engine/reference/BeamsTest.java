@@ -33,7 +33,7 @@ class BeamsTest {
             stage.box("grey", new Vec3(within(8), within(8), within(8)), new Vec3(size(), size(), size()));
         }
         List<Brush> brushes = stage.level().solids().stream().map(Brush::of).toList();
-        return new SurfaceRays(brushes, List.of());
+        return new SurfaceRays(brushes, List.of(), 0, ModelForms.NONE);
     }
 
     private Beams beams(long mostBytes) {

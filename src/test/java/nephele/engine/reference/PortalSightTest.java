@@ -116,7 +116,8 @@ class PortalSightTest {
         float[] wall = facing.towards(middle, new Vec3(0, 1e-3, -1), 1);
         assertEquals(0.9, wall[0], 1e-6);
         EyePath path = new EyePath(
-                new SurfaceRays(facing.level().solids().stream().map(Brush::of).toList(), List.of()),
+                new SurfaceRays(
+                        facing.level().solids().stream().map(Brush::of).toList(), List.of(), 0, ModelForms.NONE),
                 Portals.of(facing.level()));
         assertTrue(path.walk(middle.toVector(), new Vec3(0, 1e-3, -1).toVector(), 0.05, 1e9));
         assertEquals(1, path.ray().originY(), 3.1e-3, "in the last space, under the upper edge");

@@ -8,11 +8,12 @@ import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
+import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
-/** `--set debug=ids`: the same level with every solid, then every body in a flat colour of its own, for output plain. */
+/** `--set debug=ids`: the same level with every solid, then every body, then every model in a flat colour of its own, for output plain. */
 public final class IdLevel {
     /** Odd, so that no two of 2²⁴ numbers get the same colour; large, so that neighbours differ. */
     private static final int SPREAD = 0x9e3779;
@@ -38,14 +39,21 @@ public final class IdLevel {
             materials.add(material);
             bodies.add(painted(body, material.id()));
         }
+        var models = new ArrayList<ModelPlacement>();
+        for (var model : level.models()) {
+            var material = flat("id-" + materials.size(), colour(materials.size()));
+            materials.add(material);
+            models.add(new ModelPlacement(
+                    model.id(), model.file(), model.parent(), model.transform(), material.id(), model.portalable()));
+        }
         var flatLight = new Environment(null, null, ONE, 0, ToneCurve.CLIP, null, List.of());
-        return level.with(flatLight, List.of()).with(materials, solids, bodies);
+        return level.with(flatLight, List.of()).with(materials, solids, bodies, models);
     }
 
     /**
      * The 8-bit colour of a surface, 0xRRGGBB; black is nothing.
      *
-     * @param index of a solid, or the number of solids plus the index of a body
+     * @param index of a solid, or the number of solids plus the index of a body, or the number of both plus that of a model
      */
     public static int colour(int index) {
         return (index + 1) * SPREAD & 0xffffff;

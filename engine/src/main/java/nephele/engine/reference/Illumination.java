@@ -117,11 +117,14 @@ final class Illumination {
 
     private void addSky(SurfacePoint surface, Vector3d origin, ShadowRays shadows, PixelSample sample, Vector3d sum) {
         Vector3d across =
-                Directions.perpendicular(Vec3.of(surface.faceNormal())).toVector();
-        Vector3d up = new Vector3d(surface.faceNormal()).cross(across);
+                Directions.perpendicular(Vec3.of(surface.smoothNormal())).toVector();
+        Vector3d up = new Vector3d(surface.smoothNormal()).cross(across);
         int free = 0;
         for (int i = 0; i < SKY_RAYS; i++) {
-            Vector3d direction = onHemisphere(sample.sky(i), across, up, surface.faceNormal());
+            Vector3d direction = onHemisphere(sample.sky(i), across, up, surface.smoothNormal());
+            if (surface.smoothNormal() != surface.faceNormal()) {
+                layAbove(direction, surface.faceNormal());
+            }
             boolean isBlocked = shadows.isSkyBlocked(origin, direction, surface.item());
             free += isBlocked ? 0 : 1;
         }
@@ -131,6 +134,11 @@ final class Illumination {
                     surface.gloss() == null ? onNormal : skyLight.get().ambient(surface.mirrorDirection());
             sum.fma((double) free / SKY_RAYS, surface.reflected(onNormal, mirrored));
         }
+    }
+
+    /** What the curve sees beyond its triangle's plane is seen along that plane: the triangle itself is not in the way. */
+    private static void layAbove(Vector3d direction, Vector3dc faceNormal) {
+        direction.fma(-Math.min(direction.dot(faceNormal), 0), faceNormal);
     }
 
     /** Equal cosine weight for equal areas of the unit square (Malley's method). */

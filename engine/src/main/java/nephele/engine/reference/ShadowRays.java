@@ -18,9 +18,10 @@ final class ShadowRays {
     /**
      * @param light number of the sun or a lamp, which lies in {@code direction}
      * @param limit parameter of the ray up to which something is in the way
-     * @param except the item that is lit: a convex thing does not shade itself
+     * @param lit the item that is lit: a convex thing does not shade itself
      */
-    boolean isBlocked(int light, Vector3dc origin, Vector3dc direction, double limit, int except) {
+    boolean isBlocked(int light, Vector3dc origin, Vector3dc direction, double limit, int lit) {
+        int except = surfaces.withoutOwnShade(lit);
         ray.aim(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
         cube = beams.cube(origin, cube);
         return cube == null
@@ -29,7 +30,7 @@ final class ShadowRays {
     }
 
     /** Whether the sky is out of sight in a direction. */
-    boolean isSkyBlocked(Vector3dc origin, Vector3dc direction, int except) {
-        return isBlocked(beams.patch(direction), origin, direction, Double.POSITIVE_INFINITY, except);
+    boolean isSkyBlocked(Vector3dc origin, Vector3dc direction, int lit) {
+        return isBlocked(beams.patch(direction), origin, direction, Double.POSITIVE_INFINITY, lit);
     }
 }

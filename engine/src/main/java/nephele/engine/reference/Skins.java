@@ -30,8 +30,18 @@ final class Skins {
      */
     record Spot(double s, double t, Vector3dc across, Vector3dc up) {}
 
-    /** A point of a surface before anything is said of its material. */
-    record Bare(int item, Vec3 place, Vector3dc normal, Vector3dc toEye) {}
+    /**
+     * A point of a surface before anything is said of its material.
+     *
+     * @param normal of the surface that the geometry stands for
+     * @param faceNormal of the geometry
+     */
+    record Bare(int item, Vec3 place, Vector3dc normal, Vector3dc faceNormal, Vector3dc toEye) {
+        /** Of what is as smooth as its geometry. */
+        Bare(int item, Vec3 place, Vector3dc normal, Vector3dc toEye) {
+            this(item, place, normal, normal, toEye);
+        }
+    }
 
     /** @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used */
     Skins(List<Material> materials, AssetSource assets, Decoding decoding) {
@@ -75,7 +85,15 @@ final class Skins {
         }
         Brdf gloss = material.lambert() ? null : gloss(material, colour, rgba[3], normal.dot(bare.toEye()));
         return new SurfacePoint(
-                bare.item(), bare.place(), normal, bare.normal(), colour, gloss, bare.toEye(), material.emission());
+                bare.item(),
+                bare.place(),
+                normal,
+                bare.normal(),
+                bare.faceNormal(),
+                colour,
+                gloss,
+                bare.toEye(),
+                material.emission());
     }
 
     private static Brdf gloss(Material material, Vector3dc colour, double roughnessFactor, double cosine) {

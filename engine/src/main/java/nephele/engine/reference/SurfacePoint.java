@@ -10,6 +10,7 @@ import org.joml.Vector3dc;
  *
  * @param item as {@link SurfaceRays} numbers it
  * @param normal unit, bent by a normal map
+ * @param smoothNormal unit, of the surface that the geometry stands for: its own unless that is a mesh
  * @param faceNormal unit, of the geometry
  * @param albedo what a Lambert surface reflects; unused with {@code gloss}
  * @param gloss {@code null} for a Lambert surface
@@ -20,6 +21,7 @@ record SurfacePoint(
         int item,
         Vec3 place,
         Vector3dc normal,
+        Vector3dc smoothNormal,
         Vector3dc faceNormal,
         Vector3dc albedo,
         Brdf gloss,

@@ -13,9 +13,9 @@ import nephele.engine.math.SpatialIndex;
 import org.joml.Vector3dc;
 
 /**
- * What rays meet of convex solids and bodies. Each solid is taken as what lies behind all its planes: exact at edges, so
+ * What rays meet of convex solids, bodies and models. Each solid is taken as what lies behind all its planes: exact at edges, so
  * that touching solids leave no gap. Only outsides are seen: a ray that begins inside a thing does not see it. Items are
- * numbered solids first, then the pieces of bodies. Safe to share between threads.
+ * numbered solids first, then the pieces of bodies, then models. Safe to share between threads.
  */
 final class SurfaceRays {
     /** Two faces that a ray meets within this share of its way are met on their edge. */
@@ -26,15 +26,25 @@ final class SurfaceRays {
 
     private final double[][] planes;
     private final BodyPiece[] pieces;
+    private final int bodies;
+    private final ModelForms models;
+    /** The number of the first model. */
+    private final int firstModel;
+
     private final double[] bounds;
     private final SpatialIndex index;
 
-    SurfaceRays(List<Brush> brushes, List<BodyPiece> pieces) {
+    /** @param bodies how many there are, whatever portals cut them into */
+    SurfaceRays(List<Brush> brushes, List<BodyPiece> pieces, int bodies, ModelForms models) {
+        this.bodies = bodies;
+        this.models = models;
+        firstModel = brushes.size() + pieces.size();
         planes = brushes.stream().map(brush -> brush.shape().flatPlanes()).toArray(double[][]::new);
         this.pieces = pieces.toArray(BodyPiece[]::new);
         List<Aabb> boxes = new ArrayList<>();
         brushes.forEach(brush -> boxes.add(brush.shape().bounds()));
         pieces.forEach(piece -> boxes.add(piece.bounds()));
+        boxes.addAll(models.bounds());
         bounds = boxes.stream()
                 .flatMapToDouble(b -> DoubleStream.of(b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()))
                 .toArray();
@@ -45,13 +55,26 @@ final class SurfaceRays {
         return new Ray(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
     }
 
-    /** {@code null} for a solid. */
+    /** {@code null} for what is not of a body. */
     BodyPiece piece(int item) {
-        return item < planes.length ? null : pieces[item - planes.length];
+        return item < planes.length || item >= firstModel ? null : pieces[item - planes.length];
     }
 
-    /** The index of a solid, or the number of solids plus that of a body. */
+    /** The number of a model; negative for what is none. */
+    int model(int item) {
+        return item - firstModel;
+    }
+
+    /** What need not be looked at for the light on an item: itself, where it is convex; −1 for a model. */
+    int withoutOwnShade(int item) {
+        return item < firstModel ? item : -1;
+    }
+
+    /** The index of a solid, the number of solids plus that of a body, or the number of both plus that of a model. */
     int surface(int item) {
+        if (item >= firstModel) {
+            return planes.length + bodies + item - firstModel;
+        }
         return item < planes.length ? item : planes.length + piece(item).body();
     }
 
@@ -80,6 +103,9 @@ final class SurfaceRays {
     }
 
     private double entry(Ray ray, int item, double least) {
+        if (item >= firstModel) {
+            return models.entry(ray, item - firstModel, least);
+        }
         return item < planes.length
                 ? entry(ray, planes[item], least)
                 : piece(item).entry(ray, least);
@@ -149,6 +175,9 @@ final class SurfaceRays {
 
     /** Whether the ray meets one item up to the parameter {@code limit}. */
     boolean isBlockedBy(int item, Ray ray, double limit) {
+        if (item >= firstModel) {
+            return models.meets(ray, item - firstModel, limit);
+        }
         return item < planes.length
                 ? meets(ray, planes[item], limit)
                 : piece(item).meets(ray, limit);

@@ -31,7 +31,8 @@ public final class SurfaceSight {
     }
 
     /**
-     * The index of the solid that a ray ends on, or the number of solids plus the index of a body, or {@link #NOTHING}.
+     * The index of the solid that a ray ends on, or the number of solids plus the index of a body, or the number of both
+     * plus the index of a model, or {@link #NOTHING}.
      *
      * @param right 0 at the left border of the picture, 1 at the right one; {@code up} likewise from the bottom
      */
@@ -80,7 +81,7 @@ public final class SurfaceSight {
                 way.x() - (limit == 1 ? shift.x() : 0),
                 way.y() - (limit == 1 ? shift.y() : 0),
                 way.z() - (limit == 1 ? shift.z() : 0));
-        return rays.blocker(ray, limit, path.item()) < 0;
+        return rays.blocker(ray, limit, rays.withoutOwnShade(path.item())) < 0;
     }
 
     /** How far one can go straight on without meeting anything, portals taken as walls; infinite into the open. */

@@ -9,6 +9,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
@@ -19,6 +20,8 @@ public final class TracedLevel {
     private final SurfaceRays rays;
     private final Surfaces surfaces;
     private final BodySurfaces bodies;
+    private final ModelForms models;
+    private final Skins skins;
     private final Illumination light;
     private final Beams beams;
     private final Optional<SkyRadiance> sky;
@@ -26,10 +29,13 @@ public final class TracedLevel {
     private final Portals portals;
 
     private TracedLevel(Level level, AssetSource assets, Portals portals, Decoding decoding) {
-        List<Brush> brushes = level.solids().stream().map(Brush::of).toList();
+        StaticShapes statics = StaticShapes.of(level, assets);
+        List<Brush> brushes = statics.solids();
         this.portals = portals;
-        rays = new SurfaceRays(brushes, BodyPieces.of(level, portals));
-        Skins skins = new Skins(level.materials(), assets, decoding);
+        models = new ModelForms(statics.models().all());
+        rays = new SurfaceRays(
+                brushes, BodyPieces.of(level, portals), level.bodies().size(), models);
+        skins = new Skins(level.materials(), assets, decoding);
         surfaces = new Surfaces(brushes, skins);
         bodies = new BodySurfaces(level.bodies(), skins);
         sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
@@ -42,7 +48,7 @@ public final class TracedLevel {
      * The level with the portals that it starts with.
      *
      * @param decoding of the pictures of materials and sky
-     * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
+     * @throws nephele.engine.asset.AssetException naming a picture or a mesh that is missing or cannot be used
      */
     public static TracedLevel of(Level level, AssetSource assets, Decoding decoding) {
         return new TracedLevel(level, assets, Portals.of(level), decoding);
@@ -63,6 +69,10 @@ public final class TracedLevel {
 
     /** What a path has ended on. */
     SurfacePoint surface(EyePath path, Vec3 place, Vector3dc toEye) {
+        int model = rays.model(path.item());
+        if (model >= 0) {
+            return models.at(path.item(), model, path.ray(), path.end(), toEye, skins);
+        }
         BodyPiece piece = rays.piece(path.item());
         return piece == null
                 ? surfaces.at(path.item(), rays.face(path.ray(), path.item()), place, toEye)

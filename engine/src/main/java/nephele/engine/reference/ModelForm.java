@@ -1,0 +1,92 @@
+package nephele.engine.reference;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.placed.MeshTexture;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.WorldTriangles;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ItemRayTest;
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayHit;
+import nephele.engine.math.SpatialIndex;
+import nephele.engine.math.TriangleMeeting;
+import nephele.engine.math.Vec3;
+import nephele.engine.reference.Skins.Bare;
+import nephele.engine.reference.Skins.Spot;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** A model's triangles. No ray passes between two that share an edge. */
+final class ModelForm {
+    private final PlacedModel model;
+    private final WorldTriangles mesh;
+    private final double[] corners;
+    private final SpatialIndex index;
+    private final ItemRayTest meets;
+
+    ModelForm(PlacedModel model) {
+        this.model = model;
+        mesh = model.triangles();
+        corners = mesh.corners();
+        List<Aabb> boxes = new ArrayList<>();
+        for (int i = 0; i < mesh.count(); i++) {
+            boxes.add(Aabb.of(List.of(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2))));
+        }
+        index = SpatialIndex.of(boxes);
+        meets = (ray, triangle, limit) -> {
+            double parameter = TriangleMeeting.parameter(ray, corners, 9 * triangle);
+            return parameter >= 0 && parameter <= limit ? parameter : Double.POSITIVE_INFINITY;
+        };
+    }
+
+    Aabb bounds() {
+        return model.bounds();
+    }
+
+    /** The parameter of the first front; infinity where that is met before {@code least}, or never. */
+    double entry(Ray ray, double least) {
+        RayHit hit = new RayHit();
+        return nearest(ray, least, hit) ? hit.distance() : Double.POSITIVE_INFINITY;
+    }
+
+    private boolean nearest(Ray ray, double least, RayHit hit) {
+        return index.nearest(ray, Double.POSITIVE_INFINITY, (r, triangle, limit) -> entry(r, triangle, least), hit);
+    }
+
+    private double entry(Ray ray, int triangle, double least) {
+        double[] normals = mesh.faceNormals();
+        double rate = normals[3 * triangle] * ray.directionX()
+                + normals[3 * triangle + 1] * ray.directionY()
+                + normals[3 * triangle + 2] * ray.directionZ();
+        double parameter = rate < 0 ? TriangleMeeting.parameter(ray, corners, 9 * triangle) : Double.POSITIVE_INFINITY;
+        return parameter >= Math.max(least, 0) ? parameter : Double.POSITIVE_INFINITY;
+    }
+
+    boolean meets(Ray ray, double limit) {
+        return index.anyHit(ray, limit, meets);
+    }
+
+    SurfacePoint at(int item, Ray ray, double entry, Vec3 place, Vector3dc toEye, Skins skins) {
+        RayHit hit = new RayHit();
+        nearest(ray, entry, hit);
+        int triangle = hit.item();
+        double[] weights = new double[3];
+        TriangleMeeting.weights(place, corners, 9 * triangle, weights);
+        Vector3d normal = new Vector3d();
+        double s = 0;
+        double t = 0;
+        for (int corner = 0; corner < 3; corner++) {
+            Vec3 n = mesh.normal(triangle, corner);
+            normal.add(weights[corner] * n.x(), weights[corner] * n.y(), weights[corner] * n.z());
+            s += weights[corner] * mesh.s(triangle, corner);
+            t += weights[corner] * mesh.t(triangle, corner);
+        }
+        Vec3 smooth = Vec3.of(normal.normalize());
+        MeshTexture texture = MeshTexture.of(mesh, triangle);
+        Spot spot = new Spot(
+                s, t, texture.across(smooth).toVector(), texture.up(smooth).toVector());
+        Bare bare = new Bare(item, place, normal, mesh.faceNormal(triangle).toVector(), toEye);
+        return Skins.covered(bare, skins.skin(model.said().material()), spot);
+    }
+}
