@@ -37,6 +37,37 @@ class BezierPatchesTest {
         floor.forEach(normal -> assertTrue(normal.distance(floor.get(0)) < 1e-5));
     }
 
+    /** Wherever in the patch the edge is that is one point: the teapot with its patches turned by quarters. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void degenerateEdgesFaceOutwardOnWhicheverSide(int quarters) {
+        List<BezierPatch> turned = new ArrayList<>();
+        for (BezierPatch patch : teapot.patches()) {
+            Vector3d[] points = patch.points();
+            for (int turn = 0; turn < quarters; turn++) {
+                points = quarterTurned(points);
+            }
+            turned.add(new BezierPatch(points));
+        }
+        Mesh mesh = new BezierPatches("turned.patch", turned).mesh(4);
+        for (int i = 0; i < mesh.vertexCount(); i++) {
+            Vector3d place = Triangles.position(mesh, i);
+            if (Math.hypot(place.x, place.y) < 1e-9) {
+                Vector3d axis = new Vector3d(0, 0, place.z > 1 ? 1 : -1);
+                assertTrue(Triangles.vertexNormal(mesh, i).distance(axis) < 1e-5);
+            }
+        }
+    }
+
+    /** Rows become columns, and the last row the first column: it faces as before. */
+    private static Vector3d[] quarterTurned(Vector3d[] points) {
+        Vector3d[] turned = new Vector3d[points.length];
+        for (int i = 0; i < points.length; i++) {
+            turned[i] = points[4 * (3 - i % 4) + i / 4];
+        }
+        return turned;
+    }
+
     /** At each vertex the cross product of the derivatives, by differences of positions where it is not degenerate. */
     @Test
     void normalsAreUnitAndFaceAsTheTrianglesDo() {
