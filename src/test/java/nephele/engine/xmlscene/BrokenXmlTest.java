@@ -72,7 +72,7 @@ class BrokenXmlTest {
                 new Broken(new byte[4096], 1, "no text at all"),
                 new Broken("<scene>" + "\n<group>".repeat(10_001) + MODEL, 10_002, "nested deeper"),
                 new Broken("<scene>\n<group " + "a='1' ".repeat(1000) + ">" + MODEL, 2, "more than 100 values"),
-                new Broken("<scene>" + "\n<group/>".repeat(250_000) + MODEL, 250_001, "more than 250000 tags"),
+                new Broken("<scene>" + "\n<group/>".repeat(500_000) + MODEL, 500_001, "more than 500000 tags"),
                 new Broken(new byte[XmlSceneFile.MOST_BYTES + 1], 0, "more than 8 MiB"));
     }
 

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlGroup.Step;
@@ -118,5 +120,27 @@ class PosedSceneTest {
         assertEquals(group, same);
         assertEquals(group.hashCode(), same.hashCode());
         assertTrue(group.toString().length() < 1000);
+    }
+
+    @Test
+    void aFrameAllocatesNothing() {
+        PosedScene posed =
+                PosedScene.of(read("<world><group><transform><rotate time='7' x='1' y='2' z='3'/><translate time='11'"
+                        + " align='true'><point x='1'/><point y='2'/><point z='3'/><point"
+                        + " x='-1'/></translate><scale x='2' y='1' z='-1'/><rotate angle='3'"
+                        + " x='1'/></transform><models><model file='a.3d'/></models></group></world>"));
+        WorldSpheres spheres = new WorldSpheres(1);
+        ThreadMXBean memory = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        double start = 0;
+        for (int warmUp = 0; warmUp < 20_000; warmUp++) {
+            posed.at(start += 0.016);
+            spheres.place(0, 1, 2, 3, 4, posed.worldFromModel(0));
+        }
+        long before = memory.getCurrentThreadAllocatedBytes();
+        for (int frame = 0; frame < 10_000; frame++) {
+            posed.at(start += 0.016);
+            spheres.place(0, 1, 2, 3, 4, posed.worldFromModel(0));
+        }
+        assertTrue(memory.getCurrentThreadAllocatedBytes() - before < 10_000, "less than a byte a frame");
     }
 }

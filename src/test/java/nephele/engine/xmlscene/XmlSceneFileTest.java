@@ -125,4 +125,38 @@ class XmlSceneFileTest {
         }
         assertTrue(warnedLines(scene).stream().allMatch(line -> line >= 3 && line <= 10), warnings);
     }
+
+    @Test
+    void namesOfFilesMayBeWrittenAsOnAnySystem() {
+        XmlModel model = read("<scene><model file='.\\models\\a.3d' texture='./t.png'/></scene>")
+                .root()
+                .models()
+                .get(0);
+        assertEquals("models/a.3d", model.file());
+        assertEquals("t.png", model.texture());
+    }
+
+    @Test
+    void aWorldWithoutCameraWindowAndColoursHasTheCoursesOwn() {
+        XmlScene scene = read("<WORLD><Group><Models><Model File='a.3d'><color/></Model></Models></Group></WORLD>");
+        assertEquals(List.of(), scene.warnings());
+        assertEquals(new XmlScene.Window(512, 512), scene.window());
+        assertEquals(new XmlScene.Eye(new Vec3(5, 5, 5), Vec3.ZERO, new Vec3(0, 1, 0), 60, 1, 1000), scene.eye());
+        XmlModel.Colours colours = scene.root().groups().get(0).models().get(0).colours();
+        assertEquals(200.0 / 255, colours.diffuse().x());
+        assertEquals(50.0 / 255, colours.ambient().z());
+        assertEquals(Vec3.ZERO, colours.emissive());
+    }
+
+    @Test
+    void aSceneHasTheReportsEyeAndFixedFunctionOpenGlsLook() {
+        XmlScene scene = read("<scene><models><model file='a.3d'/></models></scene>");
+        assertEquals(new XmlScene.Window(800, 600), scene.window());
+        assertEquals(new XmlScene.Eye(Vec3.ZERO, new Vec3(0, 0, 1), new Vec3(0, 1, 0), 45, 1, 1000), scene.eye());
+        Vec3 light = new Vec3(0.8, 0.8, 0.8);
+        Vec3 dark = new Vec3(0.2, 0.2, 0.2);
+        assertEquals(
+                new XmlModel.Colours(light, dark, Vec3.ZERO, Vec3.ZERO, 0),
+                scene.root().models().get(0).colours());
+    }
 }

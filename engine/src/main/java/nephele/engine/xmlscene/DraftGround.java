@@ -16,7 +16,7 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
     static final String FLOOR = "floor";
 
     /** So far below the lowest point that a plane there is not drawn into the floor. */
-    private static final double GAP_METRES = 0.05;
+    private static final double GAP_METRES = 0.02;
 
     private static final double THICKNESS_METRES = 1;
     private static final double MARGIN_METRES = 20;

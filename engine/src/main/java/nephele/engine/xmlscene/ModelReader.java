@@ -39,14 +39,20 @@ final class ModelReader {
 
     private void add(XmlElement element, List<XmlModel> models) {
         ElementValues values = new ElementValues(element, remarks);
-        String file = values.text("file");
+        String file = file(values, "file");
         if (file == null) {
             values.warn("it names no file: skipped");
         } else if (dialect == Dialect.SCENE) {
-            models.add(new XmlModel(element.line(), file, values.text("texture"), sceneLook(values)));
+            models.add(new XmlModel(element.line(), file, file(values, "texture"), sceneLook(values)));
         } else {
             models.add(new XmlModel(element.line(), file, worldTexture(element), worldLook(element)));
         }
+    }
+
+    /** As any system writes it. @return {@code null} for none */
+    private static String file(ElementValues values, String name) {
+        String written = values.text(name);
+        return written == null ? null : written.replace('\\', '/').replaceFirst("^(\\./)+", "");
     }
 
     private static Colours sceneLook(ElementValues values) {
@@ -64,10 +70,10 @@ final class ModelReader {
             ElementValues values = new ElementValues(texture, remarks);
             if (file != null) {
                 values.warn("a model has one: the first counts");
-            } else if (values.text("file") == null) {
+            } else if (file(values, "file") == null) {
                 values.warn("it names no file: skipped");
             } else {
-                file = values.text("file");
+                file = file(values, "file");
             }
         }
         return file;

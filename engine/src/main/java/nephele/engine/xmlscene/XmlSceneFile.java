@@ -12,8 +12,6 @@ public final class XmlSceneFile {
     public static final int MOST_BYTES = 8 << 20;
     public static final int MOST_NESTED_GROUPS = 10_000;
 
-    static final int MOST_ELEMENTS = 250_000;
-
     private XmlSceneFile() {}
 
     /** @throws ModelFileException when it cannot be read or holds nothing to show */

@@ -8,12 +8,16 @@ import java.util.List;
  * signs. Knows no document types and expands nothing but the five entities of XML and character numbers.
  */
 final class XmlTags {
+    /** Ends count as well. */
+    private static final int MOST_TAGS = 500_000;
+
     private static final int MOST_ATTRIBUTES = 100;
     private static final int MOST_NAME_LETTERS = 64;
 
     private final String text;
     private final Remarks remarks;
     private final List<String> unquoted = new ArrayList<>();
+    private int tags;
     private int inThisTag;
     private int at;
     private int counted;
@@ -43,11 +47,18 @@ final class XmlTags {
             } else {
                 int nameAt = text.startsWith("</", at) ? at + 2 : at + 1;
                 if (isNameStart(nameAt)) {
+                    countTag();
                     return tag(nameAt);
                 }
                 remarks.warn(lineHere(), "'<' without a name: skipped");
                 at++;
             }
+        }
+    }
+
+    private void countTag() {
+        if (++tags > MOST_TAGS) {
+            throw remarks.error(lineHere(), "more than " + MOST_TAGS + " tags", "split the scene");
         }
     }
 
@@ -139,12 +150,20 @@ final class XmlTags {
         at++;
         skipBlanks();
         String value = value(name);
-        boolean twice = attributes.stream().anyMatch(other -> other.name().equalsIgnoreCase(name));
-        if (twice) {
+        if (holds(attributes, name)) {
             remarks.warn(attributeLine, () -> "'" + name + "' is there twice in <" + tag + ">: the first counts");
         } else {
             attributes.add(new XmlAttribute(name, value, attributeLine));
         }
+    }
+
+    private static boolean holds(List<XmlAttribute> attributes, String name) {
+        for (int i = 0; i < attributes.size(); i++) {
+            if (attributes.get(i).name().equalsIgnoreCase(name)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private String value(String name) {
@@ -176,14 +195,22 @@ final class XmlTags {
 
     private String name() {
         int start = at;
-        while (isNameStart(at) || at < text.length() && "0123456789-.:".indexOf(text.charAt(at)) >= 0) {
+        while (at < text.length() && isNamePart(text.charAt(at))) {
             at++;
         }
         return text.substring(start, Math.min(at, start + MOST_NAME_LETTERS));
     }
 
     private boolean isNameStart(int position) {
-        return position < text.length() && (Character.isLetter(text.charAt(position)) || text.charAt(position) == '_');
+        return position < text.length() && isNameStart(text.charAt(position));
+    }
+
+    private static boolean isNameStart(char c) {
+        return c >= 'a' && c <= 'z' || c >= 'A' && c <= 'Z' || c == '_' || c >= 0x80 && Character.isLetter(c);
+    }
+
+    private static boolean isNamePart(char c) {
+        return isNameStart(c) || c >= '0' && c <= '9' || c == '-' || c == '.' || c == ':';
     }
 
     private void skipBlanks() {

@@ -18,7 +18,6 @@ final class XmlTree {
     private final List<XmlElement> open = new ArrayList<>();
     private final Set<String> takenOut = new HashSet<>();
     private Vocabulary vocabulary;
-    private int elements;
     private int groups;
 
     private XmlTree(XmlTags tags, Remarks remarks) {
@@ -146,9 +145,6 @@ final class XmlTree {
     }
 
     private XmlElement element(Vocabulary.Word word, XmlTag tag) {
-        if (++elements > XmlSceneFile.MOST_ELEMENTS) {
-            throw remarks.error(tag.line(), "more than " + XmlSceneFile.MOST_ELEMENTS + " tags", "split the scene");
-        }
         for (XmlAttribute attribute : tag.attributes()) {
             if (!word.attributes().contains(attribute.name())) {
                 remarks.warn(
