@@ -1,19 +1,23 @@
 package nephele.app.command;
 
+import java.nio.file.Path;
 import java.util.stream.IntStream;
 import nephele.app.bench.Bench;
 import nephele.app.bench.CalibrationDrawing;
 import nephele.app.bench.FrameTimes;
 import nephele.app.bench.LevelDrawing;
 import nephele.app.bench.PerPass;
+import nephele.app.bench.SceneDrawing;
 import nephele.app.draw.Viewpoints;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
 import nephele.app.levels.PrintedProgress;
+import nephele.app.scenes.OpenedScene;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
 import nephele.engine.level.LevelFile;
+import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.gl.GlContext;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -22,7 +26,10 @@ import picocli.CommandLine.Parameters;
 /** Measures a level's frames and prints CSV. */
 @picocli.CommandLine.Command
 final class BenchCommand implements Command {
-    @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file; none with --calibrate.")
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "LEVEL",
+            description = "A level file or an XML scene; none with --calibrate.")
     private String level;
 
     @Option(names = "--calibrate", description = "Measure one full-screen bilinear quad instead of a level.")
@@ -71,6 +78,8 @@ final class BenchCommand implements Command {
         picture.check();
         if (calibrate) {
             calibrate(terminal);
+        } else if (level.endsWith(".xml")) {
+            measureScene(terminal);
         } else {
             measure(new LevelName(level).open(), terminal);
         }
@@ -82,6 +91,30 @@ final class BenchCommand implements Command {
                 var drawing = new CalibrationDrawing(
                         gl, picture.size().width(), picture.size().height())) {
             print(new Bench(gl).measure(drawing), terminal);
+        }
+    }
+
+    private void measureScene(Terminal terminal) {
+        if (perPass || camera != null) {
+            throw CommandFailure.usage("an XML scene has no passes and one camera: leave --per-pass and --camera out");
+        }
+        var opened = OpenedScene.of(Path.of(level), null, null, terminal.err()::println);
+        var view = FixedSceneDrawing.view(opened.scene().eye(), picture.aspect());
+        try (var gl = GlContext.offscreen();
+                var drawing = new SceneDrawing(
+                        gl,
+                        FixedSceneDrawing.load(gl, opened.sources()),
+                        view,
+                        picture.target(gl),
+                        frames == null ? 1 : frames)) {
+            print(bare ? bare(gl, drawing) : new Bench(gl).measure(drawing), terminal);
+            gl.requireNoError("bench");
+        }
+    }
+
+    private static FrameTimes bare(GlContext gl, SceneDrawing engine) {
+        try (var twin = engine.bareTwin()) {
+            return new Bench(gl).measure(twin);
         }
     }
 

@@ -21,6 +21,11 @@ public final class BareTwin implements AutoCloseable {
         }
     }
 
+    /** Draws every frame of something else once; what they draw with must stay open as long as this. */
+    public BareTwin(GlContext gl, List<Runnable> engineFrames) {
+        engineFrames.forEach(frame -> frames.add(BareFrame.record(gl, frame)));
+    }
+
     /** Draws view number {@code frame}, wrapping around. */
     public void draw(int frame) {
         frames.get(Math.floorMod(frame, frames.size())).draw();
