@@ -5,6 +5,8 @@ import java.util.List;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
 import nephele.engine.level.CloudTechnique;
+import nephele.engine.render.fixed.LightTerm;
+import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.frame.Output;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
@@ -46,6 +48,8 @@ public final class CommandLineFront {
         commandLine
                 .setExpandAtFiles(false)
                 .registerConverter(Output.class, new WordConverter<>(Output.class))
+                .registerConverter(Shading.class, new WordConverter<>(Shading.class))
+                .registerConverter(LightTerm.class, new WordConverter<>(LightTerm.class))
                 .registerConverter(CloudTechnique.class, new WordConverter<>(CloudTechnique.class));
         commandLine
                 .getCommandSpec()
