@@ -1,6 +1,5 @@
 package nephele.app.command;
 
-import java.nio.file.Path;
 import java.util.stream.IntStream;
 import nephele.app.bench.Bench;
 import nephele.app.bench.CalibrationDrawing;
@@ -13,6 +12,7 @@ import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
 import nephele.app.levels.PrintedProgress;
 import nephele.app.scenes.OpenedScene;
+import nephele.app.scenes.SceneName;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
@@ -98,7 +98,7 @@ final class BenchCommand implements Command {
         if (perPass || camera != null) {
             throw CommandFailure.usage("an XML scene has no passes and one camera: leave --per-pass and --camera out");
         }
-        var opened = OpenedScene.of(Path.of(level), null, null, terminal.err()::println);
+        var opened = OpenedScene.of(new SceneName(level), null, null, terminal.err()::println);
         var view = FixedSceneDrawing.view(opened.scene().eye(), picture.aspect());
         try (var gl = GlContext.offscreen();
                 var drawing = new SceneDrawing(
