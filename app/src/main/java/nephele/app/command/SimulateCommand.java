@@ -4,12 +4,15 @@ import java.io.BufferedOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
 import nephele.engine.level.LevelFile;
+import nephele.engine.sim.FaultLog;
 import nephele.engine.sim.Replay;
+import nephele.engine.sim.SimLevel;
 import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.StateDump;
@@ -63,7 +66,8 @@ final class SimulateCommand implements Command {
     }
 
     private SimState play(LevelFile.Opened opened, Replay inputs, Terminal terminal) {
-        var simulation = new Simulation(opened.level(), inputs.settings());
+        var level = AssetComplaint.named(opened, () -> SimLevel.of(opened.level(), opened.assets()));
+        var simulation = new Simulation(level, inputs.settings(), FaultLog.SILENT);
         var lines = new PrintStream(new BufferedOutputStream(terminal.out(), 1 << 16), false, StandardCharsets.UTF_8);
         var last = inputs.play(simulation, new TickHashes(every, inputs.ticks(), lines::println));
         if (inputs.ticks() == 0) {

@@ -3,7 +3,7 @@ package nephele.app.play;
 import java.util.Optional;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.window.Input;
-import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.thing.FigurePresence;
@@ -12,7 +12,7 @@ import nephele.engine.sim.SimSettings;
 /** One level being played: what is drawn and what is simulated. */
 final class Session implements AutoCloseable {
     private final PlayRequest request;
-    private final Level level;
+    private final LevelFile.Opened level;
     private final Renderer renderer;
     private final Input input;
     private final Optional<String> notice;
@@ -20,7 +20,7 @@ final class Session implements AutoCloseable {
 
     private Session(PlayRequest request, Preparation.Prepared prepared, Renderer renderer, Input input) {
         this.request = request;
-        this.level = prepared.opened().level();
+        this.level = prepared.opened();
         this.notice = prepared.opened().notice();
         this.renderer = renderer;
         this.input = input;

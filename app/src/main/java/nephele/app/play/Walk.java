@@ -6,6 +6,7 @@ import nephele.app.draw.Viewpoints;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Sights;
 import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
@@ -61,9 +62,18 @@ public final class Walk {
      */
     public record Beginning(String levelFile, SimSettings settings, PlayerStart from) {}
 
+    /** Through a level that was read. */
+    public Walk(LevelFile.Opened opened, Beginning beginning, TickInput input) {
+        this(opened.level(), SimLevel.of(opened.level(), opened.assets()), beginning, input);
+    }
+
+    /** Through a level without models. */
     public Walk(Level level, Beginning beginning, TickInput input) {
+        this(level, SimLevel.of(level), beginning, input);
+    }
+
+    private Walk(Level level, SimLevel simLevel, Beginning beginning, TickInput input) {
         this.input = input;
-        SimLevel simLevel = SimLevel.of(level);
         simulation = new Simulation(simLevel, beginning.settings, FaultLog.SILENT);
         SimState start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);
         secondsPerTick = 1.0 / beginning.settings.ticksPerSecond();

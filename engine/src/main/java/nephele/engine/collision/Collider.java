@@ -11,7 +11,10 @@ import nephele.engine.math.Vec3;
  * a level a thousand kilometres out keeps the precision of one at the origin.
  */
 public final class Collider implements ConvexPoints {
-    private final ConvexPolyhedron shape;
+    /** The corners of a {@link ThinSheet}, whose shape is made when it is asked for; {@code null} for others. */
+    private final Vec3[] sheet;
+
+    private ConvexPolyhedron shape;
     private final String solidId;
     private final Vec3 centre;
     private final double[] vertices;
@@ -25,6 +28,7 @@ public final class Collider implements ConvexPoints {
     public Collider(String solidId, ConvexPolyhedron shape) {
         this.solidId = solidId;
         this.shape = shape;
+        sheet = null;
         bounds = shape.bounds();
         radiusMetres = 0;
         centre = bounds.centre();
@@ -33,12 +37,38 @@ public final class Collider implements ConvexPoints {
         edges = edgeDirections(shape.faces());
     }
 
+    /** A {@link ThinSheet}: meshes have many, and few are ever cut or touched by a body. */
+    Collider(String solidId, Vec3[] sheet) {
+        this.solidId = solidId;
+        this.sheet = sheet;
+        ConvexPolyhedron made = ThinSheet.shape(sheet);
+        bounds = made.bounds();
+        radiusMetres = 0;
+        centre = bounds.centre();
+        vertices = relativeVertices(made.vertices(), centre);
+        planes = relativePlanes(made.faces(), centre);
+        edges = edgesOf(vertices);
+    }
+
+    /** The six edges between four corners. */
+    private static double[] edgesOf(double[] four) {
+        int[] pairs = {0, 1, 1, 2, 2, 0, 0, 3, 1, 3, 2, 3};
+        double[] directions = new double[18];
+        for (int i = 0; i < 18; i++) {
+            int from = pairs[i / 3 * 2];
+            int to = pairs[i / 3 * 2 + 1];
+            directions[i] = four[3 * to + i % 3] - four[3 * from + i % 3];
+        }
+        return directions;
+    }
+
     /** Everything within a radius of a segment: a capsule, or a sphere where the ends are one point. */
     private Collider(String solidId, Vec3 centre, Vec3 halfAxis, double radiusMetres) {
         this.solidId = solidId;
         this.centre = centre;
         this.radiusMetres = radiusMetres;
         shape = null;
+        sheet = null;
         vertices = new double[] {-halfAxis.x(), -halfAxis.y(), -halfAxis.z(), halfAxis.x(), halfAxis.y(), halfAxis.z()};
         planes = new double[0];
         edges = new double[] {halfAxis.x(), halfAxis.y(), halfAxis.z()};
@@ -110,6 +140,9 @@ public final class Collider implements ConvexPoints {
 
     /** {@code null} for a round one. */
     public ConvexPolyhedron shape() {
+        if (shape == null && sheet != null) {
+            shape = ThinSheet.shape(sheet);
+        }
         return shape;
     }
 

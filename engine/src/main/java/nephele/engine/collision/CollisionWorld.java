@@ -1,8 +1,10 @@
 package nephele.engine.collision;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemList;
 import nephele.engine.math.ItemRayTest;
@@ -36,12 +38,28 @@ public final class CollisionWorld {
         this.absent = absent;
     }
 
-    /** @throws IllegalArgumentException when a solid encloses no volume; the level rules say so first */
+    /**
+     * Of a level without models.
+     *
+     * @throws IllegalArgumentException when a solid encloses no volume; the level rules say so first
+     */
     public static CollisionWorld of(Level level) {
-        return new CollisionWorld(level.solids().stream()
-                .map(Brush::of)
-                .map(brush -> new Collider(brush.solidId(), brush.shape()))
-                .toList());
+        return of(StaticShapes.of(level));
+    }
+
+    /** Solids, then models: convex ones as solids too, of others each triangle. */
+    public static CollisionWorld of(StaticShapes statics) {
+        List<Collider> colliders = new ArrayList<>();
+        addSolids(statics.solids(), colliders);
+        addSolids(statics.models().solids(), colliders);
+        statics.models()
+                .sheets()
+                .forEach(model -> colliders.addAll(ThinSheet.of(model.said().id(), model.triangles())));
+        return new CollisionWorld(colliders);
+    }
+
+    private static void addSolids(List<Brush> solids, List<Collider> colliders) {
+        solids.forEach(solid -> colliders.add(new Collider(solid.solidId(), solid.shape())));
     }
 
     /**

@@ -1,10 +1,12 @@
 package nephele.engine.sim;
 
 import java.util.List;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.Gun;
@@ -27,13 +29,23 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
         start = start == null ? ORIGIN : start;
     }
 
+    /** @throws nephele.engine.asset.AssetException naming a mesh that is missing or cannot be used */
+    public static SimLevel of(Level level, AssetSource assets) {
+        return of(level, StaticShapes.of(level, assets));
+    }
+
+    /** Of a level without models. */
     public static SimLevel of(Level level) {
+        return of(level, StaticShapes.of(level));
+    }
+
+    private static SimLevel of(Level level, StaticShapes statics) {
         return new SimLevel(
-                CollisionWorld.of(level),
+                CollisionWorld.of(statics),
                 level.player(),
                 BodyTable.of(level),
                 Portals.of(level),
-                level.portalGun() == null ? null : new Placement(Surfaces.of(level), Gun.of(level.portalGun())));
+                level.portalGun() == null ? null : new Placement(Surfaces.of(statics), Gun.of(level.portalGun())));
     }
 
     /** Solids alone. */

@@ -31,6 +31,7 @@ public final class Simulation {
     private final double lowest;
     private final FaultLog faults;
 
+    /** Of a level without models. */
     public Simulation(Level level, SimSettings settings) {
         this(SimLevel.of(level), settings, FaultLog.SILENT);
     }

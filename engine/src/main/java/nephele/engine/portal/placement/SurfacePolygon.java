@@ -2,6 +2,8 @@ package nephele.engine.portal.placement;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.TriangleSoup;
 import nephele.engine.math.Vec3;
 
@@ -20,6 +22,14 @@ public record SurfacePolygon(List<Vec3> corners, boolean portalable) {
                     List.of(corner(soup, at), corner(soup, at + 1), corner(soup, at + 2)), portalable));
         }
         return triangles;
+    }
+
+    /** A triangle of a model. */
+    static SurfacePolygon of(PlacedModel model, int triangle) {
+        WorldTriangles mesh = model.triangles();
+        return new SurfacePolygon(
+                List.of(mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)),
+                model.said().portalable());
     }
 
     private static Vec3 corner(TriangleSoup soup, int at) {

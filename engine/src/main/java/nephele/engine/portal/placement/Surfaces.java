@@ -3,7 +3,8 @@ package nephele.engine.portal.placement;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Brush;
-import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
 import nephele.engine.math.SpatialIndex;
@@ -30,9 +31,17 @@ public final class Surfaces {
         regions = new RegionLimits(this.blockers, blockerIndex, patches).regions(growth.regions());
     }
 
-    /** @throws IllegalArgumentException when a solid encloses no volume; the level rules say so first */
-    public static Surfaces of(Level level) {
-        return of(level.solids().stream().map(Brush::of).toList(), List.of());
+    /** Solids, and models: convex ones as solids too, the others as sheets. */
+    public static Surfaces of(StaticShapes statics) {
+        List<Brush> solids = new ArrayList<>(statics.solids());
+        solids.addAll(statics.models().solids());
+        List<SurfacePolygon> sheets = new ArrayList<>();
+        for (PlacedModel model : statics.models().sheets()) {
+            for (int i = 0; i < model.triangles().count(); i++) {
+                sheets.add(SurfacePolygon.of(model, i));
+            }
+        }
+        return of(solids, sheets);
     }
 
     /** @param sheets flat pieces of meshes */

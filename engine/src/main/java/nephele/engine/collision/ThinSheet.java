@@ -1,0 +1,70 @@
+package nephele.engine.collision;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.placed.WorldTriangles;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+
+/**
+ * A triangle of a mesh as something solid: a flat pyramid below it. Its sides fall away from the triangle's edges, so
+ * that neighbours in one plane join as abutting floors do. Sweeps are continuous: nothing is too fast for it.
+ */
+final class ThinSheet {
+    /** At its middle; a fraction of the triangle's size where that is small. */
+    private static final double DEPTH_METRES = 0.02;
+
+    private static final double DEPTH_SHARE = 0.25;
+
+    private ThinSheet() {}
+
+    static List<Collider> of(String id, WorldTriangles mesh) {
+        List<Collider> sheets = new ArrayList<>(mesh.count());
+        for (int i = 0; i < mesh.count(); i++) {
+            Vec3[] corners = {mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), null};
+            corners[3] = apex(corners, mesh.faceNormal(i));
+            sheets.add(new Collider(id, corners));
+        }
+        return sheets;
+    }
+
+    /** Below the middle of the circle within the triangle: the three sides are equally steep there. */
+    private static Vec3 apex(Vec3[] p, Vec3 normal) {
+        double a = length(p[1], p[2]);
+        double b = length(p[2], p[0]);
+        double c = length(p[0], p[1]);
+        double around = a + b + c;
+        Vec3 doubled = Directions.cross(between(p[0], p[1]), between(p[0], p[2]));
+        double depth = Math.min(DEPTH_METRES, DEPTH_SHARE * Directions.length(doubled) / around);
+        return new Vec3(
+                (a * p[0].x() + b * p[1].x() + c * p[2].x()) / around - depth * normal.x(),
+                (a * p[0].y() + b * p[1].y() + c * p[2].y()) / around - depth * normal.y(),
+                (a * p[0].z() + b * p[1].z() + c * p[2].z()) / around - depth * normal.z());
+    }
+
+    private static Vec3 between(Vec3 from, Vec3 to) {
+        return new Vec3(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
+    }
+
+    private static double length(Vec3 from, Vec3 to) {
+        return Directions.length(between(from, to));
+    }
+
+    /** Four faces, the triangle first. */
+    static ConvexPolyhedron shape(Vec3[] p) {
+        int[][] faces = {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
+        List<ConvexPolyhedron.Face> made = new ArrayList<>();
+        for (int i = 0; i < faces.length; i++) {
+            List<Vec3> ring = List.of(p[faces[i][0]], p[faces[i][1]], p[faces[i][2]]);
+            Vec3 n = Directions.cross(between(ring.get(0), ring.get(1)), between(ring.get(0), ring.get(2)));
+            Vec3 unit = Directions.unit(n.x(), n.y(), n.z());
+            made.add(new ConvexPolyhedron.Face(
+                    i, new Plane(unit.x(), unit.y(), unit.z(), Directions.dot(unit, ring.get(0))), ring));
+        }
+        List<Vec3> vertices = List.of(p);
+        return new ConvexPolyhedron(List.copyOf(made), vertices, Aabb.of(vertices));
+    }
+}
