@@ -27,7 +27,7 @@ final class PatchNormal {
         if (normal.length() > vanishing) {
             return normal.normalize();
         }
-        normal = secondOrder(u, v, column == parts, row == parts);
+        normal = secondOrder(u, v, column == parts ? -1 : 1, row == parts ? -1 : 1);
         return normal.length() > vanishing ? normal.normalize() : inward((double) column / parts, (double) row / parts);
     }
 
@@ -39,13 +39,13 @@ final class PatchNormal {
      * A step s into the patch the derivative that is 0 at its edge is s times the mixed one, which thus takes its place;
      * from the far edge the step is a negative one.
      */
-    private Vector3d secondOrder(CubicWeights u, CubicWeights v, boolean farColumn, boolean farRow) {
+    private Vector3d secondOrder(CubicWeights u, CubicWeights v, int intoColumns, int intoRows) {
         Vector3d alongU = patch.weighted(u.slope(), v.value());
         Vector3d alongV = patch.weighted(u.value(), v.slope());
         Vector3d mixed = patch.weighted(u.slope(), v.slope());
         return alongU.length() < alongV.length()
-                ? mixed.mul(farRow ? -1 : 1).cross(alongV)
-                : alongU.cross(mixed.mul(farColumn ? -1 : 1));
+                ? mixed.mul(intoRows).cross(alongV)
+                : alongU.cross(mixed.mul(intoColumns));
     }
 
     /** What the normal tends to on the way to the middle; +y where the patch is a line or a point. */

@@ -4,51 +4,42 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.StringJoiner;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import nephele.engine.model.PlaneShape.Sides;
 
 /** The shapes that are made of numbers alone, by the word that names each. */
 public enum ShapeKind {
-    PLANE(ShapeParameter.LENGTH, ShapeParameter.DIVISIONS) {
-        @Override
-        Shape of(double[] n) {
-            return new PlaneShape(n[0], (int) n[1], Sides.TOP);
-        }
-    },
-    BOX(ShapeParameter.LENGTH, ShapeParameter.DIVISIONS) {
-        @Override
-        Shape of(double[] n) {
-            return new BoxShape(n[0], (int) n[1]);
-        }
-    },
-    CONE(ShapeParameter.RADIUS, ShapeParameter.HEIGHT, ShapeParameter.SLICES, ShapeParameter.STACKS) {
-        @Override
-        Shape of(double[] n) {
-            return new ConeShape(n[0], n[1], (int) n[2], (int) n[3]);
-        }
-    },
-    SPHERE(ShapeParameter.RADIUS, ShapeParameter.SLICES, ShapeParameter.STACKS) {
-        @Override
-        Shape of(double[] n) {
-            return new SphereShape(n[0], (int) n[1], (int) n[2]);
-        }
-    },
-    CYLINDER(ShapeParameter.RADIUS, ShapeParameter.HEIGHT, ShapeParameter.SLICES) {
-        @Override
-        Shape of(double[] n) {
-            return new CylinderShape(n[0], n[1], (int) n[2]);
-        }
-    },
-    TORUS(ShapeParameter.RADIUS, ShapeParameter.TUBE, ShapeParameter.SLICES, ShapeParameter.STACKS) {
-        @Override
-        Shape of(double[] n) {
-            return new TorusShape(n[0], n[1], (int) n[2], (int) n[3]);
-        }
-    };
+    PLANE(n -> new PlaneShape(n[0], (int) n[1], Sides.TOP), ShapeParameter.LENGTH, ShapeParameter.DIVISIONS),
+    BOX(n -> new BoxShape(n[0], (int) n[1]), ShapeParameter.LENGTH, ShapeParameter.DIVISIONS),
+    CONE(
+            n -> new ConeShape(n[0], n[1], (int) n[2], (int) n[3]),
+            ShapeParameter.RADIUS,
+            ShapeParameter.HEIGHT,
+            ShapeParameter.SLICES,
+            ShapeParameter.STACKS),
+    SPHERE(
+            n -> new SphereShape(n[0], (int) n[1], (int) n[2]),
+            ShapeParameter.RADIUS,
+            ShapeParameter.SLICES,
+            ShapeParameter.STACKS),
+    CYLINDER(
+            n -> new CylinderShape(n[0], n[1], (int) n[2]),
+            ShapeParameter.RADIUS,
+            ShapeParameter.HEIGHT,
+            ShapeParameter.SLICES),
+    TORUS(
+            n -> new TorusShape(n[0], n[1], (int) n[2], (int) n[3]),
+            ShapeParameter.RADIUS,
+            ShapeParameter.TUBE,
+            ShapeParameter.SLICES,
+            ShapeParameter.STACKS);
 
+    private final Function<double[], Shape> of;
     private final List<ShapeParameter> parameters;
 
-    ShapeKind(ShapeParameter... parameters) {
+    ShapeKind(Function<double[], Shape> of, ShapeParameter... parameters) {
+        this.of = of;
         this.parameters = List.of(parameters);
     }
 
@@ -76,8 +67,6 @@ public enum ShapeKind {
         for (int i = 0; i < values.length; i++) {
             values[i] = parameters.get(i).read(numbers.get(i));
         }
-        return of(values);
+        return of.apply(values);
     }
-
-    abstract Shape of(double[] numbers);
 }
