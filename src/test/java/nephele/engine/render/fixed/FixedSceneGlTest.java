@@ -9,11 +9,14 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.render.fixed.FixedSceneDrawing.Sources;
 import nephele.engine.render.gl.BareFrame;
+import org.joml.Matrix4d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -201,5 +204,30 @@ class FixedSceneGlTest {
             }
         }
         assertEquals(List.of(), scenes.complaints);
+    }
+
+    /** Models and lights that move, an entity and a background; a warmed-up frame takes 2 KiB at most. */
+    @Test
+    void framesAllocateNextToNothingAndLeaveNothingOnTheGpu() {
+        String moving = "<group><transform><rotate time='3' x='0' y='1' z='0'/><translate time='9'><point x='0' y='0'"
+                + " z='0'/><point x='1' y='0' z='0'/><point x='1' y='1' z='0'/><point x='0' y='1'"
+                + " z='0'/></translate></transform>"
+                + "<models>" + model("box_1_1.3d", "").repeat(300) + "</models></group>";
+        var source = scenes.source(world(LIGHT + moving));
+        var sources = new Sources(source, source, DrawnScenes.plain(0x123456));
+        var before = scenes.gl.live().counts();
+        try (var drawing = FixedSceneDrawing.load(scenes.gl, sources)) {
+            var view = FixedSceneDrawing.view(source.scene().eye(), 1);
+            var place = new Matrix4d();
+            var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+            long start = 0;
+            for (int frame = -500; frame < 500; frame++) {
+                start = frame == 0 ? threads.getCurrentThreadAllocatedBytes() : start;
+                drawing.draw(view, frame / 60.0, place, SceneLook.USUAL.with(SceneLook.Axes.SHOWN), scenes.picture);
+            }
+            long perFrame = (threads.getCurrentThreadAllocatedBytes() - start) / 500;
+            assertTrue(perFrame <= 2048, perFrame + " bytes a frame");
+        }
+        assertEquals(before, scenes.gl.live().counts());
     }
 }
