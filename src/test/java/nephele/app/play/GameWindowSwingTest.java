@@ -3,17 +3,15 @@ package nephele.app.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assertions.fail;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import nephele.app.ChildJvm;
 import nephele.app.Main;
+import nephele.app.VirtualDisplay;
 import nephele.engine.sim.Replay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -22,29 +20,20 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The window on a display of its own: Xvfb is started here, whatever display there may be. */
 class GameWindowSwingTest {
-    private static Process xvfb;
-    private static String display;
+    private static VirtualDisplay display;
 
     @TempDir
     Path folder;
 
     @BeforeAll
     static void startXvfb() throws IOException {
-        try {
-            xvfb = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1024x600x24", "-nolisten", "tcp")
-                    .redirectError(ProcessBuilder.Redirect.DISCARD)
-                    .start();
-        } catch (IOException missing) {
-            fail("Xvfb is not installed; this test needs it: apt-get install xvfb (./nephele test does it)");
-        }
-        var reader = new BufferedReader(new InputStreamReader(xvfb.getInputStream()));
-        display = ":" + reader.readLine();
+        display = VirtualDisplay.start();
     }
 
     @AfterAll
     static void stopXvfb() {
-        if (xvfb != null) {
-            xvfb.destroy();
+        if (display != null) {
+            display.close();
         }
     }
 
@@ -53,7 +42,7 @@ class GameWindowSwingTest {
         var level = Path.of("levels", "samples", "walking.json").toAbsolutePath();
         var run = ChildJvm.run(
                 folder,
-                Map.of("DISPLAY", display, "WAYLAND_DISPLAY", ""),
+                Map.of("DISPLAY", display.name(), "WAYLAND_DISPLAY", ""),
                 "-Duser.home=" + folder,
                 WindowScenarios.class.getName(),
                 level.toString());
@@ -82,7 +71,7 @@ class GameWindowSwingTest {
     @Test
     void anOldOpenGlIsExplained() throws Exception {
         var old = Map.of(
-                "DISPLAY", display,
+                "DISPLAY", display.name(),
                 "WAYLAND_DISPLAY", "",
                 "MESA_GL_VERSION_OVERRIDE", "3.2",
                 "MESA_GLSL_VERSION_OVERRIDE", "150");

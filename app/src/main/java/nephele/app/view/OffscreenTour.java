@@ -11,7 +11,10 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 
-/** What `scene` does without a display: three pictures – at rest, on the way ahead, and leaning into a turn. */
+/**
+ * What `scene` does without a display: three pictures – at rest, on the way ahead, and leaning into a turn. A scene
+ * without an entity stays where its author framed it, and only time passes.
+ */
 public final class OffscreenTour {
     private static final List<Leg> LEGS = List.of(
             new Leg(0, Set.of(), 0),
@@ -37,7 +40,7 @@ public final class OffscreenTour {
                 var drawing = FixedSceneDrawing.load(gl, start.opened().sources())) {
             out.println(name + ": drawn offscreen by " + gl.limits().renderer());
             for (int i = 0; i < LEGS.size(); i++) {
-                fly(viewing, LEGS.get(i));
+                pass(viewing, LEGS.get(i));
                 drawing.draw(
                         viewing.view((double) width / height),
                         viewing.sceneSeconds(),
@@ -52,7 +55,11 @@ public final class OffscreenTour {
         }
     }
 
-    private static void fly(Viewing viewing, Leg leg) {
+    private void pass(Viewing viewing, Leg leg) {
+        if (start.opened().sources().entity() == null) {
+            viewing.advance(leg.seconds, Set.of());
+            return;
+        }
         for (int i = 0; i < leg.turns; i++) {
             viewing.press(ViewerKey.TURN_LEFT);
         }

@@ -22,7 +22,7 @@ public final class SceneViewer implements AutoCloseable {
     private boolean leaving;
     private boolean pictureAsked;
 
-    private SceneViewer(SceneStart start, GameWindow window, ViewerInput input, GlContext gl) {
+    SceneViewer(SceneStart start, GameWindow window, ViewerInput input, GlContext gl) {
         this.window = window;
         this.input = input;
         this.gl = gl;
@@ -38,13 +38,14 @@ public final class SceneViewer implements AutoCloseable {
         try (var window = GameWindow.open(request, input);
                 var gl = GlContext.ofCurrentWindow();
                 var viewer = new SceneViewer(start, window, input, gl)) {
-            while (!viewer.leaving) {
+            while (!viewer.isLeaving()) {
                 viewer.frame();
             }
         }
     }
 
-    private void frame() {
+    /** One frame. */
+    void frame() {
         window.poll();
         if (!window.isDrawable()) {
             window.waitForEvents(HIDDEN_WAIT_SECONDS);
@@ -56,6 +57,14 @@ public final class SceneViewer implements AutoCloseable {
         if (window.isDrawable()) {
             draw();
         }
+    }
+
+    boolean isLeaving() {
+        return leaving;
+    }
+
+    Viewing viewing() {
+        return viewing;
     }
 
     private void obeyKeys() {

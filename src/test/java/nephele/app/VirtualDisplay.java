@@ -1,0 +1,42 @@
+package nephele.app;
+
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+
+/** A display of the test's own, whatever display there may be. */
+public final class VirtualDisplay implements AutoCloseable {
+    private final Process xvfb;
+    private final String name;
+
+    private VirtualDisplay(Process xvfb, String name) {
+        this.xvfb = xvfb;
+        this.name = name;
+    }
+
+    /** 1024 by 600 pixels. */
+    public static VirtualDisplay start() throws IOException {
+        Process xvfb = null;
+        try {
+            xvfb = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1024x600x24", "-nolisten", "tcp")
+                    .redirectError(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+        } catch (IOException missing) {
+            fail("Xvfb is not installed; this test needs it: apt-get install xvfb (./nephele test does it)");
+        }
+        var reader = new BufferedReader(new InputStreamReader(xvfb.getInputStream()));
+        return new VirtualDisplay(xvfb, ":" + reader.readLine());
+    }
+
+    /** What {@code DISPLAY} has to be. */
+    public String name() {
+        return name;
+    }
+
+    @Override
+    public void close() {
+        xvfb.destroy();
+    }
+}

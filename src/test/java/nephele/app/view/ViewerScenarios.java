@@ -1,0 +1,127 @@
+package nephele.app.view;
+
+import static org.lwjgl.glfw.GLFW.*;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+import nephele.app.scenes.OpenedScene;
+import nephele.app.scenes.SceneName;
+import nephele.app.window.GameWindow;
+import nephele.engine.render.fixed.SceneLook;
+import nephele.engine.render.fixed.Shading;
+import nephele.engine.render.gl.GlContext;
+
+/**
+ * The viewer in a real window, run by {@link SceneViewerSwingTest} in a process that has a display. Prints a line a
+ * scenario: its name and "ok", or what was wrong.
+ */
+public final class ViewerScenarios {
+    private static final int MOST_FRAMES = 400;
+
+    private final ViewerInput input = new ViewerInput();
+    private final GameWindow window = GameWindow.open(new GameWindow.Request("Viewer test", 320, 240), input);
+    private final long handle = glfwGetCurrentContext();
+    private final GlContext gl = GlContext.ofCurrentWindow();
+    private final Map<?, Integer> baseline = gl.live().counts();
+    private final SceneViewer viewer;
+
+    private ViewerScenarios(String scene, String entity) {
+        var opened = OpenedScene.of(new SceneName(scene), new SceneName(entity), null, System.out::println);
+        viewer = new SceneViewer(new SceneStart(opened, SceneLook.USUAL, 0), window, input, gl);
+    }
+
+    /** What is done, then what must hold within a number of frames. */
+    private record Scenario(String name, Runnable act, BooleanSupplier holds) {}
+
+    public static void main(String[] args) {
+        var scenarios = new ViewerScenarios(args[0], args[1]);
+        for (var scenario : scenarios.all()) {
+            System.out.println(scenario.name + ": " + scenarios.outcome(scenario));
+        }
+        scenarios.finish();
+    }
+
+    private List<Scenario> all() {
+        return List.of(
+                new Scenario("starts", () -> {}, () -> isSize(320, 240) && seconds() > 0),
+                new Scenario(
+                        "turns", () -> press(GLFW_KEY_LEFT), () -> heading().yawDegrees() == 5),
+                new Scenario(
+                        "looks down", () -> press(GLFW_KEY_UP), () -> heading().pitchDegrees() == -5),
+                new Scenario("is dragged", this::drag, () -> heading().yawDegrees() == -5),
+                new Scenario(
+                        "moves alone",
+                        () -> input.key(GLFW_KEY_D, true),
+                        () -> place().spring().shownRight() > 0),
+                new Scenario(
+                        "takes the camera along", () -> {}, () -> place().eye().x() < -0.5),
+                new Scenario("rests again", () -> input.key(GLFW_KEY_D, false), () -> place().bankDegrees() == 0),
+                new Scenario("shows wires", () -> press(GLFW_KEY_F1), () -> look().shading() == Shading.WIREFRAME),
+                new Scenario("shows axes", () -> press(GLFW_KEY_F2), () -> look().axes() == SceneLook.Axes.SHOWN),
+                new Scenario("resizes", () -> glfwSetWindowSize(handle, 500, 260), () -> isSize(500, 260)),
+                new Scenario("shrinks to a line", () -> glfwSetWindowSize(handle, 300, 1), () -> isSize(300, 1)),
+                new Scenario("fills the screen", () -> press(GLFW_KEY_F11), () -> isSize(1024, 600)),
+                new Scenario("takes a picture", () -> press(GLFW_KEY_F12), ViewerScenarios::hasPicture),
+                new Scenario("leaves", () -> press(GLFW_KEY_ESCAPE), viewer::isLeaving));
+    }
+
+    private String outcome(Scenario scenario) {
+        scenario.act.run();
+        for (int frame = 0; frame < MOST_FRAMES; frame++) {
+            viewer.frame();
+            gl.requireNoError(scenario.name);
+            if (scenario.holds.getAsBoolean()) {
+                return "ok";
+            }
+        }
+        return "not after " + MOST_FRAMES + " frames; size " + window.width() + "x" + window.height() + ", " + place();
+    }
+
+    private void finish() {
+        viewer.close();
+        boolean nothingLeft = gl.live().counts().equals(baseline);
+        System.out.println(
+                "leaves nothing behind: " + (nothingLeft ? "ok" : gl.live().counts()));
+        gl.close();
+        window.close();
+    }
+
+    private void press(int code) {
+        input.key(code, true);
+        input.key(code, false);
+    }
+
+    private void drag() {
+        input.point(10, 10);
+        input.click();
+        input.point(30, 10);
+        input.letGo();
+    }
+
+    private ThirdPerson place() {
+        return viewer.viewing().place();
+    }
+
+    private Heading heading() {
+        return place().heading();
+    }
+
+    private SceneLook look() {
+        return viewer.viewing().look();
+    }
+
+    private double seconds() {
+        return viewer.viewing().sceneSeconds();
+    }
+
+    private boolean isSize(int width, int height) {
+        return window.width() == width && window.height() == height;
+    }
+
+    private static boolean hasPicture() {
+        var pictures = Path.of("pictures").toFile().list();
+        return pictures != null && pictures.length == 1;
+    }
+}
