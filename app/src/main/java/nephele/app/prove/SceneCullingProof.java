@@ -109,7 +109,7 @@ public final class SceneCullingProof implements Proof {
         void take(ByteBuffer all, ByteBuffer culled, String where) {
             int wrong = 0;
             for (int at = 0; at < all.capacity(); at += 4) {
-                drawnPixels += (all.getInt(at) & 0xffffff00) != 0 ? 1 : 0;
+                drawnPixels += (all.get(at) | all.get(at + 1) | all.get(at + 2)) != 0 ? 1 : 0;
                 wrong += all.getInt(at) != culled.getInt(at) ? 1 : 0;
             }
             wrongPixels += wrong;
