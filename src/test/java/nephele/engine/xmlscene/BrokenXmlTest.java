@@ -47,7 +47,7 @@ class BrokenXmlTest {
                 new Broken("</scene>", 1, "no scene"),
                 new Broken("<scene>\n</scene>", 1, "no model"),
                 new Broken("<world/>", 1, "no model"),
-                new Broken("<scene>\n\n<modles/></scene>", 3, "did you mean 'model"),
+                new Broken("<scene>\n\n<modles/></scene>", 3, "did you mean 'models'?"),
                 new Broken("<scene><models>\n<model fiel='a.3d'/></models></scene>", 2, "did you mean 'file'"),
                 new Broken("<scene>\n" + MODEL + "<group", 2, "ends inside <group"),
                 new Broken("<scene>\n" + MODEL + "\n<model file='a", 3, "ends inside <model"),

@@ -44,7 +44,7 @@ final class DraftLights {
         }
         if (lights.leftOut > 0) {
             warnings.add(new XmlWarning(
-                    line, lights.leftOut + " lights are left out: a level has one sun and " + MOST_LAMPS + " lamps"));
+                    line, "lights left out: " + lights.leftOut + "; a level has one sun and " + MOST_LAMPS + " lamps"));
         }
         if (posed.lightCount() == 0) {
             warnings.add(new XmlWarning(line, "it has no light: a sun is added"));

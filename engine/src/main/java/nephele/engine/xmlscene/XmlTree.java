@@ -101,9 +101,13 @@ final class XmlTree {
             remarks.warn(
                     left.line(),
                     () -> "<" + left.name() + "> is not closed: it ends before "
-                            + (before == null ? "the file's end" : before.name() + " in line " + before.line()));
+                            + (before == null ? "the file's end" : told(before)));
             remove(i);
         }
+    }
+
+    private static String told(XmlTag tag) {
+        return (tag.kind() == XmlTag.Kind.CLOSE ? "</" : "<") + tag.name() + "> in line " + tag.line();
     }
 
     private void remove(int at) {
