@@ -2,6 +2,7 @@ package nephele.engine.xmlscene;
 
 import static nephele.engine.xmlscene.XmlSceneFileTest.read;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -28,6 +29,7 @@ import org.junit.jupiter.api.Test;
 
 class LevelDraftTest {
     private static final Aabb CUBE = Aabb.around(Vec3.ZERO, new Vec3(2, 2, 2));
+    private static final Vec3 TINT = new Vec3(0.5, 1, 0.25);
     private static final String SOMETHING = "<models><model file='a.3d'/></models>";
 
     private static LevelDraft draft(XmlScene scene) {
@@ -38,7 +40,7 @@ class LevelDraftTest {
             parts.add(
                     missing
                             ? null
-                            : new Part(posed.model(i).file(), posed.model(i).texture(), CUBE));
+                            : new Part(posed.model(i).file(), posed.model(i).texture(), TINT, CUBE));
         }
         return LevelDraft.of("test", scene, parts);
     }
@@ -119,7 +121,7 @@ class LevelDraftTest {
         Material first = level.materials().get(0);
         assertEquals(0.21404, first.baseColour().x(), 1e-5);
         assertEquals(1, first.baseColour().y());
-        assertEquals(new Vec3(0, 0, 1), first.emission());
+        assertEquals(new Vec3(0, 0, 0.25), first.emission());
         assertEquals("t.png", first.texture());
         assertTrue(first.lambert());
         assertEquals(Math.pow(2 / 32.0, 0.25), level.materials().get(1).roughness());
@@ -139,6 +141,16 @@ class LevelDraftTest {
         assertEquals(40, spot.outerConeDegrees());
         assertEquals(new Vec3(0, -1, 0), spot.direction());
         assertEquals(new Vec3(1, 0, 0), level.environment().sun().directionTowardsSun());
+    }
+
+    @Test
+    void aLampInAModelShinesOutOfIt() {
+        Level level = draft(
+                        read("<scene><lights><light type='point' posx='0.9'/><light type='point' posx='1.1'/></lights>"
+                                + SOMETHING + "</scene>"))
+                .level();
+        assertFalse(level.lights().get(0).castsShadow());
+        assertTrue(level.lights().get(1).castsShadow());
     }
 
     @Test

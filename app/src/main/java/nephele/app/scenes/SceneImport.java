@@ -3,14 +3,18 @@ package nephele.app.scenes;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import nephele.app.terminal.CommandFailure;
 import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.Picture;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelRules;
 import nephele.engine.level.Problem;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.render.fixed.SceneFolder;
@@ -24,10 +28,13 @@ import nephele.engine.xmlscene.XmlSceneFile;
 
 /** An XML scene becomes a level with its files beside it. */
 public final class SceneImport {
+    private static final Vec3 WHITE = new Vec3(1, 1, 1);
+
     private final Path file;
     private final SceneFolder folder;
     private final ImportedFiles files;
     private final Consumer<String> complaints;
+    private final Map<String, Vec3> tints = new HashMap<>();
 
     private SceneImport(Path file, Path target, Consumer<String> complaints) {
         this.file = file;
@@ -94,9 +101,13 @@ public final class SceneImport {
             return null;
         }
         try {
-            boolean pictured = model.texture() != null && folder.picture(model) != null;
-            String picture = pictured ? files.picture(model.texture()) : null;
-            return new Part(files.mesh(model.file(), mesh), picture, box(mesh));
+            String file = files.mesh(model.file(), mesh);
+            Picture picture = model.texture() == null ? null : folder.picture(model);
+            if (picture == null) {
+                return new Part(file, null, WHITE, box(mesh));
+            }
+            Vec3 tint = tints.computeIfAbsent(model.texture(), texture -> MeanColour.of(picture));
+            return new Part(file, files.picture(model.texture()), tint, box(mesh));
         } catch (IllegalArgumentException tooLarge) {
             tell(model.line(), model.file() + ": " + tooLarge.getMessage());
             return null;

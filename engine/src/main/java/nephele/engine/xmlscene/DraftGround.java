@@ -114,6 +114,12 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
         return boxes.stream().anyMatch(body::overlaps);
     }
 
+    /** Whether it is in a model, as a lamp in its bulb or in a sun: its light would go no further than that. */
+    boolean isEnclosed(Vec3 lamp) {
+        Aabb point = Aabb.around(lamp, Vec3.ZERO);
+        return boxes.stream().anyMatch(point::overlaps);
+    }
+
     /** Of a lamp to what it lights. */
     double meanDistanceMetres(Vec3 from) {
         return boxes.stream()

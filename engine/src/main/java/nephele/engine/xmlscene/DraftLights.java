@@ -78,7 +78,7 @@ final class DraftLights {
         double distance = Math.max(LEAST_DISTANCE_METRES, ground.meanDistanceMetres(position));
         Vec3 intensity = grey(Math.PI * Math.min(distance, FARTHEST_METRES) * Math.min(distance, FARTHEST_METRES));
         double range = Math.min(1e7, Math.max(LEAST_RANGE_METRES, 2 * ground.reachMetres(position)));
-        boolean shadow = lamps.size() < MOST_SHADOWS;
+        boolean shadow = lamps.size() < MOST_SHADOWS && !ground.isEnclosed(position);
         Vec3 axis = light instanceof XmlLight.Spot spot ? direction(spot.direction(), worldFromLight) : null;
         if (!(light instanceof XmlLight.Spot cone) || cone.cutoffDegrees() > 90 || axis == null) {
             return new Light.Point(id, position, intensity, range, shadow);

@@ -19,13 +19,15 @@ final class DraftLooks {
     private double diffuse;
 
     /** @param texture {@code null} for none */
-    private record Look(Colours colours, String texture) {}
+    private record Look(Colours colours, String texture, Vec3 tint) {}
 
     /** @return the id of the material */
-    String of(Colours colours, String texture) {
+    String of(Colours colours, LevelDraft.Part part) {
         ambient += mean(linear(colours.ambient()));
         diffuse += mean(linear(colours.diffuse()));
-        return looks.computeIfAbsent(new Look(colours, texture), look -> material("look-" + (looks.size() + 1), look))
+        return looks.computeIfAbsent(
+                        new Look(colours, part.texture(), part.tint()),
+                        look -> material("look-" + (looks.size() + 1), look))
                 .id();
     }
 
@@ -40,7 +42,7 @@ final class DraftLooks {
                 dull ? null : roughness(colours.shininess()),
                 null,
                 null,
-                linear(colours.emissive()),
+                Vec3.of(linear(colours.emissive()).toVector().mul(look.tint.toVector())),
                 1);
     }
 

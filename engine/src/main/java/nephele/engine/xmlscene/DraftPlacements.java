@@ -66,7 +66,7 @@ final class DraftPlacements {
             Part part = parts.get(next);
             if (part != null && steps != null && placed.size() < MOST_MODELS) {
                 String id = "model-" + (next + 1);
-                String material = looks.of(model.colours(), part.texture());
+                String material = looks.of(model.colours(), part);
                 placed.add(new ModelPlacement(id, part.file(), parent, steps, material, false));
                 numbers.add(next);
                 if (!steps.isEmpty() || parent == null) {

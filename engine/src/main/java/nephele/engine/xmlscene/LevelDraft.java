@@ -7,6 +7,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
 /**
@@ -23,9 +24,10 @@ public record LevelDraft(Level level, List<XmlWarning> warnings) {
      *
      * @param file asset id of the mesh
      * @param texture asset id, {@code null} for none
+     * @param tint the texture's mean in linear light, white for none: a level's emission has no picture
      * @param box around the mesh, in its own frame
      */
-    public record Part(String file, String texture, Aabb box) {}
+    public record Part(String file, String texture, Vec3 tint, Aabb box) {}
 
     /**
      * @param name of the level
