@@ -28,12 +28,8 @@ public final class WorldSpheres {
     }
 
     /** A sphere as a model has it, at its place. @param radius at least 0 */
-    public void place(int number, double x, double y, double z, double radius, Matrix4dc worldFromModel) {
-        place(number, x, y, z, radius, worldFromModel, Stretch.largest(worldFromModel));
-    }
-
-    /** As above for many spheres of one place. @param stretch its {@link Stretch#largest} */
-    public void place(int number, double x, double y, double z, double radius, Matrix4dc m, double stretch) {
+    public void place(int number, double x, double y, double z, double radius, Matrix4dc m) {
+        double stretch = Stretch.largest(m);
         int at = STRIDE * number;
         spheres[at] = m.m00() * x + m.m10() * y + m.m20() * z + m.m30();
         spheres[at + 1] = m.m01() * x + m.m11() * y + m.m21() * z + m.m31();

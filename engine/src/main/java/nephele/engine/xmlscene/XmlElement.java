@@ -54,8 +54,4 @@ final class XmlElement {
         }
         return null;
     }
-
-    List<XmlAttribute> attributes() {
-        return attributes;
-    }
 }
