@@ -112,4 +112,15 @@ class ImportCommandTest {
         assertEquals(2, imported(scene(SCENE), folder.resolve("level.txt")).exitCode());
         assertEquals(2, Captured.run("import", "a.xml").exitCode());
     }
+
+    @Test
+    void whatTheGameHasIsNotCopied() throws IOException {
+        String own = "<scene><models><model file=\"own/tri.3d\" texture=\"textures/plaster.png\"/></models></scene>";
+        Path level = folder.resolve("deep/er/level.json");
+        Path scene = scene(own);
+        assertEquals(0, imported(scene, level).exitCode());
+        assertEquals(List.of("level.json", "own/tri.3d"), names(level.getParent()));
+        Path noFolder = Files.writeString(folder.resolve("file"), "");
+        assertEquals(3, imported(scene, noFolder.resolve("level.json")).exitCode());
+    }
 }

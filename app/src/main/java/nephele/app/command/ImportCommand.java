@@ -1,11 +1,14 @@
 package nephele.app.command;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import nephele.app.scenes.SceneImport;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
+import nephele.engine.asset.WholeFile;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelFormatException;
@@ -42,7 +45,10 @@ final class ImportCommand implements Command {
         }
         Level level = SceneImport.level(scene, out, terminal.err()::println);
         try {
+            Files.createDirectories(out.toAbsolutePath().getParent());
             LevelFile.save(out, level);
+        } catch (IOException failure) {
+            throw CommandFailure.environment(out + ": can't be written: " + WholeFile.reason(failure), failure);
         } catch (LevelSaveException failure) {
             throw CommandFailure.environment(failure.getMessage(), failure);
         } catch (LevelFormatException wrong) {
