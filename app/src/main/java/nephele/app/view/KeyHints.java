@@ -19,15 +19,12 @@ final class KeyHints {
             new Hint("F1", "wireframe"),
             new Hint("F2", "axes"),
             new Hint("F3", "shading"),
-            new Hint("1", "ambient"),
-            new Hint("2", "diffuse"),
-            new Hint("3", "specular"),
-            new Hint("4", "emissive"),
+            new Hint("1 2 3 4", "light terms"),
             new Hint("Space", "pause"),
-            new Hint("R", "back to the start"),
+            new Hint("R", "start again"),
             new Hint("F11", "full screen"),
             new Hint("F12", "picture"),
-            new Hint("H", "these keys"),
+            new Hint("H", "keys"),
             new Hint("Esc", "leave"));
 
     private KeyHints() {}
