@@ -7,12 +7,16 @@ import java.nio.IntBuffer;
 
 /** A list that shaders read by index: texels of four floats ({@code samplerBuffer}) or integers ({@code usamplerBuffer}). */
 public final class BufferTexture implements AutoCloseable {
+    private static final int FLOATS_PER_TEXEL = 4;
+
     private final GlContext gl;
+    private final String name;
     private final GlHandle buffer;
     private final GlHandle texture;
 
     private BufferTexture(GlContext gl, String name) {
         this.gl = gl;
+        this.name = name;
         buffer = new GlHandle(gl, GlKind.BUFFER, name, glGenBuffers(), id -> glDeleteBuffers(id));
         texture = new GlHandle(gl, GlKind.TEXTURE, name, glGenTextures(), id -> glDeleteTextures(id));
         glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
@@ -21,6 +25,7 @@ public final class BufferTexture implements AutoCloseable {
     /** @param values four to a texel */
     public static BufferTexture ofFloats(GlContext gl, String name, float[] values) {
         BufferTexture created = new BufferTexture(gl, name);
+        created.requireRoom(values.length / FLOATS_PER_TEXEL);
         glBufferData(GL_TEXTURE_BUFFER, values, GL_STATIC_DRAW);
         created.attach(GL_RGBA32F);
         return created;
@@ -29,6 +34,7 @@ public final class BufferTexture implements AutoCloseable {
     /** @param values one to a texel, not negative */
     public static BufferTexture ofIntegers(GlContext gl, String name, int[] values) {
         BufferTexture created = new BufferTexture(gl, name);
+        created.requireRoom(values.length);
         glBufferData(GL_TEXTURE_BUFFER, values, GL_STATIC_DRAW);
         created.attach(GL_R32UI);
         return created;
@@ -52,14 +58,25 @@ public final class BufferTexture implements AutoCloseable {
 
     /** Replaces everything by integers: the old storage stays with the draws that still read it. */
     public void upload(IntBuffer values) {
+        requireRoom(values.remaining());
         glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
         glBufferData(GL_TEXTURE_BUFFER, values, GL_STREAM_DRAW);
     }
 
     /** Replaces everything: the old storage stays with the draws that still read it. */
     public void upload(FloatBuffer values) {
+        requireRoom(values.remaining() / FLOATS_PER_TEXEL);
         glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
         glBufferData(GL_TEXTURE_BUFFER, values, GL_STREAM_DRAW);
+    }
+
+    /** OpenGL promises 65 536 texels; most machines have thousands of times as many. */
+    private void requireRoom(int texels) {
+        if (texels > gl.limits().maxBufferTexels()) {
+            throw new GlUnavailableException(name + " take " + texels + " texels; this machine's OpenGL holds "
+                    + gl.limits().maxBufferTexels()
+                    + " in a list: show fewer at once, or use another graphics driver.");
+        }
     }
 
     private void attach(int format) {
