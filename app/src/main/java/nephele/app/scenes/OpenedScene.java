@@ -2,6 +2,7 @@ package nephele.app.scenes;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import nephele.app.terminal.CommandFailure;
@@ -58,6 +59,8 @@ public record OpenedScene(Sources sources) {
             complaints.accept(name + ": can't be read: " + WholeFile.reason(problem));
         } catch (AssetException problem) {
             complaints.accept(problem.getMessage());
+        } catch (InvalidPathException problem) {
+            complaints.accept(name + ": is no file name here");
         }
         return null;
     }
