@@ -1,10 +1,12 @@
 package nephele.app.art;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
@@ -52,6 +54,13 @@ class ArtFilesTest {
     @Test
     void committedSignIsWhatThePainterPaints() throws IOException {
         assertSamePixels(SignPainter.FILE, SignPainter.paint());
+    }
+
+    @Test
+    void committedMeshesAreWhatTheCodeMakes() throws IOException {
+        for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
+            assertArrayEquals(mesh.getValue(), Files.readAllBytes(Path.of("assets", mesh.getKey())), mesh.getKey());
+        }
     }
 
     /** The step across the tile's seam is no larger than steps inside it: no seam shows. */

@@ -10,6 +10,8 @@ import nephele.engine.level.Fog;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
+import nephele.engine.level.ModelPlacement;
+import nephele.engine.level.ModelPlacement.TransformStep;
 import nephele.engine.level.PortalShape;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Sky;
@@ -32,6 +34,7 @@ final class TestLevel {
     private final List<Light> lights = new ArrayList<>();
     private final List<PortalSpec> portals = new ArrayList<>();
     private final List<Body> bodies = new ArrayList<>();
+    private final List<ModelPlacement> models = new ArrayList<>();
 
     TestLevel sun(Vec3 towards, double irradiance) {
         sun = new Sun(towards, grey(irradiance), false);
@@ -121,6 +124,11 @@ final class TestLevel {
         return this;
     }
 
+    TestLevel model(String file, String material, TransformStep... steps) {
+        models.add(new ModelPlacement("model" + models.size(), file, null, List.of(steps), material, false));
+        return this;
+    }
+
     TestLevel portal(PortalSpec portal) {
         portals.add(portal);
         return this;
@@ -143,7 +151,7 @@ final class TestLevel {
                 List.copyOf(solids),
                 List.copyOf(lights),
                 List.copyOf(portals),
-                List.of(),
+                List.copyOf(models),
                 List.copyOf(bodies),
                 null);
     }

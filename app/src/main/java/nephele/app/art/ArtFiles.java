@@ -9,7 +9,7 @@ import java.util.Map;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelJson;
 
-/** Regenerates the pictures below {@code assets/} and the bench levels: {@code gradle textures}. */
+/** Regenerates the pictures and meshes below {@code assets/} and the bench levels: {@code gradle textures}. */
 public final class ArtFiles {
     private ArtFiles() {}
 
@@ -37,6 +37,9 @@ public final class ArtFiles {
         }
         PictureFile.write(assets.resolve(SkyPainter.CROSS_FILE), new SkyPainter().cross());
         PictureFile.write(assets.resolve(SignPainter.FILE), SignPainter.paint());
+        for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
+            Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
+        }
     }
 
     /** By asset id. */

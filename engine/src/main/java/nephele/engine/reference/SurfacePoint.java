@@ -1,6 +1,7 @@
 package nephele.engine.reference;
 
 import nephele.engine.level.appearance.Brdf;
+import nephele.engine.level.appearance.Terminator;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -30,9 +31,12 @@ record SurfacePoint(
 
     /** Radiance towards the eye per irradiance on a plane across the beam. */
     Vector3d reflected(Vector3dc toLight) {
-        return gloss == null
+        Vector3d reflected = gloss == null
                 ? new Vector3d(albedo).mul(Math.max(normal.dot(toLight), 0) / Math.PI)
                 : gloss.reflected(normal, toEye, toLight);
+        return smoothNormal == faceNormal
+                ? reflected
+                : reflected.mul(Terminator.share(smoothNormal, faceNormal, toLight));
     }
 
     /** Radiance towards the eye under light from all around: what falls on the normal, and what is mirrored. */

@@ -7,6 +7,9 @@ struct Surface {
     vec3 baseColour;
     vec3 normal;  // unit, bent by the normal map
     vec3 faceNormal;  // unit, of the geometry
+#ifdef MODEL
+    vec3 smoothNormal;  // unit, of the surface that the triangle stands for
+#endif
 #ifdef METALLIC_ROUGHNESS
     float roughness;
     float metallic;
@@ -77,10 +80,23 @@ vec3 reflected(vec3 albedo, Surface s, vec3 toLight) {
 }
 #endif
 
+#if defined(MODEL) && (defined(SUN) || defined(LAMPS))
+// Where a triangle turns away from the light the curve does not yet, and light would end along its edges: it fades
+// instead (Chiang, Li and Burley 2019, "Taming the Shadow Terminator"). Twin: level.appearance.Terminator.
+float terminatorShare(Surface s, vec3 toLight) {
+    float onCurve = dot(s.smoothNormal, toLight) * dot(s.faceNormal, s.smoothNormal);
+    float g = onCurve > 0.0 ? min(dot(s.faceNormal, toLight) / onCurve, 1.0) : 1.0;
+    return g * (1.0 + g - g * g);
+}
+#endif
+
 #ifdef SUN
 vec3 sunLight(REFLECTANCE r, Surface s) {
     float nDotSun = dot(s.faceNormal, sunDirection);
     float lit = nDotSun > 0.0 ? 1.0 : 0.0;
+#ifdef MODEL
+    lit *= terminatorShare(s, sunDirection);
+#endif
 #ifdef SUN_SHADOW
     lit *= sunLitShare(s.anchorPosition, s.faceNormal, nDotSun);
 #endif
@@ -100,6 +116,9 @@ vec3 lampLight(REFLECTANCE r, Surface s, int index) {
     float squareDistance = dot(fromLamp, fromLamp);
     vec3 toLamp = fromLamp * -inversesqrt(max(squareDistance, 1e-12));
     float lit = dot(s.faceNormal, toLamp) > 0.0 ? 1.0 : 0.0;
+#ifdef MODEL
+    lit *= terminatorShare(s, toLamp);
+#endif
 #ifdef LAMP_SHADOW
     if (lamp.shadow.w >= 0.0) {
         lit *= lampLitShare(lamp, fromLamp, s.faceNormal);

@@ -75,7 +75,8 @@ vec3 litRadiance(vec3 texel) {
     s.baseColour = material.baseColourRoughness.rgb * texel;
     s.faceNormal = faceNormal;
 #ifdef MODEL
-    s.normal = normalize(smoothNormal);
+    s.smoothNormal = normalize(smoothNormal);
+    s.normal = s.smoothNormal;
 #else
     s.normal = faceNormal;
 #endif
