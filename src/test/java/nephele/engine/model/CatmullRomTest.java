@@ -8,11 +8,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** C.2 rows 40 and 41: curves through points. */
 class CatmullRomTest {
@@ -65,22 +67,58 @@ class CatmullRomTest {
         assertEquals(0, derivative(loop, 0.25).distance(wanted), 1e-9, "half the neighbours' difference a span");
     }
 
+    /** In equal times, and round again in both directions. */
     @ParameterizedTest
-    @EnumSource
-    void everyPointIsOnTheCurve(Loop loop) {
+    @ValueSource(ints = {1, 2, 3, 4, 5, 16})
+    void aUniformLoopGoesThroughItsPoints(int count) {
+        var random = new SplittableRandom(count);
+        List<Vec3> points = Stream.generate(
+                        () -> new Vec3(random.nextDouble(9), random.nextDouble(), -random.nextDouble(5)))
+                .limit(count)
+                .toList();
+        CatmullRom curve = CatmullRom.uniformLoop(points);
+        for (int i = -count; i < 3 * count; i++) {
+            Vector3d point = points.get(Math.floorMod(i, count)).toVector();
+            assertEquals(0, position(curve, (double) i / count).distance(point), 1e-12);
+        }
+    }
+
+    /** Half-way between points: −1/16, 9/16, 9/16, −1/16 of them (Catmull and Rom 1974). */
+    @Test
+    void aUniformLoopIsCatmullsAndRoms() {
+        CatmullRom curve = CatmullRom.uniformLoop(
+                List.of(new Vec3(0, 0, 0), new Vec3(2, 0, 0), new Vec3(3, 5, 0), new Vec3(0, 5, 1)));
+        assertEquals(0, position(curve, 0.125).distance(1.125 - 3 / 16.0, -10 / 16.0, -1 / 16.0), 1e-12);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.5})
+    void everyPointIsOnTheCurveAtItsKnot(double exponent) {
         var random = new SplittableRandom(1);
         for (int trial = 0; trial < 200; trial++) {
             List<Vec3> points = randomPoints(random);
-            CatmullRom curve = loop.of.apply(points);
-            for (Vec3 point : points) {
-                double nearest = Double.POSITIVE_INFINITY;
-                for (int i = 0; i <= 20_000 / points.size(); i++) {
-                    nearest = Math.min(
-                            nearest,
-                            position(curve, (double) i * points.size() / 20_000).distance(point.toVector()));
-                }
-                assertTrue(nearest < 0.05, "misses " + point + " by " + nearest);
+            CurveKnots knots = CurveKnots.loop(points, exponent);
+            CatmullRom curve = exponent == 0 ? CatmullRom.uniformLoop(points) : CatmullRom.centripetalLoop(points);
+            for (int i = 0; i < points.size(); i++) {
+                assertEquals(
+                        0, position(curve, knots.knot(i)).distance(points.get(i).toVector()), 1e-6);
             }
+        }
+    }
+
+    /** Each derivative is how the one before it changes. */
+    @Test
+    void derivativesAreThoseOfThePosition() {
+        List<Vec3> points = List.of(A, B, new Vec3(0, 5, 0), new Vec3(-3, 1, 2), new Vec3(4, 4, 4));
+        CatmullRom curve = CatmullRom.centripetalLoop(points);
+        for (double at = 0.0013; at < 1; at += 0.01) {
+            Vector3d change =
+                    position(curve, at + 1e-6).sub(position(curve, at - 1e-6)).div(2e-6);
+            assertEquals(0, change.distance(derivative(curve, at)), 1e-3);
+            Vector3d bend = derivative(curve, at + 1e-6)
+                    .sub(derivative(curve, at - 1e-6))
+                    .div(2e-6);
+            assertEquals(0, bend.distance(curve.secondDerivative(at, new Vector3d())), 1e-2);
         }
     }
 

@@ -14,9 +14,14 @@ public final class CatmullRom {
     private static final double LEAST_SPAN = 1e-9;
 
     private final CurveKnots knots;
+    private final Vector3d[] tangents;
 
     private CatmullRom(CurveKnots knots) {
         this.knots = knots;
+        tangents = new Vector3d[knots.points().size()];
+        for (int i = 0; i < tangents.length; i++) {
+            tangents[i] = tangent(i);
+        }
     }
 
     /** Back to the first point after the last, as long on the way to each: the paths of XML scenes. Goes from 0 to 1. */
@@ -46,39 +51,57 @@ public final class CatmullRom {
         return new CatmullRom(CurveKnots.timed(points, seconds));
     }
 
-    /** Where the curve is; before its beginning and after its end a loop goes on and another curve stands still. */
+    /**
+     * Where the curve is; before its beginning and after its end a loop goes on and another curve stands still. Like the
+     * derivatives it allocates nothing.
+     */
     public Vector3d position(double parameter, Vector3d into) {
-        return evaluate(parameter, false, into);
+        double at = knots.within(parameter);
+        int from = knots.spanOf(at);
+        double span = knots.span(from);
+        if (span < LEAST_SPAN) {
+            return into.set(knots.point(from));
+        }
+        double t = (at - knots.knot(from)) / span;
+        double u = 1 - t;
+        return sum(from, (1 + 2 * t) * u * u, t * u * u * span, t * t * (3 - 2 * t), -t * t * u * span, into);
     }
 
     /** How the position changes per unit of the parameter; 0 where the curve stands still. */
     public Vector3d derivative(double parameter, Vector3d into) {
-        return evaluate(parameter, true, into);
-    }
-
-    private Vector3d evaluate(double parameter, boolean slope, Vector3d into) {
         double at = knots.within(parameter);
         int from = knots.spanOf(at);
         double span = knots.span(from);
-        if (span < LEAST_SPAN || (slope && at != parameter && !knots.closed())) {
-            return slope ? into.zero() : into.set(knots.point(from));
+        if (stands(parameter, at, span)) {
+            return into.zero();
         }
         double t = (at - knots.knot(from)) / span;
-        double[] weights = slope ? slopeWeights(t) : valueWeights(t);
-        into.set(knots.point(from)).mul(weights[0]);
-        into.fma(weights[1] * span, tangent(from)).fma(weights[2], knots.point(from + 1));
-        into.fma(weights[3] * span, tangent(from + 1));
-        return slope ? into.div(span) : into;
+        double bend = 6 * t * t - 6 * t;
+        return sum(from, bend / span, 3 * t * t - 4 * t + 1, -bend / span, 3 * t * t - 2 * t, into);
     }
 
-    /** Hermite's cubics: first position, first tangent, second position, second tangent. */
-    private static double[] valueWeights(double t) {
-        double u = 1 - t;
-        return new double[] {(1 + 2 * t) * u * u, t * u * u, t * t * (3 - 2 * t), -t * t * u};
+    /** How the derivative changes per unit of the parameter; leaps from span to span. */
+    public Vector3d secondDerivative(double parameter, Vector3d into) {
+        double at = knots.within(parameter);
+        int from = knots.spanOf(at);
+        double span = knots.span(from);
+        if (stands(parameter, at, span)) {
+            return into.zero();
+        }
+        double t = (at - knots.knot(from)) / span;
+        double bend = (12 * t - 6) / (span * span);
+        return sum(from, bend, (6 * t - 4) / span, -bend, (6 * t - 2) / span, into);
     }
 
-    private static double[] slopeWeights(double t) {
-        return new double[] {6 * t * t - 6 * t, 3 * t * t - 4 * t + 1, 6 * t - 6 * t * t, 3 * t * t - 2 * t};
+    private boolean stands(double parameter, double at, double span) {
+        return span < LEAST_SPAN || at != parameter && !knots.closed();
+    }
+
+    /** Hermite's form: of both ends of a span their positions and tangents, weighted. */
+    private Vector3d sum(int from, double start, double leaving, double end, double arriving, Vector3d into) {
+        Vector3d after = tangents[(from + 1) % tangents.length];
+        into.set(knots.point(from)).mul(start);
+        return into.fma(leaving, tangents[from]).fma(end, knots.point(from + 1)).fma(arriving, after);
     }
 
     /** Of the parabola through the point and its neighbours; at an end that has none, towards the only neighbour. */

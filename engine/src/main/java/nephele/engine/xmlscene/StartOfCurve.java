@@ -17,7 +17,7 @@ final class StartOfCurve {
             return null;
         }
         Matrix4d frame = new Matrix4d();
-        new ClosedCurve(follow.points()).carryAligned(0, frame, new Matrix4d());
+        new CurveFrame(follow.points()).carryAligned(0, frame, new Matrix4d());
         AxisAngle4d turn = new AxisAngle4d(frame.getNormalizedRotation(new Quaterniond()));
         boolean turns = turn.angle != 0 && Double.isFinite(turn.angle + turn.x + turn.y + turn.z);
         return turns ? new TransformStep.Rotate(new Vec3(turn.x, turn.y, turn.z), Math.toDegrees(turn.angle)) : null;

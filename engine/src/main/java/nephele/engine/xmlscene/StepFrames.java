@@ -10,17 +10,17 @@ import org.joml.Matrix4dc;
 /** The steps of one group as a frame at a time. */
 final class StepFrames {
     private final List<Step> steps;
-    private final ClosedCurve[] curves;
+    private final CurveFrame[] curves;
     private final Vec3[] axes;
     private final Matrix4d part = new Matrix4d();
 
     StepFrames(List<Step> steps) {
         this.steps = steps;
-        curves = new ClosedCurve[steps.size()];
+        curves = new CurveFrame[steps.size()];
         axes = new Vec3[steps.size()];
         for (int i = 0; i < curves.length; i++) {
             Step step = steps.get(i);
-            curves[i] = step instanceof Step.Follow follow ? new ClosedCurve(follow.points()) : null;
+            curves[i] = step instanceof Step.Follow follow ? new CurveFrame(follow.points()) : null;
             axes[i] = step instanceof Step.Rotate rotate
                     ? unit(rotate.axis())
                     : step instanceof Step.Spin spin ? unit(spin.axis()) : null;
@@ -56,7 +56,7 @@ final class StepFrames {
         }
     }
 
-    private void follow(Matrix4d frame, ClosedCurve curve, Step.Follow follow, double seconds) {
+    private void follow(Matrix4d frame, CurveFrame curve, Step.Follow follow, double seconds) {
         if (follow.align()) {
             curve.carryAligned(seconds / follow.seconds(), frame, part);
         } else {
