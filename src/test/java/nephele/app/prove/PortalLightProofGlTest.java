@@ -42,7 +42,11 @@ class PortalLightProofGlTest {
      * bounds at a ninth of its pixels.
      */
     @ParameterizedTest
-    @CsvSource({"levels/samples/straddling-cube.json, 6", "levels/samples/slanted-walls.json, 8"})
+    @CsvSource({
+        "levels/samples/straddling-cube.json, 6",
+        "levels/samples/slanted-walls.json, 8",
+        "levels/samples/models.json, 3"
+    })
     void litPicturesThroughPortalsLookLikeTheTwins(String level, int camera) throws Exception {
         var result = judged(List.of(level), 96, camera, 1);
         assertEquals(List.of(), result.examples());
