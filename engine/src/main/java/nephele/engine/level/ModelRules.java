@@ -57,7 +57,9 @@ final class ModelRules {
 
     private static void placeable(Level level, Map<String, Mesh> meshes, Consumer<Problem> report) {
         try {
-            PlacedModels.of(level, meshes::get);
+            PlacedModels placed = PlacedModels.of(level, meshes::get);
+            PlayerRules.tellInside(level, placed, report);
+            PortalRules.tellFree(level, placed, report);
         } catch (AssetException problem) {
             report.accept(Problem.error("models", problem.getMessage()));
         } catch (IllegalArgumentException toldByAnotherRule) {

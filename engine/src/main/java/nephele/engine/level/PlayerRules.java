@@ -1,6 +1,9 @@
 package nephele.engine.level;
 
 import java.util.List;
+import java.util.function.Consumer;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
@@ -34,6 +37,24 @@ final class PlayerRules {
     };
 
     private PlayerRules() {}
+
+    /** As {@link #FREE}, of models that are solid all through. */
+    static void tellInside(Level level, PlacedModels models, Consumer<Problem> report) {
+        for (PlacedModel model : models.all()) {
+            if (level.player() != null
+                    && model.solid() != null
+                    && holdsAxis(planes(model.solid()), level.player().feet())) {
+                report.accept(Problem.error(
+                        "player.feet",
+                        "the player starts inside models[" + model.index() + "] ('"
+                                + model.said().id() + "'): move the start"));
+            }
+        }
+    }
+
+    private static List<Plane> planes(Brush brush) {
+        return brush.shape().faces().stream().map(ConvexPolyhedron.Face::plane).toList();
+    }
 
     /** Most solids are told apart without making their shape. */
     static boolean mayReach(Solid solid, Vec3 feet, double margin) {
@@ -69,9 +90,7 @@ final class PlayerRules {
                 ? given.planes().stream()
                         .map(plane -> Plane.of(plane.normal(), plane.distanceMetres()))
                         .toList()
-                : Brush.of(solid).shape().faces().stream()
-                        .map(ConvexPolyhedron.Face::plane)
-                        .toList();
+                : planes(Brush.of(solid));
     }
 
     /** Clips the upright segment by every plane (Cyrus and Beck 1978); what remains lies inside. */

@@ -4,7 +4,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import nephele.engine.level.placed.PlacedModels;
+import nephele.engine.level.placed.WorldTriangles;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
+import nephele.engine.math.Ray;
+import nephele.engine.math.TriangleMeeting;
 import nephele.engine.math.Vec3;
 
 /** Portals come in pairs that name each other, and open in the surface of something. */
@@ -37,19 +42,49 @@ final class PortalRules {
 
     private static final double ALONG_FACE = 0.99996192306417131;
 
+    /** Of levels without models; {@link ModelRules#READABLE} asks of the others. */
     static final LevelRule ON_SURFACE = (level, assets, report) -> {
+        if (level.models().isEmpty() && !level.solids().isEmpty()) {
+            tellFree(level, PlacedModels.NONE, report);
+        }
+    };
+
+    private PortalRules() {}
+
+    /** Tells of portals that lie neither on a solid nor on a model. */
+    static void tellFree(Level level, PlacedModels models, Consumer<Problem> report) {
         for (int i = 0; i < level.portals().size(); i++) {
             PortalSpec portal = level.portals().get(i);
-            boolean checkable = !level.solids().isEmpty() && !DirectionRules.isZero(portal.normal());
-            if (checkable && level.solids().stream().noneMatch(solid -> liesOn(portal, solid))) {
+            boolean isOnSurface = DirectionRules.isZero(portal.normal())
+                    || level.solids().stream().anyMatch(solid -> liesOn(portal, solid))
+                    || models.all().stream().anyMatch(model -> liesOn(portal, model.triangles()));
+            if (!isOnSurface) {
                 report.accept(Problem.warning(
                         "portals[" + i + "].centre",
                         "lies on no solid's face that looks along the portal's normal: it opens in free space"));
             }
         }
-    };
+    }
 
-    private PortalRules() {}
+    private static boolean liesOn(PortalSpec portal, WorldTriangles mesh) {
+        Vec3 normal = Plane.of(portal.normal(), 0).normal();
+        Vec3 p = portal.centre();
+        double[] corners = mesh.corners();
+        // Along the normal from a millimetre before the surface to one behind it.
+        Vec3 from = new Vec3(
+                p.x() + ON_FACE_METRES * normal.x(),
+                p.y() + ON_FACE_METRES * normal.y(),
+                p.z() + ON_FACE_METRES * normal.z());
+        Ray ray = new Ray(from.x(), from.y(), from.z(), -normal.x(), -normal.y(), -normal.z());
+        for (int triangle = 0; triangle < mesh.count(); triangle++) {
+            double way = TriangleMeeting.parameter(ray, corners, 9 * triangle);
+            boolean isMet = way >= 0 && way <= 2 * ON_FACE_METRES;
+            if (isMet && Directions.dot(mesh.faceNormal(triangle), normal) >= ALONG_FACE) {
+                return true;
+            }
+        }
+        return false;
+    }
 
     private static boolean liesOn(PortalSpec portal, Solid solid) {
         if (!PlayerRules.mayReach(solid, portal.centre(), ON_FACE_METRES)) {

@@ -227,6 +227,32 @@ class PlacedModelsTest {
         assertTrue(thrown.getMessage().contains("gone.gltf"), thrown.getMessage());
     }
 
+    private static List<String> told(String sections) {
+        return LevelRules.check(read(", " + sections), NoFiles.AT_ALL).stream()
+                .map(problem -> problem.path() + (problem.isError() ? "!" : ""))
+                .toList();
+    }
+
+    @Test
+    void aStartInsideAModelIsTold() {
+        String player = "\"player\": {\"feet\": [0, 0, 0]}, \"models\": [{\"id\": \"a\", \"file\": ";
+        assertEquals(List.of("player.feet!"), told(player + "\"box_1_1.3d\"}]"));
+        assertEquals(List.of("player.feet!"), told(player + "\"sphere_1_8_8.3d\"}]"));
+        assertEquals(List.of(), told(player + "\"torus_3_0.4_8_8.3d\"}]"), "in its hole");
+    }
+
+    @Test
+    void aPortalMayLieOnAModel() {
+        String start = "\"player\": {\"feet\": [0, 0, 9]}, \"models\": [{\"id\": \"a\", \"file\": \"plane_8_3.3d\","
+            + " \"transform\": [{\"kind\": \"rotate\", \"axis\": [1, 0, 0], \"angleDegrees\": 90}]}], \"portals\": [";
+        String size = "\"widthMetres\": 1, \"heightMetres\": 2}";
+        String a = "{\"id\": \"a\", \"linkedTo\": \"b\", \"centre\": [2, 1, 0], \"normal\": [0, 0, 1]," + size;
+        String b = "{\"id\": \"b\", \"linkedTo\": \"a\", \"centre\": [-2, 1, %s], \"normal\": [0, 0, %s]," + size;
+        assertEquals(List.of(), told(start + a + "," + b.formatted("0.0005", "1") + "]"));
+        assertEquals(List.of("portals[1].centre"), told(start + a + "," + b.formatted("0.002", "1") + "]"));
+        assertEquals(List.of("portals[1].centre"), told(start + a + "," + b.formatted("0", "-1") + "]"));
+    }
+
     /** As many as a level may name, each with twelve triangles: drawn and solid. */
     @Test
     void tenThousandModelsLoadInSeconds() {
