@@ -105,6 +105,25 @@ class ImportCommandTest {
     }
 
     @Test
+    void aSceneThatMakesNoLevelLeavesNoMeshes() throws IOException {
+        Path to = folder.resolve("to/level.json");
+        Path flat = scene("<scene><group>\n<scale x='1' y='1'/><models><model file='box_2_3.3d'/>"
+                + "<model file='own/tri.3d' texture='own/t.png'/></models></group></scene>");
+        assertEquals(1, imported(flat, to).exitCode());
+        assertEquals(List.of(), names(to.getParent()));
+    }
+
+    /** Course projects keep their meshes in a folder beside that of their scenes. */
+    @Test
+    void aGeneratedMeshOfAnotherFolderLiesBesideTheLevel() throws IOException {
+        Path level = folder.resolve("to/level.json");
+        Path scene = scene("<scene><models><model file='../my models/box_2_3.3d'/></models></scene>");
+        Captured answer = imported(scene, level);
+        assertEquals(0, answer.exitCode(), answer.err());
+        assertEquals(List.of("box_2_3.3d", "level.json"), names(level.getParent()));
+    }
+
+    @Test
     void aMissingSceneAndAWrongEndingAreTold() throws IOException {
         Captured missing = imported(folder.resolve("none.xml"), folder.resolve("level.json"));
         assertEquals(1, missing.exitCode());

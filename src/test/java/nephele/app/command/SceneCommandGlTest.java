@@ -2,6 +2,7 @@ package nephele.app.command;
 
 import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -87,12 +88,30 @@ class SceneCommandGlTest {
 
     @Test
     void whatIsMissingIsNamedAndTheRestShown() throws IOException {
-        String scene = scene("a.xml", "ship.3d", 0);
+        String scene = scene("a.xml", "box_1_1.3d\"/><model file=\"ship.3d", 0);
         var answer =
                 Captured.run("scene", scene, "--out", folder.resolve("p.png").toString());
         assertEquals(0, answer.exitCode(), answer.err());
         assertTrue(answer.err().contains("a.xml:2: ship.3d: there is no such file"), answer.err());
         assertTrue(Files.exists(folder.resolve("p.png")));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "ship.3d, there is no such file",
+        "torn.3d, torn.3d:1: \"solid\" is not a number",
+        "../torn.3d, has a name that is not looked for: no part of an asset id is '.' or '..'",
+        "a b.3d, has a name that is not looked for: character U+0020"
+    })
+    void aSceneOfWhichNothingCanBeShownIsRefused(String model, String said) throws IOException {
+        Files.writeString(folder.resolve("torn.3d"), "solid cube\n");
+        Path out = folder.resolve("p.png");
+        var answer = Captured.run("scene", scene("a.xml", model, 0), "--out", out.toString());
+        assertEquals(1, answer.exitCode(), answer.err());
+        assertTrue(answer.err().contains("a.xml:2: " + model), answer.err());
+        assertTrue(answer.err().contains(said), answer.err());
+        assertTrue(answer.err().contains("a.xml:1: none of its models can be shown"), answer.err());
+        assertFalse(Files.exists(out), "a picture of nothing");
     }
 
     @ParameterizedTest

@@ -28,6 +28,11 @@ class TextMeshFileTest {
     }
 
     @Test
+    void aByteOrderMarkIsNoNumber() {
+        assertBitEqual(read(POINTS), read("\ufeff" + POINTS));
+    }
+
+    @Test
     void whatIsWrittenIsReadBackToTheLastBit() {
         var teapot = GeneratedName.shape("bezier_5.3d", name -> null).orElseThrow();
         for (Shape shape : new Shape[] {

@@ -15,7 +15,9 @@ import nephele.engine.asset.WholeFile;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.render.fixed.FixedSceneDrawing.Source;
 import nephele.engine.render.fixed.FixedSceneDrawing.Sources;
+import nephele.engine.render.fixed.SceneFiles;
 import nephele.engine.render.fixed.SceneFolder;
+import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.XmlScene;
 
 /** A scene with its entity and background, read from files. */
@@ -46,7 +48,20 @@ public record OpenedScene(Sources sources) {
         XmlScene scene = name.read();
         scene.warnings()
                 .forEach(warning -> complaints.accept(name.typed() + ":" + warning.line() + ": " + warning.message()));
-        return new Source(scene, new SceneFolder(name.typed(), name.assets(), complaints));
+        var files = new SceneFolder(name.typed(), name.assets(), complaints);
+        requireModel(name, scene, files);
+        return new Source(scene, files);
+    }
+
+    /** A picture of nothing is no answer. What is missing has been told then. */
+    private static void requireModel(SceneName name, XmlScene scene, SceneFiles files) {
+        PosedScene posed = PosedScene.of(scene);
+        for (int number = 0; number < posed.modelCount(); number++) {
+            if (files.mesh(posed.model(number)) != null) {
+                return;
+            }
+        }
+        throw CommandFailure.input(name.typed() + ":" + scene.root().line() + ": none of its models can be shown");
     }
 
     /** {@code null} where it cannot be shown: the scene can all the same. */

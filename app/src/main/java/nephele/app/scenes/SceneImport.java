@@ -51,11 +51,21 @@ public final class SceneImport {
      */
     public static Level level(Path file, Path target, Consumer<String> complaints) {
         try {
-            return new SceneImport(file, target, complaints).level(target);
+            return new SceneImport(file, target, complaints).wholeLevel(target);
         } catch (ModelFileException problem) {
             throw CommandFailure.input(problem.getMessage());
         } catch (IOException failure) {
             throw CommandFailure.environment(failure.getMessage(), failure);
+        }
+    }
+
+    /** With all of its files, or else with none of them. */
+    private Level wholeLevel(Path target) throws IOException {
+        try {
+            return level(target);
+        } catch (IOException | RuntimeException failure) {
+            files.takeBack();
+            throw failure;
         }
     }
 

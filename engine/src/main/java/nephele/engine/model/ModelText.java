@@ -11,6 +11,7 @@ import java.util.List;
 final class ModelText {
     private static final int MOST_WORDS = 4096;
     private static final int LONGEST_WORD = 256;
+    private static final int MARK_BYTES = 3;
 
     private final String file;
     private final byte[] bytes;
@@ -23,6 +24,7 @@ final class ModelText {
         this.file = file;
         this.bytes = bytes;
         this.separators = separators;
+        this.at = beginsWithMark(bytes) ? MARK_BYTES : 0;
         if (bytes.length > MeshLimits.MAX_TEXT_BYTES) {
             throw new ModelFileException(
                     file,
@@ -30,6 +32,14 @@ final class ModelText {
                     "is larger than " + (MeshLimits.MAX_TEXT_BYTES >> 20) + " MiB",
                     "make the mesh coarser or keep it as .glb");
         }
+    }
+
+    /** The byte-order mark that some editors put before UTF-8. */
+    private static boolean beginsWithMark(byte[] bytes) {
+        return bytes.length >= MARK_BYTES
+                && bytes[0] == (byte) 0xef
+                && bytes[1] == (byte) 0xbb
+                && bytes[2] == (byte) 0xbf;
     }
 
     int line() {
