@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlGroup.Step;
 
@@ -116,7 +117,7 @@ final class StepReader {
     private static String flatAxes(Vec3 by) {
         return String.join(
                 " and ",
-                java.util.stream.Stream.of(by.x() == 0 ? "x" : "", by.y() == 0 ? "y" : "", by.z() == 0 ? "z" : "")
+                Stream.of(by.x() == 0 ? "x" : "", by.y() == 0 ? "y" : "", by.z() == 0 ? "z" : "")
                         .filter(axis -> !axis.isEmpty())
                         .toList());
     }

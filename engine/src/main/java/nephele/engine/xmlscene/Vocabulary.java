@@ -2,6 +2,7 @@ package nephele.engine.xmlscene;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -97,7 +98,7 @@ final class Vocabulary {
         String nearest = null;
         int least = 3;
         for (String candidate : known) {
-            int distance = edits(name.toLowerCase(java.util.Locale.ROOT), candidate.toLowerCase(java.util.Locale.ROOT));
+            int distance = edits(name.toLowerCase(Locale.ROOT), candidate.toLowerCase(Locale.ROOT));
             if (distance < least && distance < candidate.length()) {
                 nearest = candidate;
                 least = distance;

@@ -2,6 +2,7 @@ package nephele.engine.xmlscene;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.List;
 import nephele.engine.asset.WholeFile;
 import nephele.engine.model.ModelFileException;
@@ -48,7 +49,7 @@ public final class XmlSceneFile {
     }
 
     private static boolean holdsModels(XmlGroup root) {
-        var below = new java.util.ArrayDeque<XmlGroup>(List.of(root));
+        var below = new ArrayDeque<XmlGroup>(List.of(root));
         while (!below.isEmpty()) {
             XmlGroup group = below.pop();
             if (!group.models().isEmpty()) {

@@ -14,8 +14,11 @@ import java.lang.management.ManagementFactory;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.fixed.FixedSceneDrawing.Sources;
 import nephele.engine.render.gl.BareFrame;
+import nephele.engine.xmlscene.XmlScene;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -85,6 +88,24 @@ class FixedSceneGlTest {
         assertArrayEquals(union, both);
         assertTrue(Set.of(0, 0xffffff)
                 .containsAll(java.util.Arrays.stream(both).boxed().toList()));
+    }
+
+    /** Also after a flight far away from where the scene's own camera stands. */
+    @Test
+    void axesCrossThePictureFromAnywhere() {
+        var sources = new Sources(scenes.source(world(group("", model("box_1_1.3d", "")))), null, null);
+        var look = SceneLook.USUAL.with(SceneLook.Axes.SHOWN);
+        var far = new XmlScene.Eye(new Vec3(0, 3, 900), new Vec3(0, 3, 0), new Vec3(0, 1, 0), 60, 1, 1000);
+        try (var drawing = FixedSceneDrawing.load(scenes.gl, sources)) {
+            drawing.draw(FixedSceneDrawing.view(far, 1), 0, new Matrix4d(), look, scenes.picture);
+            int[] pixels = scenes.pixels();
+            long red = IntStream.range(0, SIZE * SIZE)
+                    .filter(i -> pixels[i] == 0xff0000)
+                    .map(i -> i % SIZE)
+                    .distinct()
+                    .count();
+            assertTrue(red > SIZE - 4, red + " columns of the x axis");
+        }
     }
 
     /** Each term is rounded by itself. */

@@ -10,26 +10,32 @@ import nephele.engine.render.gl.LineMesh;
 import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.render.gl.Uniforms.Matrix4;
+import nephele.engine.render.gl.Uniforms.Scalar;
 import nephele.engine.render.gl.Uniforms.Vector3;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 
-/** The world's axes, which take part in the depth test. */
+/** The world's axes, which take part in the depth test. They cross the picture from wherever they are looked at. */
 final class AxesDrawing implements AutoCloseable {
+    /** Each half's, as in the course's own pictures. */
+    private static final float LEAST_LENGTH = 100;
+
+    private static final float LENGTH_PER_DISTANCE = 5;
+
     private final GlContext gl;
     private final LineMesh lines;
     private final GlProgram<Inputs> program;
 
-    private record Inputs(Vector3 eye, Matrix4 clipFromRelative) {
+    private record Inputs(Vector3 eye, Scalar length, Matrix4 clipFromRelative) {
         static Inputs of(Uniforms uniforms) {
-            return new Inputs(uniforms.vector3("eye"), uniforms.matrix4("clipFromRelative"));
+            return new Inputs(
+                    uniforms.vector3("eye"), uniforms.scalar("halfLength"), uniforms.matrix4("clipFromRelative"));
         }
     }
 
-    /** @param length of each half */
-    AxesDrawing(GlContext gl, double length) {
+    AxesDrawing(GlContext gl) {
         this.gl = gl;
-        lines = new LineMesh(gl, "axes", VertexFormat.of(Attribute.FLOAT3, Attribute.FLOAT3), vertices((float) length));
+        lines = new LineMesh(gl, "axes", VertexFormat.of(Attribute.FLOAT3, Attribute.FLOAT3), vertices());
         program = new GlProgram<>(
                 gl,
                 ShaderSource.load(FixedProgram.FOLDER + "axes.vert", Map.of()),
@@ -37,12 +43,12 @@ final class AxesDrawing implements AutoCloseable {
                 Inputs::of);
     }
 
-    private static float[] vertices(float length) {
+    private static float[] vertices() {
         float[] values = new float[36];
         for (int axis = 0; axis < 3; axis++) {
-            values[12 * axis + axis] = -length;
+            values[12 * axis + axis] = -1;
             values[12 * axis + 3 + axis] = 1;
-            values[12 * axis + 6 + axis] = length;
+            values[12 * axis + 6 + axis] = 1;
             values[12 * axis + 9 + axis] = 1;
         }
         return values;
@@ -52,6 +58,9 @@ final class AxesDrawing implements AutoCloseable {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE);
         Inputs inputs = program.uniforms();
         inputs.eye().set(eye.x(), eye.y(), eye.z());
+        double distance =
+                Math.sqrt((double) eye.x() * eye.x() + (double) eye.y() * eye.y() + (double) eye.z() * eye.z());
+        inputs.length().set(Math.max(LEAST_LENGTH, LENGTH_PER_DISTANCE * (float) distance));
         inputs.clipFromRelative().set(eye.clipFromRelative());
         program.use();
         lines.draw();

@@ -4,7 +4,6 @@ import java.util.EnumMap;
 import java.util.Map;
 import nephele.engine.asset.Picture;
 import nephele.engine.math.Frustum;
-import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.DrawState.Fill;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -41,12 +40,7 @@ public final class FixedSceneDrawing implements AutoCloseable {
         scene = SceneOnGpu.atHome(gl, sources.scene(), white);
         entity = sources.entity() == null ? null : SceneOnGpu.entity(gl, sources.entity(), white, scene);
         background = sources.background() == null ? null : new BackgroundDrawing(gl, sources.background());
-        axes = new AxesDrawing(gl, axisLength(sources.scene().scene().eye().position()));
-    }
-
-    /** As long as in the course's own pictures, and across the picture for an eye that is farther away. */
-    private static double axisLength(Vec3 eyePosition) {
-        return Math.max(100, 5 * eyePosition.toVector().length());
+        axes = new AxesDrawing(gl);
     }
 
     /** Sends everything to the GPU. */
