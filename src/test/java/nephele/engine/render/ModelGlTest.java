@@ -69,18 +69,41 @@ class ModelGlTest {
             View view = offscreen.view(new Vec3(1.6, 1.8, 2), new Vec3(0, 0.4, -0.5));
             Sky sky = new Sky.Gradient(new Vec3(0.4, 0.6, 1), TestLevel.grey(0.8), TestLevel.grey(0.2));
             TestLevel solid = room().skyLight().sky(sky).box("matt", CENTRE, SIZE_OF_BOX);
-            TestLevel model =
-                    room().skyLight().sky(sky).model("box_1_4.3d", "matt", at(CENTRE), new Scale(SIZE_OF_BOX));
             float[] first = picture(offscreen, solid, view);
-            float[] second = picture(offscreen, model, view);
-            double off = 0;
-            double sum = 0;
-            for (int i = 0; i < first.length; i++) {
-                off += Math.abs(first[i] - second[i]);
-                sum += first[i];
+            for (String file : new String[] {"box_1_1.3d", "box_1_4.3d"}) {
+                TestLevel model = room().skyLight().sky(sky).model(file, "matt", at(CENTRE), new Scale(SIZE_OF_BOX));
+                assertAlikeTogether(first, picture(offscreen, model, view), 0.01);
             }
-            assertTrue(off < 0.01 * sum, "off by " + off / sum);
         }
+    }
+
+    /** A floor of two triangles knows the darkness at the foot of walls, by the vertices that it is given for that. */
+    @Test
+    void theSkyLightsAFloorOfTwoTriangles() {
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            View view = offscreen.view(new Vec3(1.6, 2.5, 2), new Vec3(-0.5, 0, -0.5));
+            float[] solid =
+                    picture(offscreen, wallUnderSky().box("matt", new Vec3(0, -0.5, 0), new Vec3(8, 1, 8)), view);
+            assertAlikeTogether(solid, picture(offscreen, wallUnderSky().model("plane_8_1.3d", "matt"), view), 0.02);
+        }
+    }
+
+    private static TestLevel wallUnderSky() {
+        return new TestLevel()
+                .skyLight()
+                .sky(new Sky.Constant(TestLevel.grey(1)))
+                .material("matt", TestLevel.grey(0.5))
+                .box(null, new Vec3(0, 2, -2), new Vec3(8, 4, 0.5));
+    }
+
+    private static void assertAlikeTogether(float[] expected, float[] found, double share) {
+        double off = 0;
+        double sum = 0;
+        for (int i = 0; i < expected.length; i++) {
+            off += Math.abs(expected[i] - found[i]);
+            sum += expected[i];
+        }
+        assertTrue(off < share * sum, "off by " + off / sum);
     }
 
     private static float[] picture(Offscreen offscreen, TestLevel level, View view) {

@@ -65,7 +65,7 @@ public final class BakedLight {
     }
 
     private static StaticShapes statics(Path levelFile) throws IOException {
-        return StaticShapes.of(read(levelFile), LevelAssets.beside(levelFile));
+        return StaticShapes.of(read(levelFile), LevelAssets.beside(levelFile)).split(SkyVisibility.MODEL_EDGE_METRES);
     }
 
     public static List<Path> files(Path folder, String ending) throws IOException {

@@ -35,9 +35,12 @@ public record Scene(
     public static Scene of(Level level, AssetSource assets, DoubleConsumer bakeProgress) {
         SceneMaterials materials = SceneMaterials.of(level.materials(), assets);
         StaticShapes statics = StaticShapes.of(level, assets);
-        SkyVisibility visibility =
-                LightNeeds.skyVisibility(level) ? SkyVisibilityCache.of(assets).of(statics, bakeProgress) : null;
-        SolidGeometry geometry = SolidGeometry.of(statics, materials, visibility);
+        if (!LightNeeds.skyVisibility(level)) {
+            return new Scene(level, assets, statics, materials, SolidGeometry.of(statics, materials, null), null);
+        }
+        StaticShapes split = statics.split(SkyVisibility.MODEL_EDGE_METRES);
+        SkyVisibility visibility = SkyVisibilityCache.of(assets).of(split, bakeProgress);
+        SolidGeometry geometry = SolidGeometry.of(split, materials, visibility);
         return new Scene(level, assets, statics, materials, geometry, visibility);
     }
 }

@@ -14,4 +14,11 @@ public record PlacedModel(int index, ModelPlacement said, WorldTriangles triangl
     static PlacedModel of(int index, ModelPlacement said, WorldTriangles triangles) {
         return new PlacedModel(index, said, triangles, triangles.bounds(), ConvexModel.solid(said, triangles));
     }
+
+    PlacedModel split(double edgeMetres, int mostTriangles) {
+        double wanted = Math.ceil(triangles.longestEdge() / edgeMetres);
+        double possible = Math.floor(Math.sqrt((double) mostTriangles / Math.max(1, triangles.count())));
+        WorldTriangles cut = SplitTriangles.of(triangles, (int) Math.min(wanted, possible));
+        return new PlacedModel(index, said, cut, bounds, solid);
+    }
 }

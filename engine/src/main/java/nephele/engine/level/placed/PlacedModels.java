@@ -73,6 +73,19 @@ public record PlacedModels(List<PlacedModel> all) {
         }
     }
 
+    /**
+     * The same with the triangles of faceted models cut until none of their edges is longer, or there are so many of them
+     * that one level may not have more.
+     *
+     * @param edgeMetres where there are few triangles
+     */
+    public PlacedModels split(double edgeMetres) {
+        int most = all.isEmpty() ? 0 : MOST_TRIANGLES / all.size();
+        return new PlacedModels(all.stream()
+                .map(model -> model.triangles().isFaceted() ? model.split(edgeMetres, most) : model)
+                .toList());
+    }
+
     /** Of all meshes. */
     public int vertexCount() {
         return all.stream()

@@ -33,6 +33,11 @@ public record StaticShapes(List<Brush> solids, PlacedModels models) {
         return level.solids().stream().map(Brush::of).toList();
     }
 
+    /** As {@link PlacedModels#split}. */
+    public StaticShapes split(double edgeMetres) {
+        return models.isEmpty() ? this : new StaticShapes(solids, models.split(edgeMetres));
+    }
+
     /** Around everything; empty for nothing. */
     public Aabb bounds() {
         Aabb all = Aabb.EMPTY;

@@ -145,6 +145,16 @@ public record WorldTriangles(
         return true;
     }
 
+    /** 0 for no triangles. */
+    double longestEdge() {
+        double longest = 0;
+        for (int i = 0; i < vertices.length; i++) {
+            int next = i % 3 == 2 ? i - 2 : i + 1;
+            longest = Math.max(longest, square(between(positions, vertices[i], vertices[next])));
+        }
+        return Math.sqrt(longest);
+    }
+
     /** Of what is left of the mesh; empty for nothing. */
     public Aabb bounds() {
         double[] least = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};

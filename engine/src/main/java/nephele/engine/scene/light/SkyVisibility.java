@@ -11,6 +11,8 @@ import nephele.engine.level.placed.StaticShapes;
  * @param ofModels likewise for every vertex of every model in turn
  */
 public record SkyVisibility(LightMapLayout layout, short[] texels, short[] ofModels) {
+    /** How far vertices of flat models may be apart for it: a texel of 0.25 m costs less than a vertex. */
+    public static final double MODEL_EDGE_METRES = 0.5;
 
     /** @param progress receives the done fraction, 0–1, from any thread */
     public static SkyVisibility bake(StaticShapes statics, DoubleConsumer progress) {
