@@ -2,6 +2,7 @@ package nephele.engine.model;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
@@ -25,6 +26,14 @@ class TextMeshFileTest {
         assertArrayEquals(wanted.normals(), mesh.normals());
         assertArrayEquals(wanted.textureCoordinates(), mesh.textureCoordinates());
         assertArrayEquals(wanted.indices(), mesh.indices());
+    }
+
+    /** As in OBJ files: what a mesh may not have is not gathered first. */
+    @Test
+    void readingEndsAtTheFirstPointTooMany() {
+        String endless = "0 0 0\n".repeat(MeshLimits.MAX_VERTICES + 10);
+        var problem = assertThrows(ModelFileException.class, () -> read(endless));
+        assertEquals(MeshLimits.MAX_VERTICES + 1, problem.line(), problem.getMessage());
     }
 
     @Test

@@ -9,7 +9,12 @@ import java.util.List;
  */
 final class TextMeshBlocks {
     private static final int MOST_BLOCKS = 8;
-    private static final int MOST_ROWS = 3 * MeshLimits.MAX_TRIANGLES;
+
+    /** Of one number each: indices. */
+    private static final int MOST_SINGLE_ROWS = 3 * MeshLimits.MAX_TRIANGLES;
+
+    /** Of more numbers: of points, and of triangles, as many are taken. */
+    private static final int MOST_ROWS = MeshLimits.MAX_VERTICES;
 
     private final ModelText text;
     private final List<NumberRows> blocks = new ArrayList<>();
@@ -46,8 +51,9 @@ final class TextMeshBlocks {
         if (open == null) {
             open = new NumberRows(width(words.size()));
         }
-        if (open.rows() >= MOST_ROWS) {
-            throw text.wrong("has more than " + MOST_ROWS + " rows in a block", "make the mesh coarser");
+        int most = open.width() == 1 ? MOST_SINGLE_ROWS : MOST_ROWS;
+        if (open.rows() >= most) {
+            throw text.wrong("has more than " + most + " rows in a block", "make the mesh coarser");
         }
         float[] row = new float[words.size()];
         for (int i = 0; i < row.length; i++) {
@@ -80,7 +86,7 @@ final class TextMeshBlocks {
     }
 
     private int count(float value, int line) {
-        if (!(value >= 0 && value <= MOST_ROWS && value == Math.rint(value))) {
+        if (!(value >= 0 && value <= MOST_SINGLE_ROWS && value == Math.rint(value))) {
             throw text.wrongAt(line, value + " is no number of rows", "write how many rows follow, or leave it out");
         }
         return (int) value;
