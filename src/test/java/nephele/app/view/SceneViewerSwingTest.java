@@ -30,7 +30,7 @@ class SceneViewerSwingTest {
                     scene("ship"));
             var wrong = run.out().lines().filter(line -> !line.endsWith(": ok")).toList();
             assertEquals(List.of(), wrong, run.err());
-            assertEquals(15, run.out().lines().count(), run.out() + run.err());
+            assertEquals(16, run.out().lines().count(), run.out() + run.err());
             assertEquals(0, run.exitCode());
         }
     }

@@ -45,6 +45,7 @@ public final class ViewerScenarios {
 
     private List<Scenario> all() {
         return List.of(
+                new Scenario("begins when it is loaded", () -> {}, () -> seconds() == 0),
                 new Scenario("starts", () -> {}, () -> isSize(320, 240) && seconds() > 0),
                 new Scenario(
                         "turns", () -> press(GLFW_KEY_LEFT), () -> heading().yawDegrees() == 5),

@@ -18,7 +18,9 @@ public final class SceneViewer implements AutoCloseable {
     private final Viewing viewing;
     private final Screenshots screenshots = Screenshots.inUsualFolder();
     private RenderTarget target;
-    private long lastNanos = System.nanoTime();
+    /** {@code null} before the first frame: what loading takes is no time of the scene's. */
+    private Long lastNanos;
+
     private boolean leaving;
     private boolean pictureAsked;
 
@@ -81,7 +83,7 @@ public final class SceneViewer implements AutoCloseable {
 
     private void advance() {
         long now = System.nanoTime();
-        double seconds = (now - lastNanos) * 1e-9;
+        double seconds = lastNanos == null ? 0 : (now - lastNanos) * 1e-9;
         lastNanos = now;
         viewing.advance(seconds, input.takeHeld());
         overlay.advance(seconds);
