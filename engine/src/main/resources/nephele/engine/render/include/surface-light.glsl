@@ -90,12 +90,23 @@ float terminatorShare(Surface s, vec3 toLight) {
 }
 #endif
 
+#ifdef CURVED_RECEIVER
+// Under light that grazes it a triangle's plane, continued to the next texel's middle, comes out of the far side of what
+// shades it: a few hundredths of the light are given up to that.
+float steepShare(float cosine) {
+    return clamp(cosine * 40.0 - 1.0, 0.0, 1.0);
+}
+#endif
+
 #ifdef SUN
 vec3 sunLight(REFLECTANCE r, Surface s) {
     float nDotSun = dot(s.faceNormal, sunDirection);
     float lit = nDotSun > 0.0 ? 1.0 : 0.0;
 #ifdef MODEL
     lit *= terminatorShare(s, sunDirection);
+#endif
+#if defined(SUN_SHADOW) && defined(CURVED_RECEIVER)
+    lit *= steepShare(nDotSun);
 #endif
 #ifdef SUN_SHADOW
     lit *= sunLitShare(s.anchorPosition, s.faceNormal, nDotSun);
@@ -121,6 +132,9 @@ vec3 lampLight(REFLECTANCE r, Surface s, int index) {
 #endif
 #ifdef LAMP_SHADOW
     if (lamp.shadow.w >= 0.0) {
+#ifdef CURVED_RECEIVER
+        lit *= steepShare(dot(s.faceNormal, toLamp));
+#endif
         lit *= lampLitShare(lamp, fromLamp, s.faceNormal);
     }
 #endif
