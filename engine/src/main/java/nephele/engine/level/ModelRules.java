@@ -31,6 +31,7 @@ final class ModelRules {
         Map<String, Mesh> meshes = new HashMap<>();
         Map<String, String> objections = new HashMap<>();
         MeshAssets source = new MeshAssets(assets);
+        long triangles = 0;
         for (int i = 0; i < level.models().size(); i++) {
             String file = level.models().get(i).file();
             if (!meshes.containsKey(file) && !objections.containsKey(file)) {
@@ -38,6 +39,12 @@ final class ModelRules {
             }
             if (objections.containsKey(file)) {
                 report.accept(Problem.error("models[" + i + "].file", objections.get(file)));
+                continue;
+            }
+            triangles += meshes.get(file).triangleCount();
+            if (triangles > PlacedModels.MOST_TRIANGLES) {
+                // That is told below; to read on might fill the memory.
+                break;
             }
         }
         if (objections.isEmpty()) {

@@ -227,6 +227,18 @@ class PlacedModelsTest {
         assertTrue(thrown.getMessage().contains("gone.gltf"), thrown.getMessage());
     }
 
+    /** A thousand different meshes of half a million triangles each: no more than one is made. */
+    @Test
+    void tooManyTrianglesAreNotAllMade() {
+        StringBuilder models = new StringBuilder();
+        for (int i = 0; i < 1000; i++) {
+            models.append(i == 0 ? "" : ",")
+                    .append("{\"id\": \"m" + i + "\", \"file\": \"sphere_" + (i + 1) + "_512_512.3d\"}");
+        }
+        Assertions.assertTimeout(
+                Duration.ofSeconds(10), () -> assertProblem(problems(Map.of(), models.toString()), "models", "200000"));
+    }
+
     private static List<String> told(String sections) {
         return LevelRules.check(read(", " + sections), NoFiles.AT_ALL).stream()
                 .map(problem -> problem.path() + (problem.isError() ? "!" : ""))
