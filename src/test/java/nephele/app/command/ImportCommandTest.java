@@ -123,6 +123,27 @@ class ImportCommandTest {
         assertEquals(List.of("box_2_3.3d", "level.json"), names(level.getParent()));
     }
 
+    /** A level would not look for them where they are. */
+    @Test
+    void filesOfTheFolderAboveAreCopiedUnderNamesThatALevelMayGive() throws IOException {
+        Path scene = scene("<scene><models><model file='../my models/a b.3d' texture='../my models/own t.png'/>"
+                + "<model file='own/a b.3d'/></models></scene>");
+        Path models = Files.createDirectories(folder.resolve("my models"));
+        Files.writeString(models.resolve("a b.3d"), TRIANGLE);
+        Files.copy(scene.resolveSibling("own/t.png"), models.resolve("own t.png"));
+        Files.writeString(scene.resolveSibling("own/a b.3d"), TRIANGLE.replace('1', '2'));
+        Path level = folder.resolve("to/level.json");
+        Captured answer = imported(scene, level);
+        assertEquals(0, answer.exitCode(), answer.err());
+        assertEquals(List.of("a_b-2.3d", "a_b.3d", "level.json", "own_t.png"), names(level.getParent()));
+        assertArrayEquals(
+                Files.readAllBytes(models.resolve("own t.png")), Files.readAllBytes(level.resolveSibling("own_t.png")));
+        Level read = LevelFile.read(level);
+        assertEquals("a_b.3d", read.models().get(0).file());
+        assertEquals("a_b-2.3d", read.models().get(1).file());
+        assertEquals(0, Captured.run("check", level.toString()).exitCode());
+    }
+
     @Test
     void aMissingSceneAndAWrongEndingAreTold() throws IOException {
         Captured missing = imported(folder.resolve("none.xml"), folder.resolve("level.json"));

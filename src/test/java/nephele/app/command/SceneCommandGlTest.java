@@ -9,7 +9,10 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import javax.imageio.ImageIO;
+import nephele.engine.model.MeshText;
+import nephele.engine.model.ShapeKind;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -87,6 +90,17 @@ class SceneCommandGlTest {
     }
 
     @Test
+    void meshesAndTexturesMayLieBesideTheScenesFolder() throws IOException {
+        Path scenes = Files.createDirectories(folder.resolve("scenes"));
+        Path models = Files.createDirectories(folder.resolve("my models"));
+        var box = ShapeKind.BOX.shape(List.of("1", "1")).mesh();
+        Files.write(models.resolve("big box.3d"), MeshText.of(box));
+        String xml = BOX.replace("MODEL", "..\\my models/big box.3d").replace("SHIFT", "0");
+        Path scene = Files.writeString(scenes.resolve("a.xml"), xml);
+        assertEquals(0xc89600, rgb(picture(scene.toString()), 20, 15));
+    }
+
+    @Test
     void whatIsMissingIsNamedAndTheRestShown() throws IOException {
         String scene = scene("a.xml", "box_1_1.3d\"/><model file=\"ship.3d", 0);
         var answer =
@@ -100,8 +114,10 @@ class SceneCommandGlTest {
     @CsvSource({
         "ship.3d, there is no such file",
         "torn.3d, torn.3d:1: \"solid\" is not a number",
-        "../torn.3d, has a name that is not looked for: no part of an asset id is '.' or '..'",
-        "a b.3d, has a name that is not looked for: character U+0020"
+        "../torn.3d, there is no such file",
+        "../../torn.3d, has a name that is not looked for: it leads out of",
+        "/torn.3d, has a name that is not looked for: an asset id neither starts nor ends with '/'",
+        "a:b.3d, has a name that is not looked for: character U+003A"
     })
     void aSceneOfWhichNothingCanBeShownIsRefused(String model, String said) throws IOException {
         Files.writeString(folder.resolve("torn.3d"), "solid cube\n");

@@ -8,8 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import nephele.app.terminal.CommandFailure;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.Picture;
+import nephele.engine.asset.ProjectAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelRules;
 import nephele.engine.level.Problem;
@@ -39,7 +41,7 @@ public final class SceneImport {
     private SceneImport(Path file, Path target, Consumer<String> complaints) {
         this.file = file;
         this.complaints = complaints;
-        LevelAssets assets = LevelAssets.beside(file);
+        AssetSource assets = ProjectAssets.around(file);
         folder = new SceneFolder(file.toString(), assets, complaints);
         files = new ImportedFiles(assets, target);
     }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.ProjectAssets;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.xmlscene.XmlScene;
@@ -39,7 +40,7 @@ public record SceneName(String typed) {
 
     /** What its models and pictures are named relative to. */
     AssetSource assets() {
-        return isInJar() ? LevelAssets.inJar(JAR_SCENES, inScenes()) : LevelAssets.beside(path());
+        return isInJar() ? LevelAssets.inJar(JAR_SCENES, inScenes()) : ProjectAssets.around(path());
     }
 
     private boolean isInJar() {

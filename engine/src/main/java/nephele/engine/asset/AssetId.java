@@ -72,7 +72,8 @@ public final class AssetId {
         return DEVICES.contains(stem) || port ? "'" + stem + "' is a device name on Windows" : null;
     }
 
-    private static String printable(String id) {
+    /** Fit for a message. */
+    static String printable(String id) {
         String shortened = id.length() <= MAX_LENGTH ? id : id.substring(0, MAX_LENGTH) + "…";
         return shortened.replaceAll("[^\\x20-\\x7e…]", "?");
     }

@@ -8,10 +8,15 @@ public interface AssetSource {
     /**
      * The whole content of an asset.
      *
-     * @param assetId keeps to {@link AssetId}'s grammar, or the asset is refused
+     * @param assetId refused where there is an {@link #objection}
      * @throws AssetException when it is missing, unreadable, too large or outside of the source
      */
     byte[] bytes(String assetId) throws AssetException;
+
+    /** Why a name is never looked for, or {@code null} where one is. */
+    default String objection(String assetId) {
+        return AssetId.objection(assetId);
+    }
 
     /** Whether {@link #bytes} would find it. */
     boolean exists(String assetId);

@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import nephele.engine.asset.AssetException;
-import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
@@ -106,14 +105,15 @@ public final class SceneFolder implements SceneFiles {
         return picture;
     }
 
-    /** A file with another name may be there, but is never looked for: a scene reads nothing outside of its folder. */
-    private static AssetException missing(String file) {
-        String objection = AssetId.objection(file);
+    /** A file with another name may be there, but is never looked for. */
+    private AssetException missing(String file) {
+        String objection = assets.objection(file);
         if (objection != null) {
             return new AssetException(
                     file,
                     "has a name that is not looked for: " + objection,
-                    "write a path below the scene's folder, of letters, digits, '.', '_', '-' and '/'");
+                    "write a path within the scene's folder or the one above, of letters, digits, spaces, '.', '_', '-'"
+                            + " and '/'");
         }
         return new AssetException(
                 file, "there is no such file", "put it into the scene's folder (names are case-sensitive)");
