@@ -242,11 +242,11 @@ class FixedSceneGlTest {
             var place = new Matrix4d();
             var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
             long start = 0;
-            for (int frame = -500; frame < 500; frame++) {
+            for (int frame = -100; frame < 100; frame++) {
                 start = frame == 0 ? threads.getCurrentThreadAllocatedBytes() : start;
                 drawing.draw(view, frame / 60.0, place, SceneLook.USUAL.with(SceneLook.Axes.SHOWN), scenes.picture);
             }
-            long perFrame = (threads.getCurrentThreadAllocatedBytes() - start) / 500;
+            long perFrame = (threads.getCurrentThreadAllocatedBytes() - start) / 100;
             assertTrue(perFrame <= 2048, perFrame + " bytes a frame");
         }
         assertEquals(before, scenes.gl.live().counts());
