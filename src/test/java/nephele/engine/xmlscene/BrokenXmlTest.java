@@ -49,6 +49,13 @@ class BrokenXmlTest {
                 new Broken("<world/>", 1, "no model"),
                 new Broken("<scene>\n\n<modles/></scene>", 3, "did you mean 'models'?"),
                 new Broken("<scene><models>\n<model fiel='a.3d'/></models></scene>", 2, "did you mean 'file'"),
+                new Broken(
+                        "<world>\n<windw/>\n<group>\n<models>\n<model hue='1'>\n</models></group></world>",
+                        5,
+                        "<model>: it names no file"),
+                new Broken("<world><windw/>\n<model file='a.3d'/></world>", 2, "<model> does not belong"),
+                new Broken("<scene><group><sclae/>\n<model fiel='a.3d'/></group></scene>", 2, "did you mean 'file'"),
+                new Broken("<scene><group><sclae/>\n<modell file='a'/></group></scene>", 2, "did you mean 'model'"),
                 new Broken("<scene>\n" + MODEL + "<group", 2, "ends inside <group"),
                 new Broken("<scene>\n" + MODEL + "\n<model file='a", 3, "ends inside <model"),
                 new Broken("<scene>" + MODEL + "\n<!-- and so on", 2, "a comment begins here"),

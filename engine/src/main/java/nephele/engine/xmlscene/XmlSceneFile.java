@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.List;
+import java.util.regex.Pattern;
 import nephele.engine.asset.WholeFile;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
@@ -12,6 +13,10 @@ import nephele.engine.xmlscene.XmlScene.XmlWarning;
 public final class XmlSceneFile {
     public static final int MOST_BYTES = 8 << 20;
     public static final int MOST_NESTED_GROUPS = 10_000;
+
+    /** In the words of {@link XmlTree} and {@link ModelReader}. */
+    private static final Pattern COSTS_A_MODEL = Pattern.compile("^<model>: it names no file|^<models?> does not belong"
+            + "|did you mean 'models?'|in <model>: skipped; did you mean 'file'");
 
     private XmlSceneFile() {}
 
@@ -65,7 +70,10 @@ public final class XmlSceneFile {
         if (warnings.isEmpty()) {
             return remarks.error(tree.line(), "it holds no model", "add <models><model file=\"box_2_3.3d\"/></models>");
         }
-        XmlWarning first = warnings.get(0);
-        return remarks.error(first.line(), "it holds no model; " + first.message(), "mend this first");
+        XmlWarning cause = warnings.stream()
+                .filter(warning -> COSTS_A_MODEL.matcher(warning.message()).find())
+                .findFirst()
+                .orElse(warnings.get(0));
+        return remarks.error(cause.line(), "it holds no model; " + cause.message(), "mend this first");
     }
 }
