@@ -144,6 +144,11 @@ class BrokenXmlTest {
                 new Broken("<scene>\n" + MODEL, 1, "<scene> is not closed"),
                 new Broken(worldOpen + "<light type='point'/>" + worldClose, 2, "does not belong in <world>"),
                 new Broken(
+                        "<world><group><models><model file='a'>\n<colour>\n<diffuse R='1'/></colour></model></models>"
+                                + "</group></world>",
+                        3,
+                        "<diffuse> does not belong in <model>"),
+                new Broken(
                         worldOpen + "<lights>" + "<light type='point'/>".repeat(9) + "</lights>" + worldClose,
                         2,
                         "8 lights at most"),

@@ -129,8 +129,8 @@ final class XmlTree {
         while (!open.get(parent).word().children().contains(word.name())) {
             if (open.get(parent).word().isFrame()) {
                 takeOut(tag);
-                String frame = open.get(parent).name();
-                remarks.warn(tag.line(), () -> "<" + word.name() + "> does not belong in <" + frame + ">: skipped");
+                String around = open.get(open.size() - 1).name();
+                remarks.warn(tag.line(), () -> "<" + word.name() + "> does not belong in <" + around + ">: skipped");
                 return;
             }
             parent--;
