@@ -135,7 +135,10 @@ class BrokenXmlTest {
                 new Broken(open + "</models>" + close, 2, "closes nothing"),
                 new Broken(open + "words < 5" + close, 2, "text means nothing"),
                 new Broken(open + "<models><model/></models>" + close, 2, "names no file"),
-                new Broken(open + "<models><model file='a' diffR='2'/></models>" + close, 2, "not within"),
+                new Broken(
+                        open + "<models><model file='a' diffR='2'/></models>" + close,
+                        2,
+                        "2 is not within 0 to 1: taken as 1"),
                 new Broken(open + "<lights><light type='sun'/></lights>" + close, 2, "'sun' is unknown"),
                 new Broken(open + "<lights><light/></lights>" + close, 2, "no type"),
                 new Broken(open + "<lights><light type='directional'/></lights>" + close, 2, "no length"),

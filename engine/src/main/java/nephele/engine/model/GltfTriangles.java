@@ -125,7 +125,7 @@ final class GltfTriangles {
 
     private void addCoordinate(FloatList list, double value) {
         if (!(Math.abs(value) <= MeshLimits.MAX_COORDINATE)) {
-            throw wrong(value + " in a buffer is no coordinate", "keep within a million units");
+            throw wrong(ShownNumber.of(value) + " in a buffer is no coordinate", "keep within a million units");
         }
         list.add(value + 0.0);
     }

@@ -100,7 +100,7 @@ final class ModelText {
     }
 
     ModelFileException notACoordinate(int where, float value) {
-        return wrongAt(where, value + " is no coordinate", "keep within a million units");
+        return wrongAt(where, ShownNumber.of(value) + " is no coordinate", "keep within a million units");
     }
 
     float number(String word) {

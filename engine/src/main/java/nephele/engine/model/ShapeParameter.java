@@ -1,7 +1,5 @@
 package nephele.engine.model;
 
-import java.util.Locale;
-
 /** A number that describes a shape: what it means and what it may be. */
 public enum ShapeParameter {
     /** Of a side, in units. */
@@ -50,15 +48,10 @@ public enum ShapeParameter {
         double most = counts() ? MOST_PARTS : MeshLimits.MAX_COORDINATE;
         boolean whole = !counts() || value == Math.rint(value);
         if (!(value >= least && value <= most) || !whole) {
-            throw new IllegalArgumentException(this + " is " + text(value) + ", but has to be "
-                    + (counts() ? "a whole number " : "") + "from " + text(least) + " to " + text(most));
+            throw new IllegalArgumentException(
+                    this + " is " + ShownNumber.of(value) + ", but has to be " + (counts() ? "a whole number " : "")
+                            + "from " + ShownNumber.of(least) + " to " + ShownNumber.of(most));
         }
         return value;
-    }
-
-    private static String text(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e15
-                ? String.format(Locale.ROOT, "%d", (long) value)
-                : Double.toString(value);
     }
 }

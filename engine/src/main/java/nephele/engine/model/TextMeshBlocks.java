@@ -87,7 +87,10 @@ final class TextMeshBlocks {
 
     private int count(float value, int line) {
         if (!(value >= 0 && value <= MOST_SINGLE_ROWS && value == Math.rint(value))) {
-            throw text.wrongAt(line, value + " is no number of rows", "write how many rows follow, or leave it out");
+            throw text.wrongAt(
+                    line,
+                    ShownNumber.of(value) + " is no number of rows",
+                    "write how many rows follow, or leave it out");
         }
         return (int) value;
     }

@@ -129,7 +129,7 @@ final class TextMeshFile {
             if (!(index >= 0 && index < points.rows() && index == Math.rint(index))) {
                 throw text.wrongAt(
                         triangles.line(i / width),
-                        index + " names no point",
+                        ShownNumber.of(index) + " names no point",
                         "use whole numbers from 0 to " + (points.rows() - 1));
             }
             indices[i] = (int) index;

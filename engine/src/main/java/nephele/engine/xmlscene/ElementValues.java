@@ -2,6 +2,7 @@ package nephele.engine.xmlscene;
 
 import java.util.regex.Pattern;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.ShownNumber;
 
 /** What one element says of itself, as values; what cannot be read counts as left out. */
 final class ElementValues {
@@ -60,7 +61,10 @@ final class ElementValues {
         double value = number(name, absent);
         double within = Math.min(most, Math.max(least, value));
         if (value != within) {
-            warn(element.attribute(name), value + " is not within " + least + " to " + most + ": taken as " + within);
+            String range = ShownNumber.of(least) + " to " + ShownNumber.of(most);
+            warn(
+                    element.attribute(name),
+                    ShownNumber.of(value) + " is not within " + range + ": taken as " + ShownNumber.of(within));
         }
         return within;
     }
