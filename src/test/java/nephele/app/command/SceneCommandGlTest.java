@@ -136,7 +136,8 @@ class SceneCommandGlTest {
             value = {
                 "SCENE --out p.jpg|2|.png",
                 "SCENE --out p.png --time NaN|2|--time",
-                "SCENE --out p.png --shading nice|2|--shading",
+                "SCENE --out p.png --shading nice|2|'nice' is none of flat, gouraud, phong",
+                "SCENE --out p.png --shading wireframe|2|'wireframe' is none of flat, gouraud, phong",
                 "SCENE --out p.png --shading flat --wireframe|2|--wireframe",
                 "SCENE --out p.png --light-terms red|2|--light-terms",
                 "SCENE --out p.png --size 0x5|2|--size",

@@ -48,7 +48,7 @@ public final class CommandLineFront {
         commandLine
                 .setExpandAtFiles(false)
                 .registerConverter(Output.class, new WordConverter<>(Output.class))
-                .registerConverter(Shading.class, new WordConverter<>(Shading.class))
+                .registerConverter(Shading.class, new WordConverter<>(SceneCommand.shadings()))
                 .registerConverter(LightTerm.class, new WordConverter<>(LightTerm.class))
                 .registerConverter(CloudTechnique.class, new WordConverter<>(CloudTechnique.class));
         commandLine

@@ -80,6 +80,11 @@ final class SceneCommand implements Command {
         return common;
     }
 
+    /** Wireframe has an option of its own. */
+    static EnumSet<Shading> shadings() {
+        return EnumSet.complementOf(EnumSet.of(Shading.WIREFRAME));
+    }
+
     static Preload preload() {
         return SystemDisplay.isPresent() ? Preload.nothing() : Preload.offscreenGraphics();
     }
@@ -151,7 +156,7 @@ final class SceneCommand implements Command {
         private List<LightTerm> terms;
 
         SceneLook look() {
-            if (wireframe && shading != null && shading != Shading.WIREFRAME) {
+            if (wireframe && shading != null) {
                 throw CommandFailure.usage("--wireframe and --shading exclude each other");
             }
             var shown = SceneLook.USUAL
