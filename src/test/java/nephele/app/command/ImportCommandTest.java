@@ -144,6 +144,17 @@ class ImportCommandTest {
         assertEquals(0, Captured.run("check", level.toString()).exitCode());
     }
 
+    /** Outside of a checkout: here no file has that name. */
+    @Test
+    void aSceneOfTheJarIsFoundByItsName() throws IOException {
+        Path level = folder.resolve("to/level.json");
+        Captured answer = imported(Path.of("lighthouse.xml"), level);
+        assertEquals(0, answer.exitCode(), answer.err());
+        assertEquals("lighthouse", LevelFile.read(level).name());
+        Captured checked = Captured.run("check", level.toString());
+        assertEquals(0, checked.exitCode(), checked.out());
+    }
+
     @Test
     void aMissingSceneAndAWrongEndingAreTold() throws IOException {
         Captured missing = imported(folder.resolve("none.xml"), folder.resolve("level.json"));

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import nephele.app.scenes.SceneImport;
+import nephele.app.scenes.SceneName;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
@@ -21,7 +22,7 @@ import picocli.CommandLine.Parameters;
 @picocli.CommandLine.Command
 final class ImportCommand implements Command {
     @Parameters(index = "0", paramLabel = "FILE.xml", description = "A scene.")
-    private Path scene;
+    private String scene;
 
     @Option(
             names = "--out",
@@ -43,7 +44,7 @@ final class ImportCommand implements Command {
         if (!out.toString().toLowerCase(Locale.ROOT).endsWith(".json")) {
             throw CommandFailure.usage("--out must end in .json: " + out);
         }
-        Level level = SceneImport.level(scene, out, terminal.err()::println);
+        Level level = SceneImport.level(new SceneName(scene), out, terminal.err()::println);
         try {
             Files.createDirectories(out.toAbsolutePath().getParent());
             LevelFile.save(out, level);

@@ -11,7 +11,6 @@ import nephele.app.terminal.CommandFailure;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.Picture;
-import nephele.engine.asset.ProjectAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelRules;
 import nephele.engine.level.Problem;
@@ -26,23 +25,22 @@ import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.XmlModel;
 import nephele.engine.xmlscene.XmlScene;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
-import nephele.engine.xmlscene.XmlSceneFile;
 
 /** An XML scene becomes a level with its files beside it. */
 public final class SceneImport {
     private static final Vec3 WHITE = new Vec3(1, 1, 1);
 
-    private final Path file;
+    private final SceneName name;
     private final SceneFolder folder;
     private final ImportedFiles files;
     private final Consumer<String> complaints;
     private final Map<String, Vec3> tints = new HashMap<>();
 
-    private SceneImport(Path file, Path target, Consumer<String> complaints) {
-        this.file = file;
+    private SceneImport(SceneName name, Path target, Consumer<String> complaints) {
+        this.name = name;
         this.complaints = complaints;
-        AssetSource assets = ProjectAssets.around(file);
-        folder = new SceneFolder(file.toString(), assets, complaints);
+        AssetSource assets = name.assets();
+        folder = new SceneFolder(name.typed(), assets, complaints);
         files = new ImportedFiles(assets, target);
     }
 
@@ -51,9 +49,9 @@ public final class SceneImport {
      *
      * @param complaints takes a line for all that is odd or left out
      */
-    public static Level level(Path file, Path target, Consumer<String> complaints) {
+    public static Level level(SceneName name, Path target, Consumer<String> complaints) {
         try {
-            return new SceneImport(file, target, complaints).wholeLevel(target);
+            return new SceneImport(name, target, complaints).wholeLevel(target);
         } catch (ModelFileException problem) {
             throw CommandFailure.input(problem.getMessage());
         } catch (IOException failure) {
@@ -72,20 +70,20 @@ public final class SceneImport {
     }
 
     private Level level(Path target) throws IOException {
-        XmlScene scene = XmlSceneFile.read(file);
+        XmlScene scene = name.read();
         tell(scene.warnings());
         List<Part> parts = parts(PosedScene.of(scene));
-        LevelDraft draft = LevelDraft.of(stem(file), scene, parts);
+        LevelDraft draft = LevelDraft.of(name.stem(), scene, parts);
         tell(draft.warnings());
         if (draft.level().models().isEmpty()) {
-            throw CommandFailure.input(file + ":" + scene.root().line() + ": none of its models can be placed");
+            throw CommandFailure.input(name.typed() + ":" + scene.root().line() + ": none of its models can be placed");
         }
         List<Problem> errors = LevelRules.check(draft.level(), LevelAssets.beside(target)).stream()
                 .filter(Problem::isError)
                 .toList();
         if (!errors.isEmpty()) {
             throw CommandFailure.input(
-                    file + ": makes no level: " + errors.get(0).line(target.toString()));
+                    name.typed() + ": makes no level: " + errors.get(0).line(target.toString()));
         }
         return draft.level();
     }
@@ -95,7 +93,7 @@ public final class SceneImport {
     }
 
     private void tell(int line, String message) {
-        complaints.accept(file + ":" + line + ": " + message);
+        complaints.accept(name.typed() + ":" + line + ": " + message);
     }
 
     private List<Part> parts(PosedScene posed) throws IOException {
@@ -133,11 +131,5 @@ public final class SceneImport {
             box = box.union(new Aabb(p[i], p[i + 1], p[i + 2], p[i], p[i + 1], p[i + 2]));
         }
         return box;
-    }
-
-    private static String stem(Path file) {
-        String name = file.getFileName().toString();
-        int dot = name.lastIndexOf('.');
-        return dot <= 0 ? name : name.substring(0, dot);
     }
 }
