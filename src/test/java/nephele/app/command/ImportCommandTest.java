@@ -144,6 +144,15 @@ class ImportCommandTest {
         assertEquals(0, Captured.run("check", level.toString()).exitCode());
     }
 
+    @Test
+    void theHintHowToPlayItCanBeTyped() throws IOException {
+        Path scene = scene(SCENE);
+        Path plain = folder.resolve("to/level.json");
+        assertTrue(imported(scene, plain).out().endsWith(" nephele play " + plain + System.lineSeparator()));
+        Path spaced = folder.resolve("my levels/a level.json");
+        assertTrue(imported(scene, spaced).out().endsWith(" nephele play \"" + spaced + "\"" + System.lineSeparator()));
+    }
+
     /** Outside of a checkout: here no file has that name. */
     @Test
     void aSceneOfTheJarIsFoundByItsName() throws IOException {

@@ -55,7 +55,13 @@ final class ImportCommand implements Command {
         } catch (LevelFormatException wrong) {
             throw CommandFailure.input(scene + ": makes no level: " + wrong.getMessage());
         }
-        terminal.out().println(out + ": " + level.models().size() + " models; play it with: nephele play " + out);
+        terminal.out().println(out + ": " + level.models().size() + " models; play it with: nephele play " + word(out));
         return ExitCode.DONE;
+    }
+
+    /** One word of a command line, for shells of any system. */
+    private static String word(Path file) {
+        String text = file.toString();
+        return text.matches("[\\p{L}\\p{N}._/\\\\:-]+") ? text : '"' + text + '"';
     }
 }
