@@ -10,12 +10,11 @@ final class PatchFile {
     private static final int MOST_POINTS = 1_000_000;
     private static final int CORNERS = BezierPatch.SIDE * BezierPatch.SIDE;
 
+    private final String file;
     private final ModelText text;
 
     /** @param indexLines where each patch's indices stand, for what turns out to be wrong with them later */
     private record Net(List<int[]> indices, List<Integer> indexLines) {}
-
-    private final String file;
 
     PatchFile(String file, byte[] bytes) {
         this.file = file;
