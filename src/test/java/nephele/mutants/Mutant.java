@@ -17,7 +17,9 @@ record Mutant(Area area, String name, String file, String text, String replaceme
         DEPTH,
         BLENDING,
         SHADOW,
-        SRGB
+        SRGB,
+        LIGHT,
+        MODEL
     }
 
     /** The file with the fault in it. */

@@ -3,6 +3,8 @@ package nephele.mutants;
 import static nephele.mutants.Mutant.Area.BLENDING;
 import static nephele.mutants.Mutant.Area.CULLING;
 import static nephele.mutants.Mutant.Area.DEPTH;
+import static nephele.mutants.Mutant.Area.LIGHT;
+import static nephele.mutants.Mutant.Area.MODEL;
 import static nephele.mutants.Mutant.Area.SHADOW;
 import static nephele.mutants.Mutant.Area.SRGB;
 
@@ -160,7 +162,35 @@ final class Mutants {
                     ENGINE + "render/gl/PixelFormat.java",
                     "GL_SRGB8_ALPHA8",
                     "GL_RGBA8",
-                    "SurfaceGlTest"));
+                    "SurfaceGlTest"),
+            new Mutant(
+                    CULLING,
+                    "mirrored models show their insides",
+                    ENGINE + "render/fixed/PlacedModels.java",
+                    "? Cull.FRONT : Cull.BACK",
+                    "? Cull.BACK : Cull.BACK",
+                    "FixedSceneGlTest"),
+            new Mutant(
+                    CULLING,
+                    "a sheared sphere grows as if its axes were at right angles",
+                    ENGINE + "math/Stretch.java",
+                    "sweep < MOST_SWEEPS",
+                    "sweep < 0",
+                    "StretchTest"),
+            new Mutant(
+                    LIGHT,
+                    "a spot light has no edge",
+                    SHADERS + "include/fixed-light.glsl",
+                    "along < spot.w ? 0.0 : fixedPower",
+                    "fixedPower",
+                    "FixedLightGlTest"),
+            new Mutant(
+                    MODEL,
+                    "a sphere's last slice shows the whole picture backwards",
+                    ENGINE + "model/SphereShape.java",
+                    "(double) i / slices",
+                    "(double) (i % slices) / slices",
+                    "ShapeSurfaceTest"));
 
     private Mutants() {}
 }
