@@ -66,6 +66,10 @@ final class BodyPassages {
         return count;
     }
 
+    byte[] copyEntered() {
+        return entered == null ? null : entered.clone();
+    }
+
     int entered(int body, int place) {
         return entered[MOST * body + place];
     }

@@ -287,6 +287,25 @@ final class ContactRows {
         return speed;
     }
 
+    /** Remembers how fast surfaces approach, for bounces. */
+    void rememberApproach() {
+        for (int m = 0; m < count; m++) {
+            for (int row = first[m]; row < first[m] + points[m]; row++) {
+                rows[ROW * row + APPROACH] = partingSpeed(m, row);
+            }
+        }
+    }
+
+    /** Multiplies the impulses of a manifold: what a tick carries is spread over substeps, or summed up again. */
+    void scaleImpulses(int m, double factor) {
+        for (int i = 0; i < points[m]; i++) {
+            rows[ROW * (first[m] + i) + IMPULSE] *= factor;
+        }
+        for (int i = 0; i < 3; i++) {
+            head[HEAD * m + FRICTION_IMPULSE + i] *= factor;
+        }
+    }
+
     /** Whether a manifold pressed at all in this tick. */
     boolean carries(int m) {
         for (int i = 0; i < points[m]; i++) {

@@ -10,6 +10,9 @@ final class ContactSearch {
     /** Surfaces nearer than this are looked at even where nothing moves. */
     static final double REACH_METRES = 0.01;
 
+    /** Contacts are made so far ahead on the way of a tick; what is faster is stopped before it gets past something. */
+    private static final double FAR_METRES = 0.1;
+
     private static final double SLOP_METRES = 5e-4;
     /** Feet that walk give nothing along the ground, on average; what a character pushes, it pushes straight. */
     private static final double CHARACTER_FRICTION = 0;
@@ -130,15 +133,18 @@ final class ContactSearch {
         double z = m[u + 2] - relative[2];
         double way = seconds * (Math.sqrt(x * x + y * y + z * z) + turning(a) + turning(b));
         double least = Math.min(poses.leastHalf(a), poses.leastHalf(b));
-        return Math.min(REACH_METRES, least / 2) / 2 + Math.min(way, least / 2);
+        return reach(least, way);
+    }
+
+    private static double reach(double leastHalf, double way) {
+        return Math.min(REACH_METRES, leastHalf / 2) / 2 + Math.min(way, Math.max(leastHalf / 2, FAR_METRES));
     }
 
     private double reach(int body) {
         double[] m = motions.velocity;
         int u = 6 * body;
         double way = seconds * (Math.sqrt(m[u] * m[u] + m[u + 1] * m[u + 1] + m[u + 2] * m[u + 2]) + turning(body));
-        double least = poses.leastHalf(body);
-        return Math.min(REACH_METRES, least / 2) / 2 + Math.min(way, least / 2);
+        return reach(poses.leastHalf(body), way);
     }
 
     private double turning(int shape) {

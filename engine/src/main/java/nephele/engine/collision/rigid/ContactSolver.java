@@ -31,19 +31,23 @@ final class ContactSolver {
     private final double[] va = new double[6];
     private final double[] vb = new double[6];
     private final double[] aim = new double[Manifold.MOST];
+    private int[] chosen = new int[0];
+    private int count;
 
     ContactSolver(Motions motions, ContactRows contacts) {
         this.motions = motions;
         this.contacts = contacts;
     }
 
-    /** Remembers how fast surfaces approach, for bounces. */
-    void begin() {
+    /** Chooses the manifolds to solve: those whose numbers the list begins with. */
+    void begin(int[] manifolds, int itsCount) {
+        chosen = manifolds;
+        count = itsCount;
         deep = false;
-        for (int m = 0; m < contacts.count; m++) {
+        for (int c = 0; c < count; c++) {
+            int m = chosen[c];
             for (int i = 0; i < contacts.points[m]; i++) {
                 int row = contacts.first[m] + i;
-                contacts.rows[ContactRows.ROW * row + ContactRows.APPROACH] = contacts.partingSpeed(m, row);
                 deep |= contacts.rows[ContactRows.ROW * row + ContactRows.GAP] < -DEEP_METRES;
             }
         }
@@ -52,7 +56,8 @@ final class ContactSolver {
     void warmStart() {
         double[] head = contacts.head;
         double[] rows = contacts.rows;
-        for (int m = 0; m < contacts.count; m++) {
+        for (int c = 0; c < count; c++) {
+            int m = chosen[c];
             int h = ContactRows.HEAD * m;
             load(m);
             double f = head[h + ContactRows.FRICTION_IMPULSE];
@@ -88,7 +93,8 @@ final class ContactSolver {
 
     /** @param push whether overlap is taken back */
     void solve(double h, boolean push) {
-        for (int m = 0; m < contacts.count; m++) {
+        for (int c = 0; c < count; c++) {
+            int m = chosen[c];
             if (mayRub(m)) {
                 load(m);
                 rubbing(m);

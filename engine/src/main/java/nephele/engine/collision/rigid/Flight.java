@@ -27,6 +27,7 @@ final class Flight {
     private final FastSweep sweep = new FastSweep();
     private final FastPairs pairs;
     private final FastTurn turn;
+    private final CarriedSpin carry = new CarriedSpin();
     private final double[] axes = new double[9];
     private final Crossing crossing = new Crossing();
     private final Vector3d place = new Vector3d();
@@ -41,6 +42,10 @@ final class Flight {
     private Surroundings surroundings;
     private Portals portals;
     private double seconds;
+    /** The work of gravity per kilogram on what something took off the last way, m²/s². */
+    private double held;
+
+    private final Vector3d blocked = new Vector3d();
 
     Flight(BodyTable table, Vec3 gravity, NarrowPhase narrow, Poses poses) {
         this.table = table;
@@ -93,7 +98,7 @@ final class Flight {
     }
 
     /** The solver moved the body. */
-    void follow(TickBodies bodies, int body, Motions motions) {
+    void follow(TickBodies bodies, int body, Motions motions, boolean falls) {
         double[] m = bodies.motion;
         int at = Bodies.STRIDE * body;
         int d = 6 * body;
@@ -101,14 +106,42 @@ final class Flight {
         velocity.set(motions.moved[d], motions.moved[d + 1], motions.moved[d + 2]);
         pull.zero();
         travel(bodies, body, 1);
-        for (int i = 0; i < bodies.crossings(body); i++) {
+        if (held != 0 && falls) {
+            giveBack(m, at + Bodies.VELOCITY);
+        }
+        for (int i = bodies.firstCrossing(body); i < bodies.crossings(body); i++) {
             Passage passage = portals.passage(bodies.crossing(body, i));
             mapDirection(m, at + Bodies.VELOCITY, passage);
             mapDirection(motions.moved, d + 3, passage);
         }
         turn.begin(m, at + Bodies.ORIENTATION);
-        Spin.turnBy(m, at, motions.moved[d + 3], motions.moved[d + 4], motions.moved[d + 5]);
+        // Turned freely by the spin that is left keeps its energy; then what the solver turned it by beyond that.
+        int w = at + Bodies.SPIN;
+        double x = motions.moved[d + 3] - seconds * m[w];
+        double y = motions.moved[d + 4] - seconds * m[w + 1];
+        double z = motions.moved[d + 5] - seconds * m[w + 2];
+        spin.turn(m, at, seconds, table, body);
+        if (x != 0 || y != 0 || z != 0) {
+            carry.begin(m, at);
+            Spin.turnBy(m, at, x, y, z);
+            carry.end(m, at);
+        }
         fitTurn(bodies, body);
+    }
+
+    /**
+     * Takes back what gravity has given for a way that something held up: it would be energy out of nothing. The speed
+     * downwards loses what the missing height is worth, v² = 2 g h.
+     */
+    private void giveBack(double[] m, int v) {
+        double g = Math.sqrt(gravity.x() * gravity.x() + gravity.y() * gravity.y() + gravity.z() * gravity.z());
+        double down = (m[v] * gravity.x() + m[v + 1] * gravity.y() + m[v + 2] * gravity.z()) / g;
+        if (held > 0 && down > 0) {
+            double change = (Math.sqrt(Math.max(0, down * down - 2 * held)) - down) / g;
+            m[v] += change * gravity.x();
+            m[v + 1] += change * gravity.y();
+            m[v + 2] += change * gravity.z();
+        }
     }
 
     private void mapDirection(double[] of, int at, Passage passage) {
@@ -123,7 +156,10 @@ final class Flight {
         int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
         if (turn.isFast(bodies.motion, q, body, farMetres(body))) {
             System.arraycopy(poses.axes, 9 * body, axes, 0, 9);
-            if (!turn.fit(bodies.motion, q, body, place, surroundings, depth(body))) {
+            carry.begin(bodies.motion, Bodies.STRIDE * body);
+            boolean turns = turn.fit(bodies.motion, q, body, place, surroundings, depth(body));
+            carry.end(bodies.motion, Bodies.STRIDE * body);
+            if (!turns) {
                 // Corners that seem to turn away from a wall, and do not, would keep the solver from stopping the body.
                 int w = Bodies.STRIDE * body + Bodies.SPIN;
                 Arrays.fill(bodies.motion, w, w + 3, 0);
@@ -146,6 +182,7 @@ final class Flight {
         double[] m = bodies.motion;
         int at = Bodies.STRIDE * body;
         place.set(m[at], m[at + 1], m[at + 2]);
+        held = 0;
         double left = duration;
         while (left > 0) {
             boolean enters = portals.size() > 0 && crossing.find(portals, place, velocity, pull, left);
@@ -200,6 +237,7 @@ final class Flight {
         if (share >= 1) {
             return false;
         }
+        blocked.set(way);
         for (int i = 0; share == 0 && i < MOST_SLIDES; i++) {
             way.fma(-way.dot(blocking), blocking);
             boolean enters = portals.size() > 0 && crossing.find(portals, place, way, turning.zero(), 1);
@@ -207,6 +245,10 @@ final class Flight {
         }
         place.fma(share, way);
         velocity.fma(share * t, pull);
+        way.mul(share, turning);
+        held = gravity.x() * (blocked.x - turning.x)
+                + gravity.y() * (blocked.y - turning.y)
+                + gravity.z() * (blocked.z - turning.z);
         return true;
     }
 

@@ -27,6 +27,8 @@ public final class Influences {
         final Vector3d centre = new Vector3d();
         final Vector3d velocity = new Vector3d();
         final Vector3d impulse = new Vector3d();
+        private final Vector3d centreAtStart = new Vector3d();
+        private final Vector3d velocityAtStart = new Vector3d();
         private final double halfAxisMetres;
 
         /** An upright capsule by its whole height. */
@@ -43,6 +45,27 @@ public final class Influences {
 
         double radiusMetres() {
             return upright.radiusMetres();
+        }
+
+        private void begin() {
+            impulse.zero();
+            centreAtStart.set(centre);
+            velocityAtStart.set(velocity);
+        }
+
+        private void advance(double seconds) {
+            centre.fma(seconds, velocity);
+            impulse.div(massKilograms, velocity).add(velocityAtStart);
+        }
+
+        private void end() {
+            centre.set(centreAtStart);
+            velocity.set(velocityAtStart);
+        }
+
+        /** Takes the velocity that bodies have brought it to. */
+        void give(double vX, double vY, double vZ) {
+            impulse.set(vX, vY, vZ).sub(velocityAtStart).mul(massKilograms);
         }
 
         public void move(Vector3dc newCentre, Vector3dc newVelocity) {
@@ -101,6 +124,27 @@ public final class Influences {
 
     public void clearPassing() {
         passing.clear();
+    }
+
+    /** Begins a tick. */
+    void begin() {
+        for (int i = 0; i < characters.size(); i++) {
+            characters.get(i).begin();
+        }
+    }
+
+    /** Moves the characters on between two parts of a tick. */
+    void advance(double seconds) {
+        for (int i = 0; i < characters.size(); i++) {
+            characters.get(i).advance(seconds);
+        }
+    }
+
+    /** Ends a tick: characters stand where they were given, and keep what bodies gave them. */
+    void end() {
+        for (int i = 0; i < characters.size(); i++) {
+            characters.get(i).end();
+        }
     }
 
     boolean meetsCharacters(int body) {

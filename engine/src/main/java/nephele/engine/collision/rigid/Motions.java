@@ -12,6 +12,8 @@ final class Motions {
     double[] inverseMass = new double[0];
     /** Symmetric: xx, xy, xz, yy, yz, zz. */
     double[] inverseInertia = new double[0];
+    /** The same of the moments themselves; a character's is one, and nothing turns it. */
+    double[] inertia = new double[0];
 
     int count;
 
@@ -22,6 +24,7 @@ final class Motions {
             moved = new double[6 * slots];
             inverseMass = new double[slots];
             inverseInertia = new double[6 * slots];
+            inertia = new double[6 * slots];
         }
         Arrays.fill(velocity, 0, 6 * slots, 0);
         Arrays.fill(moved, 0, 6 * slots, 0);
@@ -29,16 +32,36 @@ final class Motions {
         Arrays.fill(inverseInertia, 0, 6 * slots, 0);
     }
 
-    /** R diag(i) Rᵀ for the axes R of a body. */
+    /** Sets a slot's moments of inertia, given as reciprocals along the axes of its body. */
     void turnInertia(int slot, double[] axes, int at, double iX, double iY, double iZ) {
+        turn(inverseInertia, 6 * slot, axes, at, iX, iY, iZ);
+        turn(inertia, 6 * slot, axes, at, 1 / iX, 1 / iY, 1 / iZ);
+    }
+
+    /** Makes a slot one that nothing turns. */
+    void keepUpright(int slot) {
         int k = 6 * slot;
+        Arrays.fill(inverseInertia, k, k + 6, 0);
+        Arrays.fill(inertia, k, k + 6, 0);
+        inertia[k] = 1;
+        inertia[k + 3] = 1;
+        inertia[k + 5] = 1;
+    }
+
+    boolean isUpright(int slot) {
+        int k = 6 * slot;
+        return inverseInertia[k] == 0 && inverseInertia[k + 3] == 0 && inverseInertia[k + 5] == 0;
+    }
+
+    /** R diag(i) Rᵀ for the axes R of a body. */
+    private static void turn(double[] out, int k, double[] axes, int at, double iX, double iY, double iZ) {
         if (iX == iY && iY == iZ) {
-            inverseInertia[k] = iX;
-            inverseInertia[k + 1] = 0;
-            inverseInertia[k + 2] = 0;
-            inverseInertia[k + 3] = iX;
-            inverseInertia[k + 4] = 0;
-            inverseInertia[k + 5] = iX;
+            out[k] = iX;
+            out[k + 1] = 0;
+            out[k + 2] = 0;
+            out[k + 3] = iX;
+            out[k + 4] = 0;
+            out[k + 5] = iX;
             return;
         }
         double xx = axes[at];
@@ -50,11 +73,11 @@ final class Motions {
         double zx = axes[at + 6];
         double zy = axes[at + 7];
         double zz = axes[at + 8];
-        inverseInertia[k] = iX * xx * xx + iY * yx * yx + iZ * zx * zx;
-        inverseInertia[k + 1] = iX * xx * xy + iY * yx * yy + iZ * zx * zy;
-        inverseInertia[k + 2] = iX * xx * xz + iY * yx * yz + iZ * zx * zz;
-        inverseInertia[k + 3] = iX * xy * xy + iY * yy * yy + iZ * zy * zy;
-        inverseInertia[k + 4] = iX * xy * xz + iY * yy * yz + iZ * zy * zz;
-        inverseInertia[k + 5] = iX * xz * xz + iY * yz * yz + iZ * zz * zz;
+        out[k] = iX * xx * xx + iY * yx * yx + iZ * zx * zx;
+        out[k + 1] = iX * xx * xy + iY * yx * yy + iZ * zx * zy;
+        out[k + 2] = iX * xx * xz + iY * yx * yz + iZ * zx * zz;
+        out[k + 3] = iX * xy * xy + iY * yy * yy + iZ * zy * zy;
+        out[k + 4] = iX * xy * xz + iY * yy * yz + iZ * zy * zz;
+        out[k + 5] = iX * xz * xz + iY * yz * yz + iZ * zz * zz;
     }
 }

@@ -13,6 +13,14 @@ public final class RigidStep {
 
     private static final int MOST_SUBSTEPS = 32;
 
+    /** Longer ticks are stepped in parts: where shapes touch is found once a part. */
+    private static final double LONGEST_PART_SECONDS = 1 / 120.0;
+
+    private static final int MOST_PARTS = 32;
+
+    /** Products of blocks a body that the direct solver may spend on an island. */
+    private static final double MOST_PRODUCTS_A_BODY = Double.parseDouble(System.getProperty("most", "12"));
+
     /** So long a group rests before it sleeps. */
     private static final float SLEEP_SECONDS = 0.5f;
 
@@ -24,6 +32,7 @@ public final class RigidStep {
     private final Poses poses = new Poses();
     private final Motions motions = new Motions();
     private final ContactRows rows = new ContactRows(motions);
+    private final IslandSolver exact = new IslandSolver(rows, motions);
     private final ContactSolver solver = new ContactSolver(motions, rows);
     private final ContactSearch search;
     private final Flight flight;
@@ -31,6 +40,18 @@ public final class RigidStep {
     private float[] islandRest = new float[0];
     private boolean[] pressed = new boolean[0];
     private boolean[] held = new boolean[0];
+    /** Per slot: whether gravity pulls at it. */
+    private boolean[] weighs = new boolean[0];
+    /** Per slot: whether the solver in substeps moves it. */
+    private boolean[] stepped = new boolean[0];
+    /** Manifolds, island by island. */
+    private int[] order = new int[0];
+
+    private int grouped;
+    private int[] next = new int[0];
+    private int[] firstOf = new int[0];
+    /** Manifolds that are left to the solver in substeps. */
+    private int[] rest = new int[0];
 
     /** @param gravity m/s² */
     public RigidStep(BodyTable table, Vec3 gravity) {
@@ -45,7 +66,24 @@ public final class RigidStep {
         if (table.size() == 0) {
             return before;
         }
-        load(before, influences);
+        int parts = (int) Math.max(1, Math.min(MOST_PARTS, Math.ceil(seconds / LONGEST_PART_SECONDS - 1e-6)));
+        double part = seconds / parts;
+        influences.begin();
+        bodies.load(before);
+        Bodies at = part(before, before.at(surroundings.portals()), surroundings, influences, part);
+        for (int i = 1; i < parts; i++) {
+            influences.advance(part);
+            bodies.loadPart(at);
+            at = part(at, at, surroundings, influences, part);
+        }
+        influences.end();
+        return at;
+    }
+
+    /** @param still what is to be returned when nothing moves */
+    private Bodies part(
+            Bodies before, Bodies still, Surroundings surroundings, Influences influences, double seconds) {
+        drive(influences);
         place(influences, seconds);
         search.activity().find(bodies, before.passages(), surroundings, gravity, seconds);
         wakeNeighbours(before.contacts());
@@ -57,7 +95,7 @@ public final class RigidStep {
             setMasses(influences);
         }
         if (isAllAsleep() && !bodies.hasFrozen) {
-            return before.at(surroundings.portals());
+            return still;
         }
         search.findContacts(bodies, surroundings, influences, seconds);
         solve(influences, seconds);
@@ -74,8 +112,7 @@ public final class RigidStep {
         return bodies.cutShort;
     }
 
-    private void load(Bodies before, Influences influences) {
-        bodies.load(before);
+    private void drive(Influences influences) {
         int count = table.size();
         if (held.length < count) {
             held = new boolean[count];
@@ -169,9 +206,14 @@ public final class RigidStep {
     private void setMasses(Influences influences) {
         int count = bodies.count;
         motions.resize(count + influences.characters() + 1);
+        if (weighs.length < motions.count) {
+            weighs = new boolean[motions.count + 64];
+        }
+        Arrays.fill(weighs, false);
         for (int body = 0; body < count; body++) {
             if (bodies.isAwake(body)) {
                 motions.inverseMass[body] = table.inverseMass(body);
+                weighs[body] = !held[body];
                 motions.turnInertia(
                         body,
                         poses.axes,
@@ -184,6 +226,7 @@ public final class RigidStep {
         }
         for (int i = 0; i < influences.characters(); i++) {
             Influences.Character c = influences.characterList().get(i);
+            motions.keepUpright(count + i);
             motions.inverseMass[count + i] = 1 / c.massKilograms;
             motions.velocity[6 * (count + i)] = c.velocity.x;
             motions.velocity[6 * (count + i) + 1] = c.velocity.y;
@@ -195,22 +238,99 @@ public final class RigidStep {
         if (rows.count == 0) {
             return;
         }
-        int substeps = (int) Math.max(2, Math.min(MOST_SUBSTEPS, Math.round(seconds * SUBSTEPS_A_SECOND)));
-        double h = seconds / substeps;
-        solver.begin();
-        for (int i = 0; i < substeps; i++) {
-            weigh(h);
-            solver.warmStart();
-            solver.solve(h, true);
-            advance(h, influences.characters());
-            solver.relax(h);
+        rows.rememberApproach();
+        int slots = bodies.count + influences.characters();
+        group(slots);
+        Arrays.fill(stepped, 0, slots, false);
+        int left = 0;
+        for (int i = 0; i < grouped; ) {
+            int end = islandEnd(i);
+            if (exact.take(order, i, end, MOST_PRODUCTS_A_BODY)) {
+                exact.solve(gravity, weighs, seconds);
+            } else {
+                for (int k = i; k < end; k++) {
+                    stepped[rows.slotA[order[k]]] = true;
+                    stepped[rows.slotB[order[k]]] = true;
+                    rest[left++] = order[k];
+                }
+            }
+            i = end;
+        }
+        if (left > 0) {
+            solveInSubsteps(left, slots, seconds);
         }
         solver.bounce();
     }
 
+    private int root(int m) {
+        int a = rows.slotA[m];
+        return islands.root(motions.inverseMass[a] > 0 ? a : rows.slotB[m]);
+    }
+
+    private int islandEnd(int from) {
+        int root = root(order[from]);
+        int end = from + 1;
+        while (end < grouped && root(order[end]) == root) {
+            end++;
+        }
+        return end;
+    }
+
+    /** Sorts the manifolds by island; within one they stay in order. */
+    private void group(int slots) {
+        islands.reset(slots);
+        for (int m = 0; m < rows.count; m++) {
+            int a = rows.slotA[m];
+            int b = rows.slotB[m];
+            if (a < slots && b < slots && motions.inverseMass[a] > 0 && motions.inverseMass[b] > 0) {
+                islands.join(a, b);
+            }
+        }
+        if (order.length < rows.count) {
+            order = new int[2 * rows.count];
+            rest = new int[2 * rows.count];
+            next = new int[2 * rows.count];
+        }
+        if (firstOf.length <= slots) {
+            firstOf = new int[slots + 64];
+            stepped = new boolean[slots + 64];
+        }
+        Arrays.fill(firstOf, 0, slots, -1);
+        for (int m = rows.count - 1; m >= 0; m--) {
+            int r = root(m);
+            next[m] = firstOf[r];
+            firstOf[r] = m;
+        }
+        grouped = 0;
+        for (int slot = 0; slot < slots; slot++) {
+            for (int m = firstOf[slot]; m >= 0; m = next[m]) {
+                order[grouped++] = m;
+            }
+        }
+    }
+
+    private void solveInSubsteps(int count, int slots, double seconds) {
+        int substeps = (int) Math.max(2, Math.min(MOST_SUBSTEPS, Math.round(seconds * SUBSTEPS_A_SECOND)));
+        double h = seconds / substeps;
+        for (int i = 0; i < count; i++) {
+            rows.scaleImpulses(rest[i], 1.0 / substeps);
+        }
+        solver.begin(rest, count);
+        for (int i = 0; i < substeps; i++) {
+            weigh(h);
+            solver.warmStart();
+            solver.solve(h, true);
+            advance(h, slots);
+            solver.relax(h);
+        }
+        for (int i = 0; i < count; i++) {
+            rows.scaleImpulses(rest[i], substeps);
+        }
+    }
+
     private void weigh(double h) {
         for (int body = 0; body < bodies.count; body++) {
-            if (bodies.isAwake(body) && !held[body]) {
+            if (stepped[body] && weighs[body]) {
                 motions.velocity[6 * body] += gravity.x() * h;
                 motions.velocity[6 * body + 1] += gravity.y() * h;
                 motions.velocity[6 * body + 2] += gravity.z() * h;
@@ -218,9 +338,11 @@ public final class RigidStep {
         }
     }
 
-    private void advance(double h, int characters) {
-        for (int i = 0; i < 6 * (bodies.count + characters); i++) {
-            motions.moved[i] += h * motions.velocity[i];
+    private void advance(double h, int slots) {
+        for (int slot = 0; slot < slots; slot++) {
+            for (int i = 6 * slot; stepped[slot] && i < 6 * slot + 6; i++) {
+                motions.moved[i] += h * motions.velocity[i];
+            }
         }
     }
 
@@ -238,7 +360,7 @@ public final class RigidStep {
                 continue;
             }
             if (pressed[body]) {
-                flight.follow(bodies, body, motions);
+                flight.follow(bodies, body, motions, !held[body]);
             } else {
                 flight.fly(bodies, body, !held[body]);
             }
@@ -288,12 +410,9 @@ public final class RigidStep {
 
     private void giveImpulses(Influences influences) {
         for (int i = 0; i < influences.characters(); i++) {
-            Influences.Character c = influences.characterList().get(i);
             int v = 6 * (bodies.count + i);
-            c.impulse
-                    .set(motions.velocity[v], motions.velocity[v + 1], motions.velocity[v + 2])
-                    .sub(c.velocity)
-                    .mul(c.massKilograms);
+            double[] m = motions.velocity;
+            influences.characterList().get(i).give(m[v], m[v + 1], m[v + 2]);
         }
     }
 }

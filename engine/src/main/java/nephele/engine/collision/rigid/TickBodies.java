@@ -12,6 +12,8 @@ final class TickBodies {
     long[] active;
     /** As in {@link BodyPassages}; {@code null} while nobody crossed. */
     private byte[] entered;
+    /** How many portals each body had gone through before this part of the tick. */
+    private int[] enteredBefore = new int[0];
     /** Whether a body was stopped for good in this tick. */
     boolean hasFrozen;
     /** Bodies whose way through portals was longer than a tick may have. */
@@ -19,18 +21,37 @@ final class TickBodies {
 
     private static final double LARGEST = 1e12;
 
+    /** Begins a tick. */
     void load(Bodies before) {
+        entered = null;
+        cutShort = 0;
+        loadMotion(before);
+    }
+
+    /** Begins a later part of a tick: the portals gone through so far stay. */
+    void loadPart(Bodies before) {
+        entered = before.passages().copyEntered();
+        loadMotion(before);
+    }
+
+    private void loadMotion(Bodies before) {
         motion = before.motion().clone();
         rest = before.rest().clone();
         count = rest.length;
         active = null;
-        entered = null;
-        cutShort = 0;
         hasFrozen = false;
         for (int body = 0; body < count; body++) {
             if (!isFinite(body)) {
                 freeze(body, before);
             }
+        }
+        if (entered != null) {
+            enteredBefore = new int[count];
+            for (int body = 0; body < count; body++) {
+                enteredBefore[body] = crossings(body);
+            }
+        } else if (enteredBefore.length != 0) {
+            enteredBefore = new int[0];
         }
     }
 
@@ -91,8 +112,14 @@ final class TickBodies {
         return false;
     }
 
+    /** Whether a body went through a portal in this part of the tick. */
     boolean hasCrossed(int body) {
-        return entered != null && entered[BodyPassages.MOST * body] != Portals.CLOSED;
+        return crossings(body) > firstCrossing(body);
+    }
+
+    /** The first of a body's crossings that belongs to this part of the tick. */
+    int firstCrossing(int body) {
+        return enteredBefore.length == 0 ? 0 : enteredBefore[body];
     }
 
     int crossings(int body) {

@@ -1,0 +1,36 @@
+package nephele.engine.collision.rigid;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/**
+ * Keeps a body's spin in the body's own axes while its orientation is corrected. The energy of rotation depends on the
+ * spin in these axes alone: a needle whose spin stayed in the world's axes would gain a million times its energy by a
+ * correction of a degree. Reused.
+ */
+final class CarriedSpin {
+    private final Quaterniond orientation = new Quaterniond();
+    private final Vector3d spin = new Vector3d();
+
+    /** Takes the spin of the body whose numbers stand from {@code at} on, before its orientation changes. */
+    void begin(double[] motion, int at) {
+        read(motion, at);
+        int w = at + Bodies.SPIN;
+        orientation.transformInverse(spin.set(motion[w], motion[w + 1], motion[w + 2]));
+    }
+
+    /** Writes the spin as the body's new orientation has it. */
+    void end(double[] motion, int at) {
+        read(motion, at);
+        orientation.transform(spin);
+        int w = at + Bodies.SPIN;
+        motion[w] = spin.x;
+        motion[w + 1] = spin.y;
+        motion[w + 2] = spin.z;
+    }
+
+    private void read(double[] motion, int at) {
+        int q = at + Bodies.ORIENTATION;
+        orientation.set(motion[q], motion[q + 1], motion[q + 2], motion[q + 3]);
+    }
+}

@@ -1,0 +1,261 @@
+package nephele.engine.collision.rigid;
+
+import nephele.engine.math.Vec3;
+
+/**
+ * Solves the contacts of one island to rounding, whatever its masses: Newton's method with an exact line search on the
+ * convex function of {@link IslandSystem}, whose rows keep the impulses of the round before (augmented Lagrangian,
+ * Hestenes 1969) and whose friction is bounded by what pressed in it. Velocities never gain energy by it: with no
+ * target above zero they are the nearest to the free ones that the contacts allow. Reused.
+ */
+final class IslandSolver {
+    private static final int MOST_ROUNDS = 12;
+    private static final int MOST_NEWTON_STEPS = 40;
+    private static final int MOST_LINE_STEPS = 30;
+    /** A line search ends where the slope is this share of what it was. */
+    private static final double SLOPE_SHARE = 0.05;
+
+    private static final double SETTLED_METRES_PER_SECOND = 1e-6;
+    /** Overlap is taken back at no more than this. */
+    private static final double PUSH_METRES_PER_SECOND = 2;
+
+    private static final double PUSH_PER_SECOND = 40;
+    private static final double MOST_PUSH_SHARE = 0.5;
+
+    private final ContactRows contacts;
+    private final Motions motions;
+    private final BlockCholesky matrix = new BlockCholesky();
+    private final IslandSystem system;
+    private final double[] step = new double[6 * BlockCholesky.MOST_NODES];
+    private int[] nodeOf = new int[0];
+
+    IslandSolver(ContactRows contacts, Motions motions) {
+        this.contacts = contacts;
+        this.motions = motions;
+        system = new IslandSystem(contacts, motions, matrix);
+    }
+
+    /**
+     * Takes an island's manifolds.
+     *
+     * @param list their numbers, from {@code from} to before {@code to}
+     * @return false when it has too many bodies or too dense a net of contacts: then it is for another solver
+     */
+    boolean take(int[] list, int from, int to, double most) {
+        if (nodeOf.length < motions.count) {
+            nodeOf = new int[motions.count];
+        }
+        system.clear();
+        for (int i = from; i < to; i++) {
+            nodeOf[contacts.slotA[list[i]]] = -1;
+            nodeOf[contacts.slotB[list[i]]] = -1;
+        }
+        for (int i = from; i < to; i++) {
+            if (!addNode(contacts.slotA[list[i]]) || !addNode(contacts.slotB[list[i]])) {
+                return false;
+            }
+        }
+        matrix.begin(system.nodes);
+        for (int i = from; i < to; i++) {
+            int a = nodeOf[contacts.slotA[list[i]]];
+            int b = nodeOf[contacts.slotB[list[i]]];
+            if (a >= 0 && b >= 0) {
+                matrix.link(a, b);
+            }
+        }
+        if (matrix.analyse() > most * system.nodes) {
+            return false;
+        }
+        for (int i = from; i < to; i++) {
+            system.addManifold(list[i], nodeOf[contacts.slotA[list[i]]], nodeOf[contacts.slotB[list[i]]]);
+        }
+        return true;
+    }
+
+    private boolean addNode(int slot) {
+        if (motions.inverseMass[slot] == 0 || nodeOf[slot] >= 0) {
+            return true;
+        }
+        if (system.nodes == BlockCholesky.MOST_NODES) {
+            return false;
+        }
+        nodeOf[slot] = system.addNode(slot);
+        return true;
+    }
+
+    /** Bodies of the island that was taken. */
+    int size() {
+        return system.nodes;
+    }
+
+    int slot(int node) {
+        return system.slot[node];
+    }
+
+    /**
+     * Changes the velocities of the island by a tick of its contacts and its weight.
+     *
+     * @param weighs whether gravity pulls at a slot
+     */
+    void solve(Vec3 gravity, boolean[] weighs, double seconds) {
+        for (int node = 0; node < system.nodes; node++) {
+            int slot = system.slot[node];
+            System.arraycopy(motions.velocity, 6 * slot, system.free, 6 * node, 6);
+            System.arraycopy(motions.velocity, 6 * slot, system.velocity, 6 * node, 6);
+            double fall = weighs[slot] ? seconds : 0;
+            system.free[6 * node] += fall * gravity.x();
+            system.free[6 * node + 1] += fall * gravity.y();
+            system.free[6 * node + 2] += fall * gravity.z();
+        }
+        boolean overlapping = aim(seconds, false);
+        bound();
+        system.findSpeeds();
+        for (int round = 0; round < MOST_ROUNDS; round++) {
+            minimise();
+            if (settle()) {
+                break;
+            }
+        }
+        write(motions.velocity, 1);
+        writeImpulses();
+        if (overlapping) {
+            aim(seconds, true);
+            minimise();
+        }
+        write(motions.moved, seconds);
+    }
+
+    /** Sets the rows' targets; returns whether a surface overlaps by more than may be. */
+    private boolean aim(double seconds, boolean push) {
+        boolean overlapping = false;
+        double share = Math.min(MOST_PUSH_SHARE, PUSH_PER_SECOND * seconds);
+        for (int c = 0; c < system.manifolds; c++) {
+            int m = system.manifold[c];
+            double slop = contacts.head[ContactRows.HEAD * m + ContactRows.SLOP];
+            for (int i = 0; i < system.points(c); i++) {
+                double gap = contacts.rows[ContactRows.ROW * (contacts.first[m] + i) + ContactRows.GAP];
+                double over = Math.max(0, -gap - slop);
+                overlapping |= over > 0;
+                double pushed = push ? Math.min(share * over / seconds, PUSH_METRES_PER_SECOND) : 0;
+                system.target[system.firstRow[c] + i] = gap > 0 ? -gap / seconds : pushed;
+            }
+        }
+        return overlapping;
+    }
+
+    /** Bounds the friction by what presses by the impulses kept. */
+    private void bound() {
+        for (int c = 0; c < system.manifolds; c++) {
+            system.bound[c] = friction(c, system.bias);
+        }
+    }
+
+    private double friction(int c, double[] impulses) {
+        double pressed = 0;
+        for (int i = 0; i < system.points(c); i++) {
+            pressed += impulses[system.firstRow[c] + i];
+        }
+        return pressed * contacts.head[ContactRows.HEAD * system.manifold[c] + ContactRows.FRICTION];
+    }
+
+    /** Keeps the impulses found; returns whether they are those that were kept before, as far as it matters. */
+    private boolean settle() {
+        boolean settled = true;
+        for (int c = 0; c < system.manifolds; c++) {
+            int friction = system.firstRow[c] + system.points(c);
+            for (int row = system.firstRow[c]; row < friction + 3; row++) {
+                double change = Math.abs(system.impulse[row] - system.bias[row]);
+                settled &= change <= SETTLED_METRES_PER_SECOND * system.stiffness[row];
+                system.bias[row] = system.impulse[row];
+            }
+            double now = friction(c, system.impulse);
+            // What a bound changes by acts on the lighter body at once, without any compliance between.
+            double change = Math.abs(now - system.bound[c]) / (1e-8 * system.stiffness[friction]);
+            settled &= change <= 1e-4 || !system.slides && now >= system.bound[c];
+            system.bound[c] = now;
+        }
+        return settled;
+    }
+
+    private void minimise() {
+        system.findImpulses();
+        for (int i = 0; i < MOST_NEWTON_STEPS; i++) {
+            long pattern = system.pattern;
+            system.findGradient();
+            system.assemble();
+            matrix.factorise();
+            int size = 6 * system.nodes;
+            for (int k = 0; k < size; k++) {
+                step[k] = -system.gradient[k];
+            }
+            matrix.solve(step);
+            system.along(step);
+            double share = lineSearch();
+            system.go(step, share);
+            system.findImpulses();
+            if (share == 1 && (pattern == system.pattern && !system.slides || isSmall())) {
+                return;
+            }
+        }
+    }
+
+    private boolean isSmall() {
+        for (int k = 0; k < 6 * system.nodes; k++) {
+            if (!(Math.abs(step[k]) < SETTLED_METRES_PER_SECOND)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The share of the step at which the function is least, nearly; the whole step where that is good enough. */
+    private double lineSearch() {
+        double first = system.slope(0);
+        if (!(first < 0)) {
+            return 1;
+        }
+        double slope = system.slope(1);
+        if (slope <= -SLOPE_SHARE * first) {
+            return 1;
+        }
+        double low = 0;
+        double high = 1;
+        double share = 1;
+        for (int i = 0; i < MOST_LINE_STEPS && Math.abs(slope) > -SLOPE_SHARE * first; i++) {
+            if (slope > 0) {
+                high = share;
+            } else {
+                low = share;
+            }
+            share -= slope / system.curvature;
+            if (!(share > low && share < high)) {
+                share = (low + high) / 2;
+            }
+            slope = system.slope(share);
+        }
+        return share;
+    }
+
+    private void write(double[] out, double factor) {
+        for (int node = 0; node < system.nodes; node++) {
+            for (int i = 0; i < 6; i++) {
+                out[6 * system.slot[node] + i] = factor * system.velocity[6 * node + i];
+            }
+        }
+    }
+
+    private void writeImpulses() {
+        for (int c = 0; c < system.manifolds; c++) {
+            int m = system.manifold[c];
+            int row = system.firstRow[c];
+            for (int i = 0; i < system.points(c); i++, row++) {
+                int r = ContactRows.ROW * (contacts.first[m] + i);
+                contacts.rows[r + ContactRows.IMPULSE] = system.impulse[row];
+                contacts.rows[r + ContactRows.GREATEST] = system.impulse[row];
+            }
+            for (int i = 0; i < 3; i++) {
+                contacts.head[ContactRows.HEAD * m + ContactRows.FRICTION_IMPULSE + i] = system.impulse[row + i];
+            }
+        }
+    }
+}
