@@ -23,6 +23,7 @@ public final class Proofs {
             new RetriangulationProof(),
             new SeparationProof(),
             new BodiesProof(),
+            new PilesProof(),
             new DoorwayWalkProof(320, 180),
             new EyeCrossingsProof(),
             new SoakProof());
