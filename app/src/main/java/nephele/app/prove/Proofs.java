@@ -24,6 +24,7 @@ public final class Proofs {
             new SeparationProof(),
             new BodiesProof(),
             new PilesProof(),
+            new EnergyProof(),
             new DoorwayWalkProof(320, 180),
             new EyeCrossingsProof(),
             new SoakProof());
