@@ -9,49 +9,35 @@ import nephele.engine.collision.rigid.BodyTable;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
-/** How deep the bodies of a pile reach into what is solid in the opened world, and how far they are from each other. */
+/** How deep bodies reach into what is solid in the world that portals open, and into each other. */
 final class BodyDepth {
     private static final Vector3d STILL = new Vector3d();
 
-    private final DroppedPile pile;
-    private final SeamedWorld world;
     private final BodyTable table;
+    private final SeamedWorld world;
     private final Recovery recovery = new Recovery();
     private final Separation separation = new Separation();
     private final Vector3d centre = new Vector3d();
     private final Vector3d other = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
 
-    BodyDepth(DroppedPile pile, SeamedWorld world) {
-        this.pile = pile;
+    BodyDepth(BodyTable table, SeamedWorld world) {
+        this.table = table;
         this.world = world;
-        table = pile.table();
     }
 
-    /** Metres of the body that is deepest in a solid, or farthest out of the room; 0 for none. */
-    double inSolids(Bodies bodies) {
+    /** Metres in the solid that the body is deepest in; 0 for none. */
+    double inSolids(Bodies bodies, int body) {
+        RoundedHull hull = table.hull(body, bodies.orientation(body, turn));
+        bodies.centre(body, centre);
+        return recovery.depth(world.around(world.active(hull, centre, STILL)), hull, centre);
+    }
+
+    /** Metres in the body that this one is deepest in; 0 for none. What meets through a portal does not count. */
+    double inBodies(Bodies bodies, int body) {
         double deepest = 0;
         for (int i = 0; i < bodies.size(); i++) {
-            RoundedHull hull = table.hull(i, bodies.orientation(i, turn));
-            bodies.centre(i, centre);
-            double depth = recovery.depth(world.around(world.active(hull, centre, STILL)), hull, centre);
-            deepest = Math.max(deepest, Math.max(depth, outside(centre)));
-        }
-        return deepest;
-    }
-
-    private double outside(Vector3d c) {
-        double aside = Math.max(Math.abs(c.x), Math.abs(c.z)) - DroppedPile.HALF_ROOM_METRES;
-        return Math.max(aside, Math.max(-c.y, c.y - pile.heightMetres()));
-    }
-
-    /** Metres of the deepest overlap of two bodies on the same side of every portal; 0 for none. */
-    double inBodies(Bodies bodies) {
-        double deepest = 0;
-        for (int i = 0; i < bodies.size(); i++) {
-            for (int j = 0; j < i; j++) {
-                deepest = Math.max(deepest, -gapMetres(bodies, i, j));
-            }
+            deepest = i == body ? deepest : Math.max(deepest, -gapMetres(bodies, body, i));
         }
         return deepest;
     }

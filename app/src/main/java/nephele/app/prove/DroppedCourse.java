@@ -10,6 +10,7 @@ import nephele.engine.collision.rigid.RigidStep;
 import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerBody;
+import org.joml.Vector3d;
 
 /** Ten seconds of a dropped pile, its energy at every tick and its depth in solids at every tenth from 1 s on. */
 final class DroppedCourse {
@@ -24,6 +25,7 @@ final class DroppedCourse {
     private final EnergyLedger ledger;
     private final EnergyBars bars;
     private final BodyDepth depth;
+    private final Vector3d centre = new Vector3d();
     private double deepest;
     private int deepestTick;
     private double deepestInBody;
@@ -35,7 +37,7 @@ final class DroppedCourse {
         world = pile.world();
         ledger = new EnergyLedger(pile.table(), world.portals(), 1.0 / pile.ticksPerSecond());
         bars = new EnergyBars(pile.table());
-        depth = new BodyDepth(pile, world);
+        depth = new BodyDepth(pile.table(), world);
     }
 
     /**
@@ -96,16 +98,18 @@ final class DroppedCourse {
     }
 
     private void measureDepth(int tick, Bodies bodies) {
-        double metres = depth.inSolids(bodies);
-        if (!(metres <= deepest)) {
-            deepest = metres;
-            deepestTick = tick;
+        for (int i = 0; i < bodies.size(); i++) {
+            double metres = Math.max(depth.inSolids(bodies, i), pile.outsideMetres(bodies.centre(i, centre)));
+            if (!(metres <= deepest)) {
+                deepest = metres;
+                deepestTick = tick;
+            }
+            deepestInBody = Math.max(deepestInBody, depth.inBodies(bodies, i));
         }
-        deepestInBody = Math.max(deepestInBody, depth.inBodies(bodies));
     }
 
     private Seen seen(Bodies end) {
-        boolean rests = pile.hasPortals() || new RestJudge(pile, depth).isAtRest(end);
+        boolean rests = pile.hasPortals() || new RestJudge(pile.table(), depth).isAtRest(end);
         List<String> failures = new ArrayList<>();
         bars.failure().ifPresent(failure -> failures.add(pile.inWords() + ": " + failure));
         add(faults > 0, "%d faults from tick %d on", faults, faultTick, failures);

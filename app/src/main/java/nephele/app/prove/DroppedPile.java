@@ -12,6 +12,7 @@ import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
+import org.joml.Vector3dc;
 
 /**
  * One to four bodies over each other in the air of a closed room, clear of each other and of every wall; of three piles,
@@ -98,6 +99,12 @@ record DroppedPile(
     SeamedWorld world() {
         CollisionWorld room = BoxPile.closedRoom(HALF_ROOM_METRES, heightMetres, WALL_METRES);
         return SeamedWorld.of(room, portals.portals());
+    }
+
+    /** Metres by which a point is outside the room; not positive within. */
+    double outsideMetres(Vector3dc p) {
+        double aside = Math.max(Math.abs(p.x()), Math.abs(p.z())) - HALF_ROOM_METRES;
+        return Math.max(aside, Math.max(-p.y(), p.y() - heightMetres));
     }
 
     boolean hasPortals() {

@@ -25,6 +25,7 @@ public final class Proofs {
             new BodiesProof(),
             new PilesProof(),
             new EnergyProof(),
+            new MassRatiosProof(10),
             new DoorwayWalkProof(320, 180),
             new EyeCrossingsProof(),
             new SoakProof());

@@ -1,6 +1,7 @@
 package nephele.app.prove;
 
 import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.level.Body;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -18,14 +19,14 @@ final class RestJudge {
 
     private static final double TOUCHING_METRES = .005;
 
-    private final DroppedPile pile;
+    private final BodyTable table;
     private final BodyDepth distance;
     private final Vector3d v = new Vector3d();
     private final Vector3d axis = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
 
-    RestJudge(DroppedPile pile, BodyDepth distance) {
-        this.pile = pile;
+    RestJudge(BodyTable table, BodyDepth distance) {
+        this.table = table;
         this.distance = distance;
     }
 
@@ -60,11 +61,11 @@ final class RestJudge {
     }
 
     private boolean rolls(Bodies bodies, int body) {
-        if (bodies.isAsleep(body) || bodies.isFrozen(body) || pile.table().body(body) instanceof Body.Box) {
+        if (bodies.isAsleep(body) || bodies.isFrozen(body) || table.body(body) instanceof Body.Box) {
             return false;
         }
         double rises = Math.abs(bodies.velocity(body, v).y);
-        if (pile.table().body(body) instanceof Body.Capsule capsule) {
+        if (table.body(body) instanceof Body.Capsule capsule) {
             double halfAxis = capsule.heightMetres() / 2 - capsule.radiusMetres();
             bodies.orientation(body, turn).transform(axis.set(0, halfAxis, 0));
             bodies.spin(body, v).cross(axis);
@@ -74,7 +75,7 @@ final class RestJudge {
     }
 
     private double speed(Bodies bodies, int body) {
-        double reach = pile.table().reachMetres(body);
+        double reach = table.reachMetres(body);
         return bodies.velocity(body, v).length() + reach * bodies.spin(body, v).length();
     }
 }
