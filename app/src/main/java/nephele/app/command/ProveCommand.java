@@ -67,8 +67,9 @@ final class ProveCommand implements Command {
         if (count != null && count < 1) {
             throw CommandFailure.usage("--count must be at least 1");
         }
-        if (from != null && (name == null || count == null || record || again)) {
-            throw CommandFailure.usage("--from needs NAME and --count, and goes without --record and --again");
+        if (from != null && (from < 0 || name == null || count == null || record || again)) {
+            throw CommandFailure.usage(
+                    "--from is 0 or more, needs NAME and --count, and goes without --record and --again");
         }
         boolean allHold = true;
         for (var proof : chosen()) {

@@ -30,7 +30,7 @@ final class BodyDepth {
     double inSolids(Bodies bodies, int body) {
         RoundedHull hull = table.hull(body, bodies.orientation(body, turn));
         bodies.centre(body, centre);
-        return recovery.depth(world.around(world.active(hull, centre, STILL)), hull, centre);
+        return Math.max(0, recovery.depth(world.around(world.active(hull, centre, STILL)), hull, centre));
     }
 
     /** Metres in the body that this one is deepest in; 0 for none. What meets through a portal does not count. */
