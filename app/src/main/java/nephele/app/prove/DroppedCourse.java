@@ -109,7 +109,7 @@ final class DroppedCourse {
     }
 
     private Seen seen(Bodies end) {
-        boolean rests = pile.hasPortals() || new RestJudge(pile.table(), depth).isAtRest(end);
+        boolean rests = pile.hasPortals() || new RestJudge(pile.table(), world.statics()).isAtRest(end);
         List<String> failures = new ArrayList<>();
         bars.failure().ifPresent(failure -> failures.add(pile.inWords() + ": " + failure));
         add(faults > 0, "%d faults from tick %d on", faults, faultTick, failures);

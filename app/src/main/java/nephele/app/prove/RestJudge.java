@@ -1,5 +1,6 @@
 package nephele.app.prove;
 
+import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.level.Body;
@@ -7,71 +8,91 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Whether a pile has come to rest: every body is asleep, or rolls or spins as a ball or capsule, or is in touch with one
- * that does.
+ * Whether a pile has come to rest: every body sleeps on something, or rolls or spins as a ball or capsule, or touches one
+ * that does and is moved by it.
  */
 final class RestJudge {
-    /** No part of a body that only rolls or spins goes up or down faster than this. */
-    private static final double LEVEL_METRES_PER_SECOND = .05;
+    /** A ball or capsule that rolls or spins moves no faster where it touches its support. */
+    private static final double SLIP_METRES_PER_SECOND = .05;
 
     /** A ball or capsule slower than this moves nothing else. */
     private static final double MOVING_METRES_PER_SECOND = .01;
 
-    private static final double TOUCHING_METRES = .005;
-
     private final BodyTable table;
-    private final BodyDepth distance;
+    private final Supports supports;
     private final Vector3d v = new Vector3d();
-    private final Vector3d axis = new Vector3d();
+    private final Vector3d halfAxis = new Vector3d();
+    private final Vector3d arm = new Vector3d();
+    private final Vector3d slip = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
 
-    RestJudge(BodyTable table, BodyDepth distance) {
+    RestJudge(BodyTable table, CollisionWorld world) {
         this.table = table;
-        this.distance = distance;
+        supports = new Supports(table, world);
     }
 
     boolean isAtRest(Bodies bodies) {
-        boolean[] explained = new boolean[bodies.size()];
-        boolean[] moves = new boolean[bodies.size()];
-        for (int i = 0; i < bodies.size(); i++) {
-            boolean rolls = rolls(bodies, i);
-            explained[i] = bodies.isAsleep(i) || rolls;
-            moves[i] = rolls && speed(bodies, i) > MOVING_METRES_PER_SECOND;
+        int count = bodies.size();
+        boolean[][] touching = new boolean[count][count];
+        boolean[] settled = new boolean[count];
+        boolean[] moved = new boolean[count];
+        for (int i = 0; i < count; i++) {
+            judge(bodies, i, touching, settled);
+            moved[i] = settled[i] && speed(bodies, i) > MOVING_METRES_PER_SECOND;
         }
-        spread(bodies, moves);
+        spread(bodies, touching, moved);
         boolean all = true;
-        for (int i = 0; i < bodies.size(); i++) {
-            all &= explained[i] || moves[i];
+        for (int i = 0; i < count; i++) {
+            all &= settled[i] || moved[i];
         }
         return all;
     }
 
+    private void judge(Bodies bodies, int body, boolean[][] touching, boolean[] settled) {
+        boolean isRound = !(table.body(body) instanceof Body.Box) && !bodies.isFrozen(body);
+        supports.each(bodies, body, (other, normal) -> {
+            if (other != Supports.SOLID) {
+                touching[body][other] = true;
+            }
+            settled[body] |= bodies.isAsleep(body) || isRound && slip(bodies, body, normal) < SLIP_METRES_PER_SECOND;
+        });
+    }
+
     /** Marks all awake bodies that touch a marked one, and those that touch these. */
-    private void spread(Bodies bodies, boolean[] moved) {
-        for (int round = 0; round < bodies.size(); round++) {
-            for (int i = 0; i < bodies.size(); i++) {
-                for (int j = 0; j < bodies.size(); j++) {
-                    moved[i] |= i != j
-                            && moved[j]
-                            && !bodies.isAsleep(i)
-                            && distance.gapMetres(bodies, i, j) < TOUCHING_METRES;
+    private static void spread(Bodies bodies, boolean[][] touching, boolean[] moved) {
+        for (int round = 0; round < moved.length; round++) {
+            for (int i = 0; i < moved.length; i++) {
+                for (int j = 0; j < moved.length; j++) {
+                    moved[i] |= moved[j] && touching[i][j] && !bodies.isAsleep(i);
                 }
             }
         }
     }
 
-    private boolean rolls(Bodies bodies, int body) {
-        if (bodies.isAsleep(body) || bodies.isFrozen(body) || table.body(body) instanceof Body.Box) {
-            return false;
+    /** The least speed at which a ball's or capsule's surface, of its ends and its middle, slips on what it touches. */
+    private double slip(Bodies bodies, int body, Vector3d normal) {
+        double least = Double.POSITIVE_INFINITY;
+        bodies.orientation(body, turn).transform(halfAxis.set(0, halfAxisMetres(body), 0));
+        double along = halfAxis.dot(normal);
+        for (int end = -1; end <= 1; end++) {
+            if (end * along > Supports.TOUCHING_METRES - Math.abs(along)) {
+                continue;
+            }
+            halfAxis.mul(end, arm).fma(-radiusMetres(body), normal);
+            bodies.spin(body, v).cross(arm, slip);
+            least = Math.min(least, slip.add(bodies.velocity(body, v)).length());
         }
-        double rises = Math.abs(bodies.velocity(body, v).y);
-        if (table.body(body) instanceof Body.Capsule capsule) {
-            double halfAxis = capsule.heightMetres() / 2 - capsule.radiusMetres();
-            bodies.orientation(body, turn).transform(axis.set(0, halfAxis, 0));
-            bodies.spin(body, v).cross(axis);
-            rises += Math.abs(v.y);
-        }
-        return rises < LEVEL_METRES_PER_SECOND;
+        return least;
+    }
+
+    private double halfAxisMetres(int body) {
+        return table.body(body) instanceof Body.Capsule capsule
+                ? capsule.heightMetres() / 2 - capsule.radiusMetres()
+                : 0;
+    }
+
+    private double radiusMetres(int body) {
+        return table.reachMetres(body) - halfAxisMetres(body);
     }
 
     private double speed(Bodies bodies, int body) {
