@@ -7,7 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class PilesProofTest {
-    private final PilesProof proof = new PilesProof();
+    private final PilesProof proof = new PilesProof(0);
 
     private static ProofResult towers(int piles, int standing) {
         List<Figure> sums = List.of(

@@ -23,7 +23,7 @@ public final class Proofs {
             new RetriangulationProof(),
             new SeparationProof(),
             new BodiesProof(),
-            new PilesProof(),
+            new PilesProof(40),
             new EnergyProof(),
             new MassRatiosProof(10),
             new DoorwayWalkProof(320, 180),
