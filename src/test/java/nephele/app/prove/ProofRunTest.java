@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.file.Files;
@@ -59,6 +60,7 @@ class ProofRunTest {
                 }
                 ran.add(unit);
                 if (unit % 7 == 0) {
+                    progress.failed("number " + unit);
                     examples.add("number " + unit);
                 }
             }
@@ -101,6 +103,26 @@ class ProofRunTest {
         assertTrue(ran.isEmpty());
         run(proof).upTo(16, "def");
         assertEquals(16, ran.size());
+    }
+
+    @Test
+    void someUnitsRunAloneAndKeepNothing() throws Exception {
+        var proof = new Sevens();
+        proof.breaksDown = false;
+        run(proof).upTo(8, "abc");
+        ran.clear();
+        assertEquals(1, run(proof).alone(49, 1).failures());
+        assertEquals(List.of(49L), ran);
+        run(proof).upTo(9, "abc");
+        assertEquals(List.of(49L, 8L), ran);
+    }
+
+    @Test
+    void aFailureIsNamedAtOnce() throws Exception {
+        var shown = new ByteArrayOutputStream();
+        var proof = new Sevens();
+        new ProofRun(proof, folder, new PrintStream(shown, true)).alone(14, 1);
+        assertEquals("sevens: failed: number 14" + System.lineSeparator(), shown.toString());
     }
 
     @Test

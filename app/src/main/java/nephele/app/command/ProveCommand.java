@@ -38,6 +38,12 @@ final class ProveCommand implements Command {
     @Option(names = "--record", description = "With --count: write the figures all the same; the row says of how many.")
     private boolean record;
 
+    @Option(
+            names = "--from",
+            paramLabel = "N",
+            description = "With --count: run these units from number N on alone, to repeat a failure; nothing is kept.")
+    private Long from;
+
     @Option(names = "--again", description = "Start over instead of going on where the last run stopped.")
     private boolean again;
 
@@ -60,6 +66,10 @@ final class ProveCommand implements Command {
         }
         if (count != null && count < 1) {
             throw CommandFailure.usage("--count must be at least 1");
+        }
+        if (from != null && (from < 0 || name == null || count == null || record || again)) {
+            throw CommandFailure.usage(
+                    "--from is 0 or more, needs NAME and --count, and goes without --record and --again");
         }
         boolean allHold = true;
         for (var proof : chosen()) {
@@ -85,6 +95,11 @@ final class ProveCommand implements Command {
         String commit = Surroundings.commit();
         long wanted = count == null ? proof.fullCount() : Math.min(count, proof.fullCount());
         var run = new ProofRun(proof, STATE_FOLDER, terminal.err());
+        if (from != null) {
+            var result = run.alone(from, count);
+            terminal.out().println(ProofTable.summary(proof, result));
+            return result;
+        }
         if (again) {
             run.startOver(commit);
         }

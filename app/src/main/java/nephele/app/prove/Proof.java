@@ -49,6 +49,9 @@ public interface Proof {
         Progress NONE = done -> {};
 
         void unitsDone(long done);
+
+        /** A failure in words, as soon as it is known; the result keeps only the first few. */
+        default void failed(String example) {}
     }
 
     /** The environment lacks something that this proof needs (exit code 3). */

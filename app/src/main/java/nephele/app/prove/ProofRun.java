@@ -30,7 +30,7 @@ public final class ProofRun {
         while (state.soFar().units() < count) {
             long from = state.soFar().units();
             long batch = Math.min(proof.batch(), count - from);
-            var learnt = proof.run(from, batch, done -> show(from + done, count));
+            var learnt = proof.run(from, batch, shown(from, count));
             if (learnt.units() != batch) {
                 throw new IllegalStateException(
                         proof.name() + " ran " + learnt.units() + " of " + batch + " " + proof.unit());
@@ -39,6 +39,25 @@ public final class ProofRun {
             state.save(stateFile);
         }
         return proof.judged(state.soFar());
+    }
+
+    private Proof.Progress shown(long from, long count) {
+        return new Proof.Progress() {
+            @Override
+            public void unitsDone(long done) {
+                show(from + done, count);
+            }
+
+            @Override
+            public void failed(String example) {
+                progressTo.println(proof.name() + ": failed: " + example);
+            }
+        };
+    }
+
+    /** Runs some units alone, keeping nothing. */
+    public ProofResult alone(long from, long count) throws Exception {
+        return proof.judged(proof.run(from, count, shown(0, count)));
     }
 
     private void show(long done, long count) {

@@ -23,6 +23,9 @@ public final class Proofs {
             new RetriangulationProof(),
             new SeparationProof(),
             new BodiesProof(),
+            new PilesProof(40),
+            new EnergyProof(),
+            new MassRatiosProof(10),
             new DoorwayWalkProof(320, 180),
             new EyeCrossingsProof(),
             new SoakProof());

@@ -1,0 +1,102 @@
+package nephele.app.prove;
+
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.level.Body;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/**
+ * Whether a pile has come to rest: every body sleeps on something, or rolls or spins as a ball or capsule, or touches one
+ * that does and is moved by it.
+ */
+final class RestJudge {
+    /** A ball or capsule that rolls or spins moves no faster where it touches its support. */
+    private static final double SLIP_METRES_PER_SECOND = .05;
+
+    /** A ball or capsule slower than this moves nothing else. */
+    private static final double MOVING_METRES_PER_SECOND = .01;
+
+    private final BodyTable table;
+    private final Supports supports;
+    private final Vector3d v = new Vector3d();
+    private final Vector3d halfAxis = new Vector3d();
+    private final Vector3d arm = new Vector3d();
+    private final Vector3d slip = new Vector3d();
+    private final Quaterniond turn = new Quaterniond();
+
+    RestJudge(BodyTable table, CollisionWorld world) {
+        this.table = table;
+        supports = new Supports(table, world);
+    }
+
+    boolean isAtRest(Bodies bodies) {
+        int count = bodies.size();
+        boolean[][] touching = new boolean[count][count];
+        boolean[] settled = new boolean[count];
+        boolean[] moved = new boolean[count];
+        for (int i = 0; i < count; i++) {
+            judge(bodies, i, touching, settled);
+            moved[i] = settled[i] && speed(bodies, i) > MOVING_METRES_PER_SECOND;
+        }
+        spread(bodies, touching, moved);
+        boolean all = true;
+        for (int i = 0; i < count; i++) {
+            all &= settled[i] || moved[i];
+        }
+        return all;
+    }
+
+    private void judge(Bodies bodies, int body, boolean[][] touching, boolean[] settled) {
+        boolean isRound = !(table.body(body) instanceof Body.Box) && !bodies.isFrozen(body);
+        supports.each(bodies, body, (other, normal) -> {
+            if (other != Supports.SOLID) {
+                touching[body][other] = true;
+            }
+            settled[body] |= bodies.isAsleep(body) || isRound && slip(bodies, body, normal) < SLIP_METRES_PER_SECOND;
+        });
+    }
+
+    /** Marks all awake bodies that touch a marked one, and those that touch these. */
+    private static void spread(Bodies bodies, boolean[][] touching, boolean[] moved) {
+        for (int round = 0; round < moved.length; round++) {
+            for (int i = 0; i < moved.length; i++) {
+                for (int j = 0; j < moved.length; j++) {
+                    moved[i] |= moved[j] && touching[i][j] && !bodies.isAsleep(i);
+                }
+            }
+        }
+    }
+
+    /** The least speed at which a ball's or capsule's surface, of its ends and its middle, slips on what it touches. */
+    private double slip(Bodies bodies, int body, Vector3d normal) {
+        double least = Double.POSITIVE_INFINITY;
+        bodies.orientation(body, turn).transform(halfAxis.set(0, halfAxisMetres(body), 0));
+        double along = halfAxis.dot(normal);
+        for (int end = -1; end <= 1; end++) {
+            if (end * along > Supports.TOUCHING_METRES - Math.abs(along)) {
+                continue;
+            }
+            halfAxis.mul(end, arm).fma(-radiusMetres(body), normal);
+            bodies.spin(body, v).cross(arm, slip);
+            least = Math.min(least, slip.add(bodies.velocity(body, v)).length());
+        }
+        return least;
+    }
+
+    private double halfAxisMetres(int body) {
+        return table.body(body) instanceof Body.Capsule capsule
+                ? capsule.heightMetres() / 2 - capsule.radiusMetres()
+                : 0;
+    }
+
+    private double radiusMetres(int body) {
+        return table.reachMetres(body) - halfAxisMetres(body);
+    }
+
+    private double speed(Bodies bodies, int body) {
+        double reach = table.reachMetres(body);
+        return bodies.velocity(body, v).length() + reach * bodies.spin(body, v).length();
+    }
+}
