@@ -181,6 +181,14 @@ public final class BodyTable {
         return portal.aperture().outside(x, y) < reachMetres(body);
     }
 
+    /** The greatest extent of a body by its least. */
+    double slenderness(int body) {
+        double x = half[3 * body];
+        double y = half[3 * body + 1];
+        double z = half[3 * body + 2];
+        return kind[body] == BOX ? Math.max(x, Math.max(y, z)) / Math.min(x, Math.min(y, z)) : (y + z) / z;
+    }
+
     int kind(int body) {
         return kind[body];
     }

@@ -8,7 +8,7 @@ import nephele.engine.math.BitHash;
  * normal. Immutable.
  */
 final class ContactMemory {
-    static final ContactMemory NONE = new ContactMemory(new long[0], new int[0], new float[0]);
+    static final ContactMemory NONE = new ContactMemory(new long[0], new int[0], new float[0], 1);
 
     /** Impulses an entry. */
     static final int IMPULSES = 7;
@@ -16,8 +16,11 @@ final class ContactMemory {
     private final long[] keys;
     private final int[] features;
     private final float[] impulses;
+    private final double seconds;
 
-    ContactMemory(long[] keys, int[] features, float[] impulses) {
+    /** @param seconds length of the step that the impulses are of */
+    ContactMemory(long[] keys, int[] features, float[] impulses, double seconds) {
+        this.seconds = seconds;
         this.keys = keys;
         this.features = features;
         this.impulses = impulses;
@@ -39,8 +42,17 @@ final class ContactMemory {
         return impulses[IMPULSES * entry + row];
     }
 
-    void copyImpulses(int entry, float[] out, int outEntry) {
-        System.arraycopy(impulses, IMPULSES * entry, out, IMPULSES * outEntry, IMPULSES);
+    /** What impulses of this memory are multiplied by in a step of another length. */
+    double scaleTo(double nowSeconds) {
+        return nowSeconds / seconds;
+    }
+
+    /** Copies the impulses of an entry as they are in a step of another length. */
+    void copyImpulses(int entry, double nowSeconds, float[] out, int outEntry) {
+        double scale = scaleTo(nowSeconds);
+        for (int i = 0; i < IMPULSES; i++) {
+            out[IMPULSES * outEntry + i] = (float) (scale * impulses[IMPULSES * entry + i]);
+        }
     }
 
     long hash(long before) {
@@ -48,6 +60,7 @@ final class ContactMemory {
         for (int i = 0; i < keys.length; i++) {
             hash = BitHash.join(BitHash.join(hash, keys[i]), features[i]);
         }
+        hash = keys.length == 0 ? hash : BitHash.join(hash, seconds);
         for (float impulse : impulses) {
             hash = BitHash.join(hash, Float.floatToIntBits(impulse));
         }

@@ -53,8 +53,8 @@ final class ContactSearch {
         return narrow;
     }
 
-    void index(ContactMemory last) {
-        memory.index(last);
+    void index(ContactMemory last, double nowSeconds) {
+        memory.index(last, nowSeconds);
     }
 
     /** Wakes the sleepers that somebody who moves is about to touch. */
@@ -231,7 +231,7 @@ final class ContactSearch {
     }
 
     /** What carried something in this tick, and what sleepers had. */
-    ContactMemory remember(ContactMemory last, TickBodies now) {
+    ContactMemory remember(ContactMemory last, TickBodies now, double nowSeconds) {
         int kept = 0;
         for (int i = 0; i < last.size(); i++) {
             kept += isKept(last.key(i), now) ? 1 : 0;
@@ -248,7 +248,7 @@ final class ContactSearch {
             if (isKept(last.key(i), now)) {
                 keys[at] = last.key(i);
                 features[at] = last.features(i);
-                last.copyImpulses(i, impulses, at++);
+                last.copyImpulses(i, nowSeconds, impulses, at++);
             }
         }
         for (int m = 0; m < rows.count; m++) {
@@ -258,7 +258,7 @@ final class ContactSearch {
                 rows.writeImpulses(m, impulses, ContactMemory.IMPULSES * at++);
             }
         }
-        return new ContactMemory(keys, features, impulses);
+        return new ContactMemory(keys, features, impulses, nowSeconds);
     }
 
     /** What somebody felt who then went through a portal is of no use behind it. */

@@ -15,7 +15,7 @@ import org.joml.Vector3d;
  */
 final class Flight {
     /** A fast body may get so far into what it hits, and no deeper than an eighth of its thickness. */
-    private static final double MOST_DEPTH_METRES = 5e-3;
+    private static final double MOST_DEPTH_METRES = 6e-4;
 
     private static final int MOST_SLIDES = 4;
 
@@ -38,6 +38,9 @@ final class Flight {
     /** Out of what leaves nothing of the way free. */
     private final Vector3d blocking = new Vector3d();
 
+    /** Per crossing of the tick the share of the way that was left behind it. */
+    private final double[] shareBeyond = new double[BodyPassages.MOST];
+
     private final Quaterniond orientation = new Quaterniond();
     private Surroundings surroundings;
     private Portals portals;
@@ -45,7 +48,8 @@ final class Flight {
     /** The work of gravity per kilogram on what something took off the last way, m²/s². */
     private double held;
 
-    private final Vector3d blocked = new Vector3d();
+    /** The way that gravity has changed the velocity for. */
+    private final Vector3d paidWay = new Vector3d();
 
     Flight(BodyTable table, Vec3 gravity, NarrowPhase narrow, Poses poses) {
         this.table = table;
@@ -92,6 +96,9 @@ final class Flight {
         m[at + 7] = velocity.x;
         m[at + 8] = velocity.y;
         m[at + 9] = velocity.z;
+        if (held != 0 && falls) {
+            giveBack(m, at + Bodies.VELOCITY);
+        }
         turn.begin(m, at + Bodies.ORIENTATION);
         spin.turn(m, at, seconds, table, body);
         fitTurn(bodies, body);
@@ -113,6 +120,9 @@ final class Flight {
             Passage passage = portals.passage(bodies.crossing(body, i));
             mapDirection(m, at + Bodies.VELOCITY, passage);
             mapDirection(motions.moved, d + 3, passage);
+            if (falls) {
+                fallBeyond(m, at + Bodies.VELOCITY, passage, shareBeyond[i]);
+            }
         }
         turn.begin(m, at + Bodies.ORIENTATION);
         // Turned freely by the spin that is left keeps its energy; then what the solver turned it by beyond that.
@@ -142,6 +152,15 @@ final class Flight {
             m[v + 1] += change * gravity.y();
             m[v + 2] += change * gravity.z();
         }
+    }
+
+    /** For the part of the tick behind a portal gravity pulls as it does there, not as the entry's turned with the body. */
+    private void fallBeyond(double[] m, int v, Passage passage, double share) {
+        turning.set(gravity.x(), gravity.y(), gravity.z());
+        passage.direction(turning);
+        m[v] += share * seconds * (gravity.x() - turning.x);
+        m[v + 1] += share * seconds * (gravity.y() - turning.y);
+        m[v + 2] += share * seconds * (gravity.z() - turning.z);
     }
 
     private void mapDirection(double[] of, int at, Passage passage) {
@@ -202,6 +221,7 @@ final class Flight {
             place.set(crossing.place());
             pass(m, at, portals.passage(crossing.portal()));
             left -= t;
+            shareBeyond[bodies.crossings(body) - 1] = left / duration;
         }
         m[at] = place.x;
         m[at + 1] = place.y;
@@ -237,18 +257,19 @@ final class Flight {
         if (share >= 1) {
             return false;
         }
-        blocked.set(way);
+        paidWay.set(way);
         for (int i = 0; share == 0 && i < MOST_SLIDES; i++) {
             way.fma(-way.dot(blocking), blocking);
             boolean enters = portals.size() > 0 && crossing.find(portals, place, way, turning.zero(), 1);
             share = enters ? 0 : freeShare(bodies, body);
         }
         place.fma(share, way);
-        velocity.fma(share * t, pull);
-        way.mul(share, turning);
-        held = gravity.x() * (blocked.x - turning.x)
-                + gravity.y() * (blocked.y - turning.y)
-                + gravity.z() * (blocked.z - turning.z);
+        if (pull.lengthSquared() > 0) {
+            velocity.mul(share * t, paidWay).fma(share * share * t * t / 2, pull);
+            velocity.fma(share * t, pull);
+        }
+        paidWay.fma(-share, way);
+        held = gravity.x() * paidWay.x + gravity.y() * paidWay.y + gravity.z() * paidWay.z;
         return true;
     }
 

@@ -19,6 +19,9 @@ final class IslandSolver {
     /** Overlap is taken back at no more than this. */
     private static final double PUSH_METRES_PER_SECOND = 2;
 
+    /** What may be lost of a gap by going by the mean of two speeds. */
+    private static final double SMOOTH_METRES = 2e-5;
+
     private static final double PUSH_PER_SECOND = 40;
     private static final double MOST_PUSH_SHARE = 0.5;
 
@@ -116,13 +119,56 @@ final class IslandSolver {
                 break;
             }
         }
+        boolean smooth = !overlapping && isSmooth(seconds);
+        write(motions.moved, seconds);
+        if (smooth) {
+            takeMeanWay(seconds);
+        }
         write(motions.velocity, 1);
         writeImpulses();
         if (overlapping) {
             aim(seconds, true);
             minimise();
+            write(motions.moved, seconds);
+            markPushed();
         }
-        write(motions.moved, seconds);
+    }
+
+    /** Rows that push carry something, though no impulse is left of it. */
+    private void markPushed() {
+        for (int c = 0; c < system.manifolds; c++) {
+            int m = system.manifold[c];
+            for (int i = 0; i < system.points(c); i++) {
+                int r = ContactRows.ROW * (contacts.first[m] + i) + ContactRows.GREATEST;
+                contacts.rows[r] = Math.max(contacts.rows[r], system.impulse[system.firstRow[c] + i]);
+            }
+        }
+    }
+
+    /** Whether no row that presses changes its speed by enough to matter on half of the way. */
+    private boolean isSmooth(double seconds) {
+        for (int c = 0; c < system.manifolds; c++) {
+            int m = system.manifold[c];
+            for (int i = 0; i < system.points(c); i++) {
+                int row = system.firstRow[c] + i;
+                double before = contacts.rows[ContactRows.ROW * (contacts.first[m] + i) + ContactRows.APPROACH];
+                if (system.impulse[row] > 0
+                        && !(Math.abs(system.speed(row) - before) * seconds < SMOOTH_METRES)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** Moves by the mean of the velocities before and after: second order in time where nothing strikes. */
+    private void takeMeanWay(double seconds) {
+        for (int node = 0; node < system.nodes; node++) {
+            int at = 6 * system.slot[node];
+            for (int i = at; i < at + 6; i++) {
+                motions.moved[i] += (motions.velocity[i] * seconds - motions.moved[i]) / 2;
+            }
+        }
     }
 
     /** Sets the rows' targets; returns whether a surface overlaps by more than may be. */
@@ -171,10 +217,16 @@ final class IslandSolver {
             double now = friction(c, system.impulse);
             // What a bound changes by acts on the lighter body at once, without any compliance between.
             double change = Math.abs(now - system.bound[c]) / (1e-8 * system.stiffness[friction]);
-            settled &= change <= 1e-4 || !system.slides && now >= system.bound[c];
+            settled &= change <= 1e-4 || now >= system.bound[c] && sticks(c, friction);
             system.bound[c] = now;
         }
         return settled;
+    }
+
+    private boolean sticks(int c, int friction) {
+        double u = system.impulse[friction];
+        double w = system.impulse[friction + 1];
+        return u * u + w * w < 0.999 * system.bound[c] * system.bound[c];
     }
 
     private void minimise() {
@@ -184,19 +236,32 @@ final class IslandSolver {
             system.findGradient();
             system.assemble();
             matrix.factorise();
-            int size = 6 * system.nodes;
-            for (int k = 0; k < size; k++) {
-                step[k] = -system.gradient[k];
-            }
-            matrix.solve(step);
+            newtonStep();
             system.along(step);
             double share = lineSearch();
             system.go(step, share);
             system.findImpulses();
             if (share == 1 && (pattern == system.pattern && !system.slides || isSmall())) {
+                refine();
                 return;
             }
         }
+    }
+
+    /** Takes off what rounding has left of the gradient, by the factor that is there: momentum is kept by it. */
+    private void refine() {
+        system.findGradient();
+        newtonStep();
+        system.along(step);
+        system.go(step, 1);
+        system.findImpulses();
+    }
+
+    private void newtonStep() {
+        for (int k = 0; k < 6 * system.nodes; k++) {
+            step[k] = -system.gradient[k];
+        }
+        matrix.solve(step);
     }
 
     private boolean isSmall() {

@@ -7,11 +7,14 @@ final class MemoryIndex {
     private static final int NOTHING = -1;
 
     private ContactMemory memory = ContactMemory.NONE;
+    private double scale = 1;
     private int[] table = new int[16];
     private int mask = 15;
 
-    void index(ContactMemory last) {
+    /** @param nowSeconds length of the step that recalls: impulses grow with time */
+    void index(ContactMemory last, double nowSeconds) {
         memory = last;
+        scale = last.scaleTo(nowSeconds);
         int size = Integer.highestOneBit(Math.max(8, last.size())) * 4;
         if (table.length < size) {
             table = new int[size];
@@ -58,15 +61,15 @@ final class MemoryIndex {
                 if ((used & 1 << j) == 0 && (features >>> 8 * j & 0xff) == wanted) {
                     used |= 1 << j;
                     int r = ContactRows.ROW * (rows.first[m] + i);
-                    rows.rows[r + ContactRows.IMPULSE] = memory.impulse(entry, j);
-                    rows.rows[r + ContactRows.GREATEST] = memory.impulse(entry, j);
+                    rows.rows[r + ContactRows.IMPULSE] = scale * memory.impulse(entry, j);
+                    rows.rows[r + ContactRows.GREATEST] = scale * memory.impulse(entry, j);
                     break;
                 }
             }
         }
         int f = ContactRows.HEAD * m + ContactRows.FRICTION_IMPULSE;
         for (int i = 0; i < 3; i++) {
-            rows.head[f + i] = memory.impulse(entry, Manifold.MOST + i);
+            rows.head[f + i] = scale * memory.impulse(entry, Manifold.MOST + i);
         }
     }
 }

@@ -13,10 +13,23 @@ public final class RigidStep {
 
     private static final int MOST_SUBSTEPS = 32;
 
+    /** Masses that touch and differ by less than this factor are even. */
+    private static final double EVEN_MASSES = Double.parseDouble(System.getProperty("masses", "2"));
+
+    /** Edges of a body that differ by less than this factor are even. */
+    private static final double EVEN_EDGES = Double.parseDouble(System.getProperty("edges", "4"));
+
     /** Longer ticks are stepped in parts: where shapes touch is found once a part. */
     private static final double LONGEST_PART_SECONDS = 1 / 120.0;
 
     private static final int MOST_PARTS = 32;
+
+    /** Where the way of a point of a body that touches something bends by more, contacts are found anew in between. */
+    private static final double BEND_METRES = Double.parseDouble(System.getProperty("bend", "3e-5"));
+
+    private static final int MOST_FINER_PARTS = 16;
+    /** Finer parts are for few bodies: this many steps of a body in all. */
+    private static final int MOST_BODIES_A_TICK = 64;
 
     /** Products of blocks a body that the direct solver may spend on an island. */
     private static final double MOST_PRODUCTS_A_BODY = Double.parseDouble(System.getProperty("most", "12"));
@@ -69,41 +82,135 @@ public final class RigidStep {
         int parts = (int) Math.max(1, Math.min(MOST_PARTS, Math.ceil(seconds / LONGEST_PART_SECONDS - 1e-6)));
         double part = seconds / parts;
         influences.begin();
-        bodies.load(before);
-        Bodies at = part(before, before.at(surroundings.portals()), surroundings, influences, part);
-        for (int i = 1; i < parts; i++) {
-            influences.advance(part);
-            bodies.loadPart(at);
-            at = part(at, at, surroundings, influences, part);
-        }
+        Bodies after = inParts(before, surroundings, influences, new Cut(parts, false), seconds);
         influences.end();
+        return after;
+    }
+
+    /** How a span of time is cut: into equal parts, and whether these belong to a tick that has begun. */
+    private record Cut(int parts, boolean isLater) {}
+
+    private Bodies inParts(
+            Bodies before, Surroundings surroundings, Influences influences, Cut cut, double seconds) {
+        double part = seconds / cut.parts;
+        Bodies at = before;
+        for (int i = 0; i < cut.parts; i++) {
+            boolean later = cut.isLater || i > 0;
+            load(at, later);
+            boolean stepped = begin(at, surroundings, influences, part);
+            int finer = stepped ? finerParts(part) : 1;
+            if (finer > 1) {
+                at = inFinerParts(at, surroundings, influences, new Cut(finer, later), part);
+            } else {
+                at = end(at, surroundings, influences, stepped, later, part);
+            }
+        }
         return at;
     }
 
-    /** @param still what is to be returned when nothing moves */
-    private Bodies part(
-            Bodies before, Bodies still, Surroundings surroundings, Influences influences, double seconds) {
+    private Bodies inFinerParts(
+            Bodies before, Surroundings surroundings, Influences influences, Cut cut, double seconds) {
+        double part = seconds / cut.parts;
+        Bodies at = before;
+        for (int i = 0; i < cut.parts; i++) {
+            boolean later = cut.isLater || i > 0;
+            load(at, later);
+            boolean stepped = begin(at, surroundings, influences, part);
+            at = end(at, surroundings, influences, stepped, later, part);
+        }
+        return at;
+    }
+
+    private void load(Bodies before, boolean later) {
+        if (later) {
+            bodies.loadPart(before);
+        } else {
+            bodies.load(before);
+        }
+    }
+
+    /** Into how many parts contacts have to be found anew because bodies turn too far in one. */
+    private int finerParts(double seconds) {
+        int awake = 0;
+        double most = 0;
+        findPressed();
+        for (int body = 0; body < bodies.count; body++) {
+            awake += bodies.isAwake(body) ? 1 : 0;
+            if (pressed[body] && bodies.isAwake(body)) {
+                most = Math.max(most, bendMetres(body, seconds));
+            }
+        }
+        double wanted = Math.ceil(Math.sqrt(most / BEND_METRES));
+        return (int) Math.max(1, Math.min(wanted, Math.min(MOST_FINER_PARTS, MOST_BODIES_A_TICK / Math.max(1, awake))));
+    }
+
+    /** How far, at most, the way of a point of a body bends off a straight line by the body's turn: r ω² t² / 2. */
+    private double bendMetres(int body, double seconds) {
+        if (poses.kind[body] == BodyTable.SPHERE) {
+            return 0;
+        }
+        int w = 6 * body + 3;
+        double[] v = motions.velocity;
+        double[] x = poses.axes;
+        double[] local = new double[3];
+        for (int i = 0; i < 3; i++) {
+            int at = 9 * body + 3 * i;
+            local[i] = Math.abs(v[w] * x[at] + v[w + 1] * x[at + 1] + v[w + 2] * x[at + 2]);
+        }
+        double spin = Math.sqrt(local[0] * local[0] + local[1] * local[1] + local[2] * local[2]);
+        if (spin * seconds < 1e-3) {
+            return 0;
+        }
+        boolean box = poses.kind[body] == BodyTable.BOX;
+        double hX = box ? poses.half[3 * body] : 0;
+        double hY = poses.half[3 * body + 1];
+        double hZ = box ? poses.half[3 * body + 2] : 0;
+        double sX = local[1] * hZ + local[2] * hY;
+        double sY = local[2] * hX + local[0] * hZ;
+        double sZ = local[0] * hY + local[1] * hX;
+        double speed = Math.sqrt(sX * sX + sY * sY + sZ * sZ);
+        return Math.min(spin * speed * seconds * seconds / 2, 2 * speed / spin);
+    }
+
+    /** Finds and solves the contacts of a part; false when nothing moves. */
+    private boolean begin(Bodies before, Surroundings surroundings, Influences influences, double seconds) {
         drive(influences);
         place(influences, seconds);
         search.activity().find(bodies, before.passages(), surroundings, gravity, seconds);
         wakeNeighbours(before.contacts());
         setMasses(influences);
         search.activity().addImages(surroundings, influences, motions, seconds);
-        search.index(before.contacts());
+        search.index(before.contacts(), seconds);
         if (search.wakeTouched(bodies, influences, seconds)) {
             wakeNeighbours(before.contacts());
             setMasses(influences);
         }
         if (isAllAsleep() && !bodies.hasFrozen) {
-            return still;
+            return false;
         }
         search.findContacts(bodies, surroundings, influences, seconds);
         solve(influences, seconds);
+        return true;
+    }
+
+    /** Moves the bodies by what {@link #begin} has found. */
+    private Bodies end(
+            Bodies before,
+            Surroundings surroundings,
+            Influences influences,
+            boolean stepped,
+            boolean later,
+            double seconds) {
+        if (!stepped) {
+            influences.advance(seconds);
+            return later ? before : before.at(surroundings.portals());
+        }
         flight.begin(surroundings, influences, bodies, seconds);
         move(before);
         fallAsleep(seconds);
         giveImpulses(influences);
-        ContactMemory carried = search.remember(before.contacts(), bodies);
+        influences.advance(seconds);
+        ContactMemory carried = search.remember(before.contacts(), bodies, seconds);
         return new Bodies(bodies.motion, bodies.rest, carried, bodies.passages(surroundings.portals()));
     }
 
@@ -245,7 +352,7 @@ public final class RigidStep {
         int left = 0;
         for (int i = 0; i < grouped; ) {
             int end = islandEnd(i);
-            if (exact.take(order, i, end, MOST_PRODUCTS_A_BODY)) {
+            if (needsExact(i, end) && exact.take(order, i, end, MOST_PRODUCTS_A_BODY)) {
                 exact.solve(gravity, weighs, seconds);
             } else {
                 for (int k = i; k < end; k++) {
@@ -265,6 +372,25 @@ public final class RigidStep {
     private int root(int m) {
         int a = rows.slotA[m];
         return islands.root(motions.inverseMass[a] > 0 ? a : rows.slotB[m]);
+    }
+
+    /** Whether an island has what sequential impulses are slow or wrong about: unequal masses, or thin bodies. */
+    private boolean needsExact(int from, int to) {
+        boolean alone = true;
+        boolean hard = false;
+        for (int i = from; i < to && !hard; i++) {
+            int a = rows.slotA[order[i]];
+            int b = rows.slotB[order[i]];
+            double ia = motions.inverseMass[a];
+            double ib = motions.inverseMass[b];
+            alone &= ia == 0 || ib == 0;
+            hard = isThin(a) || isThin(b) || ia > 0 && ib > 0 && Math.max(ia, ib) > EVEN_MASSES * Math.min(ia, ib);
+        }
+        return hard || alone;
+    }
+
+    private boolean isThin(int slot) {
+        return slot < bodies.count && table.slenderness(slot) > EVEN_EDGES;
     }
 
     private int islandEnd(int from) {
@@ -346,7 +472,7 @@ public final class RigidStep {
         }
     }
 
-    private void move(Bodies before) {
+    private void findPressed() {
         Arrays.fill(pressed, 0, bodies.count, false);
         for (int m = 0; m < rows.count; m++) {
             if (rows.carries(m)) {
@@ -354,6 +480,10 @@ public final class RigidStep {
                 mark(rows.slotB[m]);
             }
         }
+    }
+
+    private void move(Bodies before) {
+        findPressed();
         flight.expect(bodies, pressed, motions);
         for (int body = 0; body < bodies.count; body++) {
             if (!bodies.isAwake(body)) {
