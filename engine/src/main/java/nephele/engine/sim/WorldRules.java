@@ -21,12 +21,22 @@ public final class WorldRules {
     /** Every problem, errors and warnings; where a record is wrong already, no world follows from it. */
     public static List<Problem> check(Level level, AssetSource assets) {
         List<Problem> problems = new ArrayList<>(LevelRules.check(level, assets));
+        if (level.player() == null && level.cameras().isEmpty()) {
+            problems.replaceAll(WorldRules::keepsFromDrawing);
+        }
         boolean isDerivable = problems.stream().noneMatch(Problem::isError);
         if (isDerivable && (!level.bodies().isEmpty() || !level.portals().isEmpty())) {
             StaticShapes statics = StaticShapes.of(level, assets);
             PLACED.forEach(rule -> rule.check(level, statics, problems::add));
         }
         return problems;
+    }
+
+    /** A level without a place to look from can be simulated, and no command can draw it. */
+    private static Problem keepsFromDrawing(Problem problem) {
+        return problem.path().equals("player")
+                ? Problem.error("player", problem.message() + ": add player.feet or a camera")
+                : problem;
     }
 
     /**
