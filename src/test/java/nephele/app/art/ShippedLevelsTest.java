@@ -15,12 +15,14 @@ import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelJson;
-import nephele.engine.level.LevelRules;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.Replay;
+import nephele.engine.sim.WorldRules;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What every level in the checkout promises. */
 class ShippedLevelsTest {
@@ -44,9 +46,23 @@ class ShippedLevelsTest {
         LevelFile.Opened opened = LevelFile.load(file);
         Level level = opened.level();
         assertEquals(LevelJson.write(level), Files.readString(file), file + " is not in canonical form");
-        assertEquals(List.of(), LevelRules.check(opened.level(), opened.assets()));
+        assertEquals(List.of(), WorldRules.check(opened.level(), opened.assets()));
         assertFalse(level.description().isBlank(), file + " has no description");
         assertEquals("main", level.cameras().get(0).id());
+    }
+
+    /** A level that changes takes its replay along: it is recorded again, or the new hash is written into it. */
+    @ParameterizedTest
+    @ValueSource(strings = {"levels", "levels/samples"})
+    void replaysNameTheirLevelAsItIs(String folder) throws IOException {
+        try (Stream<Path> replays = Files.list(Path.of(folder, "replays"))) {
+            for (Path file : replays.toList()) {
+                Replay replay = Replay.read(file.toString(), Files.readAllBytes(file));
+                Level level = LevelFile.load(Path.of(folder, file.getFileName().toString()))
+                        .level();
+                assertEquals(replay.recordedIn(level), replay, file.toString());
+            }
+        }
     }
 
     @Test

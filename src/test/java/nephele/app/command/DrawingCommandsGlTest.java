@@ -139,4 +139,16 @@ class DrawingCommandsGlTest {
                 "render", "--set", "anisotropy=2", "shadowTexels=64", level(), "--out", file, "--size", "8x8");
         assertEquals(0, answer.exitCode(), answer.err());
     }
+
+    @Test
+    void playRefusesAReplayOfAnotherLevel() throws IOException {
+        var replay = folder.resolve("replay.json");
+        Files.writeString(
+                replay,
+                "{\"format\": \"nephele-replay\", \"version\": 1, \"level\": \"a\", \"levelName\": \"There\","
+                        + " \"inputs\": []}");
+        var answer = Captured.run("play", level(), "--replay", replay.toString());
+        assertEquals(1, answer.exitCode());
+        assertTrue(answer.err().startsWith(replay + ": levelName: was recorded in the level 'There'"), answer.err());
+    }
 }

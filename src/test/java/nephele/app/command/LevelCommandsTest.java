@@ -5,12 +5,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import nephele.app.terminal.CrashReport;
+import nephele.app.terminal.ExitCode;
+import nephele.app.terminal.Terminal;
+import nephele.engine.level.LevelJson;
 import nephele.engine.render.RenderFeatures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -108,6 +115,54 @@ class LevelCommandsTest {
         var answer = Captured.run("simulate", WALKING, "--replay", replay);
         assertEquals(1, answer.exitCode());
         assertTrue(answer.err().contains(replay + ": "), answer.err());
+    }
+
+    private String replay(String more) throws IOException {
+        var text = "{\"format\": \"nephele-replay\", \"version\": 1, \"level\": \"a.json\", " + more
+                + "\"inputs\": [{\"ticks\": 2}]}";
+        return Files.writeString(folder.resolve("replay.json"), text).toString();
+    }
+
+    @Test
+    void aReplayOfAnotherLevelIsRefusedWithBothNames() throws IOException {
+        var level = level("{" + HEAD + ", \"name\": \"Here\", \"player\": {\"feet\": [0, 0, 0]}}");
+        var replay = replay("\"levelName\": \"There\", ");
+        var answer = Captured.run("simulate", level, "--replay", replay);
+        assertEquals(1, answer.exitCode());
+        assertEquals("", answer.out());
+        assertTrue(answer.err().startsWith(replay + ": levelName: "), answer.err());
+        assertTrue(answer.err().contains("'There'") && answer.err().contains("'Here'"), answer.err());
+    }
+
+    @Test
+    void aReplayOfTheLevelAsItWasIsAWarning() throws IOException {
+        var text = "{" + HEAD + ", \"name\": \"Here\", \"player\": {\"feet\": [0, 0, 0]}}";
+        var level = level(text);
+        var sha256 = LevelJson.sha256(LevelJson.read("level", text.getBytes(StandardCharsets.UTF_8)));
+        var same = Captured.run("simulate", level, "--replay", replay("\"levelSha256\": \"" + sha256 + "\", "));
+        assertEquals("", same.err());
+        var replay = replay("\"levelName\": \"Here\", \"levelSha256\": \"" + "0".repeat(64) + "\", ");
+        var changed = Captured.run("simulate", level, "--replay", replay);
+        assertEquals(0, changed.exitCode());
+        assertEquals(same.out(), changed.out());
+        assertTrue(changed.err().startsWith(replay + ": levelSha256: warning: "), changed.err());
+    }
+
+    @Test
+    void outputThatCannotBeWrittenIsToldAndNotDone() {
+        var err = new ByteArrayOutputStream();
+        var full = new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                throw new IOException("No space left on device");
+            }
+        };
+        var terminal = new Terminal(new PrintStream(full, true), new PrintStream(err, true));
+        assertEquals(ExitCode.ENVIRONMENT, new CommandLineFront(terminal).run("simulate", WALKING, "--every", "9999"));
+        assertTrue(
+                err.toString(StandardCharsets.UTF_8).startsWith("nephele: the output is incomplete"), err.toString());
+        assertEquals(ExitCode.ENVIRONMENT, new CommandLineFront(terminal).run("--help"));
+        assertEquals(ExitCode.USAGE, new CommandLineFront(terminal).run("no-such-command"));
     }
 
     @Test

@@ -26,7 +26,8 @@ class RecordingsTest {
         var recordings = new Recordings(folder.resolve("walk.json"));
         for (int i = 1; i <= 3; i++) {
             var name = i == 1 ? "walk.json" : "walk-" + i + ".json";
-            assertEquals(Optional.of(folder.resolve(name)), recordings.keep(walk(i)));
+            int length = i;
+            assertEquals(Optional.of(folder.resolve(name)), recordings.keep(() -> walk(length)));
         }
         for (int i = 1; i <= 3; i++) {
             var name = i == 1 ? "walk.json" : "walk-" + i + ".json";
@@ -38,12 +39,12 @@ class RecordingsTest {
 
     @Test
     void withoutAFileNothingIsKept() {
-        assertEquals(Optional.empty(), new Recordings(null).keep(walk(1)));
+        assertEquals(Optional.empty(), new Recordings(null).keep(() -> walk(1)));
     }
 
     @Test
     void aFileThatCannotBeWrittenIsNamed() {
-        var failure = assertThrows(CommandFailure.class, () -> new Recordings(folder).keep(walk(1)));
+        var failure = assertThrows(CommandFailure.class, () -> new Recordings(folder).keep(() -> walk(1)));
         assertEquals(ExitCode.ENVIRONMENT, failure.exitCode());
         assertTrue(failure.getMessage().startsWith(folder + ": can't be written: it is a folder"));
     }

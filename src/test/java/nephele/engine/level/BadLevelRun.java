@@ -28,6 +28,8 @@ final class BadLevelRun {
         Path inside = Files.createDirectories(folder.resolve("levels"));
         Files.write(folder.resolve("real.png"), good);
         Files.write(inside.resolve("real.png"), good);
+        Files.write(inside.resolve("wide.png"), SamplePictures.png(8, 4, 8, 2, 1));
+        Files.write(inside.resolve("large.png"), SamplePictures.png(8, 8, 8, 2, 1));
         Files.createDirectories(inside.resolve("folder"));
         Files.createSymbolicLink(inside.resolve("loop.png"), inside.resolve("loop.png"));
         Files.createSymbolicLink(inside.resolve("outside.png"), folder.resolve("real.png"));

@@ -2,6 +2,7 @@ package nephele.engine.level;
 
 import static nephele.engine.level.BadLevel.level;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -126,6 +127,10 @@ final class BadRelations {
                     "environment.sky.files",
                     "needs 1 files",
                     "\"environment\": {\"sky\": {\"kind\": \"skybox\", \"layout\": \"cross\", \"files\": []}}"),
+            skybox("faces", "[1]", "is 8 x 4 pixels", "real", "wide", "real", "real", "real", "real"),
+            skybox("faces", "[0]", "squares of one size", "wide", "wide", "wide", "wide", "wide", "wide"),
+            skybox("faces", "[5]", "here 4", "real", "real", "real", "real", "real", "large"),
+            skybox("cross", "[0]", "four columns and three rows", "real"),
             level(
                     "environment.clouds[0].density.file",
                     "no such file",
@@ -154,6 +159,16 @@ final class BadRelations {
             texture("wide.tga", "claims 65535"));
 
     private BadRelations() {}
+
+    private static BadLevel skybox(String layout, String file, String words, String... names) {
+        String files = Arrays.stream(names).map(name -> "\"" + name + ".png\"").collect(Collectors.joining(","));
+        BadLevel bad = level(
+                "environment.sky.files" + file,
+                words,
+                "\"environment\": {\"sky\": {\"kind\": \"skybox\", \"layout\": \"" + layout + "\", \"files\": [" + files
+                        + "]}}");
+        return new BadLevel("skybox " + layout + " of " + String.join(" ", names), bad.path(), words, bad.content());
+    }
 
     private static String plane(int x, int y, int z, int distance) {
         return "{\"normal\": [" + x + ", " + y + ", " + z + "], \"distanceMetres\": " + distance + "}";

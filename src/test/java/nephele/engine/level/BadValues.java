@@ -57,7 +57,15 @@ final class BadValues {
             level("solids", "an array", "\"solids\": {}"),
             level("materials[0].id", "is missing", "\"materials\": [{}]"),
             level("materials[0].id", "characters is wanted", "\"materials\": [{\"id\": \"\"}]"),
-            level("materials[0].id", "control character", "\"materials\": [{\"id\": \"a\\n\"}]"),
+            id("\\n", "U+000A"),
+            id("\\u202e", "U+202E"),
+            id("\\u2066", "U+2066"),
+            id("\\u200b", "U+200B"),
+            id("\\ufeff", "U+FEFF"),
+            id("\\u2028", "U+2028"),
+            level("materials[0].id", "can be seen", "\"materials\": [{\"id\": \"  \"}]"),
+            level("materials[0].id", "can be seen", "\"materials\": [{\"id\": \"\\u00a0\\u3000\\u3164\"}]"),
+            level("materials[0].id", "can be seen", "\"materials\": [{\"id\": \"\\u2800\"}]"),
             level("materials[0].roughness", "must be from", "\"materials\": [{\"id\": \"m\", \"roughness\": -1}]"),
             level(
                     "materials[0].textureMetres",
@@ -91,6 +99,12 @@ final class BadValues {
             camera("path", "[1]", "an object"));
 
     private BadValues() {}
+
+    /** An id that holds an escaped character. */
+    private static BadLevel id(String escaped, String words) {
+        BadLevel bad = level("materials[0].id", words, "\"materials\": [{\"id\": \"a" + escaped + "b\"}]");
+        return new BadLevel("id with " + words, bad.path(), words, bad.content());
+    }
 
     private static BadLevel stops(String value, String words) {
         return new BadLevel("number " + JsonTree.shortened(value), "environment", words, () -> BadLevel.wrap(

@@ -145,4 +145,47 @@ class LevelRulesTest {
         assertEquals(1, problems.size());
         assertTrue(problems.get(0).message().contains("are not checked"));
     }
+
+    /** Planes that enclose nothing hold the player, too; that is no second fault. */
+    @Test
+    void noPlanesAreOneProblem() {
+        String planes =
+                "\"player\": {\"feet\": [0, 0, 0]}, \"solids\": [{\"id\": \"a\", \"kind\": \"planes\", \"planes\":"
+                        + " [%s]}]";
+        assertEquals(List.of("solids[0]"), paths(planes.formatted("")));
+        String five = "{\"normal\": [0, 1, 0], \"distanceMetres\": 5},".repeat(5);
+        assertEquals(List.of("solids[0]"), paths(planes.formatted(five.substring(0, five.length() - 1))));
+    }
+
+    /** An author mends what is misshapen and what is missing in one go. */
+    @Test
+    void unknownMaterialsAreToldBesideErrorsOfShape() {
+        String sections =
+                "\"materials\": [{\"id\": \"known\", \"roughness\": -1}], \"solids\": [{\"id\": \"a\", \"kind\":"
+                        + " \"box\", \"material\": \"known\", \"centre\": [0, 0, 0], \"size\": [1, 1, 0], \"faces\":"
+                        + " {\"+y\": {\"material\": \"no\"}}}, {\"id\": \"b\", \"kind\": \"planes\", \"material\":"
+                        + " \"none\", \"planes\": [{\"normal\": [0, 1, 0], \"distanceMetres\": 0, \"material\":"
+                        + " \"nix\"}]}]";
+        List<Problem> problems = LevelJsonTest.problems(BadLevel.wrap(sections));
+        assertEquals(
+                List.of(
+                        "materials[0].roughness",
+                        "solids[0].size[2]",
+                        "solids[0].faces.+y.material",
+                        "solids[1].material",
+                        "solids[1].planes[0].material"),
+                problems.stream().map(Problem::path).toList());
+        assertEquals(
+                "there is no material 'nix': add it to materials",
+                problems.get(4).message());
+    }
+
+    @Test
+    void aNameOfMegabytesIsShortened() {
+        String wedge = "\"solids\": [{\"id\": \"w\", \"kind\": \"wedge\", \"centre\": [0, 0, 0], \"size\": [1, 1, 1],"
+                + " \"rising\": \"+x\", \"faces\": {\"%s\": {\"material\": \"x\"}}}]";
+        List<Problem> problems = structure(wedge.formatted("q".repeat(5_000_000)));
+        assertEquals(3, problems.size());
+        assertTrue(problems.stream().allMatch(problem -> problem.line("f").length() < 1000));
+    }
 }

@@ -109,11 +109,12 @@ final class RandomLevels {
         return value >= written.min() && value <= written.max() ? value : written.min();
     }
 
-    private String text(TextFormat.Rule rule) {
+    private String text(TextRule rule) {
         return switch (rule) {
             case NAME -> TEXTS[random.nextInt(TEXTS.length)];
             case PROSE -> TEXTS[random.nextInt(TEXTS.length)] + "\n\tmore";
             case ID -> "id " + TEXTS[random.nextInt(TEXTS.length)];
+            case SHA256 -> "0123456789abcdef".repeat(4);
             case ASSET -> "textures/a-" + random.nextInt(100) + ".png";
         };
     }

@@ -89,7 +89,7 @@ public final class BenchBodies {
         List<Body> bodies = new ArrayList<>(RESTLESS);
         for (int i = 0; i < RESTLESS; i++) {
             double x = -4.4 + 0.8 * (i % 5);
-            double y = 0.7 + 0.6 * (i / 25);
+            double y = 0.7 + 0.57 * (i / 25);
             double z = -4 + 2 * (i / 5 % 5) + 0.1 * (i / 25);
             bodies.add(body(i, new Vec3(x, y, z)));
         }

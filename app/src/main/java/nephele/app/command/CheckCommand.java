@@ -10,8 +10,8 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelFormatException;
-import nephele.engine.level.LevelRules;
 import nephele.engine.level.Problem;
+import nephele.engine.sim.WorldRules;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
@@ -45,10 +45,10 @@ final class CheckCommand implements Command {
         try {
             if (isFile(file)) {
                 var path = Path.of(file);
-                return LevelRules.check(LevelFile.read(path), LevelAssets.beside(path));
+                return WorldRules.check(LevelFile.read(path), LevelAssets.beside(path));
             }
             var opened = LevelFile.open(file);
-            return LevelRules.check(opened.level(), opened.assets());
+            return WorldRules.check(opened.level(), opened.assets());
         } catch (LevelFormatException wrong) {
             return wrong.problems();
         } catch (AssetException wrong) {

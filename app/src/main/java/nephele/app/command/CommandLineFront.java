@@ -20,7 +20,19 @@ public final class CommandLineFront {
         this.terminal = terminal;
     }
 
+    /** What the arguments ask for, and exit code 3 where its output could not be written. */
     public ExitCode run(String... arguments) {
+        var exitCode = answer(arguments);
+        if (!terminal.out().checkError()) {
+            return exitCode;
+        }
+        terminal.err()
+                .println("nephele: the output is incomplete, it could not be written: make room on the device, or read"
+                        + " it to its end");
+        return exitCode == ExitCode.DONE ? ExitCode.ENVIRONMENT : exitCode;
+    }
+
+    private ExitCode answer(String... arguments) {
         var words = List.of(arguments);
         if (words.isEmpty() || words.get(0).equals("--help") || words.get(0).equals("-h")) {
             (words.isEmpty() ? terminal.err() : terminal.out()).print(Overview.text());

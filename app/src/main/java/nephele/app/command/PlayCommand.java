@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import nephele.app.levels.LevelName;
 import nephele.app.levels.LevelShelf;
+import nephele.app.levels.ReplayOrigin;
 import nephele.app.play.OffscreenWalk;
 import nephele.app.play.PlayRequest;
 import nephele.app.play.StartProfile;
@@ -101,7 +102,7 @@ final class PlayCommand implements Command {
 
     @Override
     public ExitCode run(Terminal terminal) throws IOException {
-        var request = request();
+        var request = request(terminal);
         boolean windowed = SystemDisplay.isPresent();
         if (windowed && profileStart) {
             new WindowedGame(request).profileStart(profile, terminal.out());
@@ -115,10 +116,13 @@ final class PlayCommand implements Command {
         return ExitCode.DONE;
     }
 
-    private PlayRequest request() {
+    private PlayRequest request(Terminal terminal) {
         var name = level == null ? LevelShelf.first() : new LevelName(level);
         var picture = new PlayRequest.Picture(size.width(), size.height(), fullScreen);
         Replay shown = replay == null ? null : LevelName.replay(replay);
+        if (shown != null && (shown.levelName() != null || shown.levelSha256() != null)) {
+            ReplayOrigin.require(name.open(), replay, shown, terminal.err());
+        }
         return new PlayRequest(name, from, quality.choice(), shown, record, settings(), picture);
     }
 

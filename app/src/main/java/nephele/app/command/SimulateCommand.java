@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.LevelName;
+import nephele.app.levels.ReplayOrigin;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
@@ -58,7 +59,10 @@ final class SimulateCommand implements Command {
         }
         var name = new LevelName(level);
         var opened = name.open();
-        var last = play(opened, replay == null ? name.recordedWalk() : LevelName.replay(replay), terminal);
+        var inputs = replay == null ? name.recordedWalk() : LevelName.replay(replay);
+        var replayFile = replay == null ? "the recorded walk of " + name.fileName() : replay;
+        ReplayOrigin.require(opened, replayFile, inputs, terminal.err());
+        var last = play(opened, inputs, terminal);
         if (dump != null) {
             WrittenFile.text(dump, StateDump.of(last).write());
         }

@@ -10,9 +10,8 @@ import nephele.engine.asset.ResourceAssets;
 import nephele.engine.asset.WholeFile;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelFormatException;
-import nephele.engine.level.LevelRules;
-import nephele.engine.level.Problem;
 import nephele.engine.sim.Replay;
+import nephele.engine.sim.WorldRules;
 
 /** A level as a user names it: a file, or one of the jar's. */
 public record LevelName(String typed) {
@@ -30,12 +29,10 @@ public record LevelName(String typed) {
         return words.isEmpty() ? fileName() : Character.toUpperCase(words.charAt(0)) + words.substring(1);
     }
 
-    /** The level, checked by every rule that needs no other file. */
+    /** The level, checked by every rule that reads no picture. */
     public LevelFile.Opened open() throws LevelFormatException {
         var opened = LevelFile.open(typed);
-        var errors = LevelRules.check(LevelRules.STRUCTURE, opened.level(), opened.assets()).stream()
-                .filter(Problem::isError)
-                .toList();
+        var errors = WorldRules.errorsBeforeUse(opened.level(), opened.assets());
         if (!errors.isEmpty()) {
             throw new LevelFormatException(opened.file(), errors);
         }

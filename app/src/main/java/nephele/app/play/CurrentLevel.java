@@ -56,7 +56,7 @@ final class CurrentLevel implements AutoCloseable {
 
     private void keepRecording() {
         if (session != null) {
-            recordings.keep(session.walk().recorder().replay()).ifPresent(file -> message.say("Recorded " + file));
+            recordings.keep(session::recording).ifPresent(file -> message.say("Recorded " + file));
         }
     }
 

@@ -8,6 +8,7 @@ import nephele.app.bench.FrameTimes;
 import nephele.app.bench.Stopwatch;
 import nephele.app.levels.AssetComplaint;
 import nephele.app.levels.PrintedProgress;
+import nephele.engine.level.Level;
 import nephele.engine.render.Capture;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
@@ -47,7 +48,7 @@ public final class OffscreenWalk {
                             + gl.limits().renderer());
             drawAll(gl, renderer, target, walk);
             gl.requireNoError("play");
-            save(walk);
+            save(walk, preparation.get().opened().level());
         }
     }
 
@@ -109,8 +110,8 @@ public final class OffscreenWalk {
         out.println("picture: " + pictures.resolve(name));
     }
 
-    private void save(Walk walk) {
-        new Recordings(request.record()).keep(walk.recorder().replay());
+    private void save(Walk walk, Level level) {
+        new Recordings(request.record()).keep(() -> walk.recorder().replay().recordedIn(level));
     }
 
     private Replay replay() {

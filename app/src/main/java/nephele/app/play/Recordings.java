@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Supplier;
 import nephele.app.terminal.CommandFailure;
 import nephele.engine.asset.WholeFile;
 import nephele.engine.sim.Replay;
@@ -21,11 +22,12 @@ final class Recordings {
         this.file = file;
     }
 
-    /** Writes the recording if one was asked for; returns where it is. */
-    Optional<Path> keep(Replay replay) {
+    /** Writes the recording if one was asked for, and only then makes it; returns where it is. */
+    Optional<Path> keep(Supplier<Replay> recording) {
         if (file == null) {
             return Optional.empty();
         }
+        var replay = recording.get();
         var next = kept == 0 ? file : numbered(kept + 1);
         try {
             WholeFile.write(next, replay.write().getBytes(StandardCharsets.UTF_8));

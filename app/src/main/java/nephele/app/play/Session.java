@@ -7,6 +7,7 @@ import nephele.engine.level.LevelFile;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.sim.Replay;
 import nephele.engine.sim.SimSettings;
 
 /** One level being played: what is drawn and what is simulated. */
@@ -53,6 +54,11 @@ final class Session implements AutoCloseable {
 
     Walk walk() {
         return walk;
+    }
+
+    /** What was done since the start or the last restart. */
+    Replay recording() {
+        return walk.recorder().replay().recordedIn(level.level());
     }
 
     Renderer renderer() {

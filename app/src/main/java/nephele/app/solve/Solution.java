@@ -22,7 +22,7 @@ public record Solution(String levelFile, Vec3 goal, Consumer<ScriptedPlayer> pla
     public Replay playIn(Level level) {
         var player = new ScriptedPlayer(level, levelFile);
         play.accept(player);
-        return player.replay();
+        return player.replay().recordedIn(level);
     }
 
     /** Whether a player stands on the goal. */

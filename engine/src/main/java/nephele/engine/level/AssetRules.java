@@ -3,11 +3,12 @@ package nephele.engine.level;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.appearance.SkyboxSizes;
 
 /** Every file that the level names is there, and every picture can be decoded. */
 final class AssetRules {
@@ -19,7 +20,7 @@ final class AssetRules {
             check.picture("materials[" + i + "].normalTexture", material.normalTexture());
         }
         if (level.environment().sky() instanceof Sky.Skybox skybox) {
-            check.pictures("environment.sky.files", skybox.files());
+            check.skybox("environment.sky.files", skybox);
         }
         List<Cloud> clouds = level.environment().clouds();
         for (int i = 0; i < clouds.size(); i++) {
@@ -30,26 +31,51 @@ final class AssetRules {
 
     private AssetRules() {}
 
-    private record Check(AssetSource assets, Consumer<Problem> report, Map<String, Optional<String>> verdicts) {
-        void picture(String path, String id) {
-            if (id != null) {
-                verdicts.computeIfAbsent(id, this::objection)
-                        .ifPresent(objection -> report.accept(Problem.error(path, objection)));
+    /** @param objection {@code null} for a picture that can be used, whose size follows */
+    private record Verdict(String objection, int width, int height) {}
+
+    private record Check(AssetSource assets, Consumer<Problem> report, Map<String, Verdict> verdicts) {
+        /** The picture's size; {@code null} after reporting that there is none. */
+        Verdict picture(String path, String id) {
+            Verdict verdict = id == null ? null : verdicts.computeIfAbsent(id, this::verdict);
+            if (verdict != null && verdict.objection() != null) {
+                report.accept(Problem.error(path, verdict.objection()));
+                return null;
             }
+            return verdict;
         }
 
-        private Optional<String> objection(String id) {
+        private Verdict verdict(String id) {
             try {
-                PictureDecoder.decode(id, assets.bytes(id));
-                return Optional.empty();
+                Picture picture = PictureDecoder.decode(id, assets.bytes(id));
+                return new Verdict(null, picture.width(), picture.height());
             } catch (AssetException problem) {
-                return Optional.of(problem.getMessage());
+                return new Verdict(problem.getMessage(), 0, 0);
             }
         }
 
-        void pictures(String path, List<String> ids) {
-            for (int i = 0; i < ids.size(); i++) {
-                picture(path + "[" + i + "]", ids.get(i));
+        void skybox(String path, Sky.Skybox skybox) {
+            Verdict first = null;
+            for (int i = 0; i < skybox.files().size(); i++) {
+                String file = skybox.files().get(i);
+                Verdict size = picture(path + "[" + i + "]", file);
+                first = first == null ? size : first;
+                if (size != null) {
+                    size(path + "[" + i + "]", file, size, skybox.layout() == SkyboxLayout.FACES ? first : null);
+                }
+            }
+        }
+
+        /** @param first of six faces, {@code null} for a cross */
+        private void size(String path, String file, Verdict size, Verdict first) {
+            try {
+                if (first == null) {
+                    SkyboxSizes.crossSide(file, size.width(), size.height());
+                } else {
+                    SkyboxSizes.requireFace(file, size.width(), size.height(), first.width());
+                }
+            } catch (AssetException problem) {
+                report.accept(Problem.error(path, problem.getMessage()));
             }
         }
 

@@ -38,6 +38,10 @@ final class IdRules {
 
     private IdRules() {}
 
+    static String noMaterial(String id) {
+        return "there is no material '" + id + "': add it to materials";
+    }
+
     private static <T> void unique(String section, List<T> records, Function<T, String> id, Consumer<Problem> report) {
         Map<String, Integer> first = new HashMap<>();
         for (int i = 0; i < records.size(); i++) {
@@ -54,8 +58,7 @@ final class IdRules {
     private record References(Set<String> known, Consumer<Problem> report) {
         void material(String path, String material) {
             if (material != null && !known.contains(material)) {
-                report.accept(Problem.error(
-                        path + ".material", "there is no material '" + material + "': add it to materials"));
+                report.accept(Problem.error(path + ".material", noMaterial(material)));
             }
         }
 

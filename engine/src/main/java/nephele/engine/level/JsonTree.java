@@ -24,6 +24,7 @@ final class JsonTree {
     private static final int MAX_DEPTH = 32;
     private static final int MAX_VALUES = 1_000_000;
     private static final int MAX_SHARED_NAMES = 1_000;
+    private static final int MOST_SHOWN = 60;
 
     private final JsonReader reader;
     private final Problems problems;
@@ -120,7 +121,7 @@ final class JsonTree {
         reader.beginObject();
         while (reader.hasNext()) {
             String name = shared(reader.nextName());
-            int mark = problems.enter(printable(name));
+            int mark = problems.enter(name);
             if (members.size() == JsonValue.Members.MOST) {
                 throw abandon("more than " + JsonValue.Members.MOST + " keys in one object");
             }
@@ -215,13 +216,15 @@ final class JsonTree {
         return "this is not valid JSON: " + shortened(first);
     }
 
-    private static String printable(String name) {
-        for (int i = 0; i < name.length(); i++) {
-            if (name.charAt(i) < ' ' || name.charAt(i) > '~') {
-                return shortened(name).replaceAll("[^ -~]", "?");
+    /** A key as a path shows it. */
+    static String printable(String name) {
+        String shown = name.length() <= MOST_SHOWN ? name : name.substring(0, MOST_SHOWN) + "…";
+        for (int i = 0; i < shown.length(); i++) {
+            if (shown.charAt(i) < ' ' || shown.charAt(i) > '~' && shown.charAt(i) != '…') {
+                return shown.replaceAll("[^ -~…]", "?");
             }
         }
-        return name;
+        return shown;
     }
 
     static String shortened(String text) {

@@ -1,5 +1,9 @@
 package nephele.engine.level;
 
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
 import java.util.List;
 
 /** Level files of version 1: bytes to records and back. */
@@ -29,6 +33,9 @@ public final class LevelJson {
             if (HEADER.isThat(members, problems)) {
                 requireNoEntities(members, problems);
                 level = (Level) LEVEL.read(members, problems);
+                if (level == null) {
+                    new WrittenMaterials(members, problems).tellUnknown();
+                }
             }
         } else {
             ValueFormat.mismatch("an object, a level", root, problems);
@@ -42,6 +49,16 @@ public final class LevelJson {
         JsonValue.Members members = HEADER.written();
         LEVEL.writeMembers(level, members);
         return JsonText.of(members);
+    }
+
+    /** SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits. */
+    public static String sha256(Level level) {
+        try {
+            byte[] text = write(level).getBytes(StandardCharsets.UTF_8);
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(text));
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new IllegalStateException("every Java has SHA-256", impossible);
+        }
     }
 
     /** JSON Schema of what {@link #read} accepts, as far as a schema can say it. */

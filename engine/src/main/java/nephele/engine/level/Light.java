@@ -25,7 +25,7 @@ public sealed interface Light {
 
     /** {@code "kind": "point"}. */
     record Point(
-            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(required = true, text = TextRule.ID) String id,
             @Written(required = true) Vec3 position,
             @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,
             @Written(absent = "20", min = 0) double rangeMetres,
@@ -34,7 +34,7 @@ public sealed interface Light {
 
     /** {@code "kind": "spot"}; cones are half angles from the axis, full light inside the inner one. */
     record Spot(
-            @Written(required = true, text = TextFormat.Rule.ID) String id,
+            @Written(required = true, text = TextRule.ID) String id,
             @Written(required = true) Vec3 position,
             @Written(required = true) Vec3 direction,
             @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,

@@ -15,12 +15,12 @@ import nephele.engine.math.Vec3;
  * @param textureMetres side of the square that one repeat of the texture covers
  */
 public record Material(
-        @Written(required = true, text = TextFormat.Rule.ID) String id,
+        @Written(required = true, text = TextRule.ID) String id,
         @Written(absent = "[1, 1, 1]", min = 0, max = 1) Vec3 baseColour,
-        @Written(text = TextFormat.Rule.ASSET) String texture,
+        @Written(text = TextRule.ASSET) String texture,
         @Written(min = 0, max = 1) Double roughness,
         @Written(min = 0, max = 1) Double metallic,
-        @Written(text = TextFormat.Rule.ASSET) String normalTexture,
+        @Written(text = TextRule.ASSET) String normalTexture,
         @Written(absent = "[0, 0, 0]", min = 0, max = 1e9) Vec3 emission,
         @Written(absent = "1", min = 1e-3) double textureMetres) {
 

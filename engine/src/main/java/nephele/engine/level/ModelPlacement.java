@@ -10,11 +10,11 @@ import nephele.engine.math.Vec3;
  * @param portalable whether shots open portals on its flat parts
  */
 public record ModelPlacement(
-        @Written(required = true, text = TextFormat.Rule.ID) String id,
-        @Written(required = true, text = TextFormat.Rule.ASSET) String file,
-        @Written(text = TextFormat.Rule.ID) String parent,
+        @Written(required = true, text = TextRule.ID) String id,
+        @Written(required = true, text = TextRule.ASSET) String file,
+        @Written(text = TextRule.ID) String parent,
         @Written(most = 1000) List<TransformStep> transform,
-        @Written(text = TextFormat.Rule.ID) String material,
+        @Written(text = TextRule.ID) String material,
         @Written boolean portalable) {
 
     /** One step; steps apply in file order, the first one outermost. */

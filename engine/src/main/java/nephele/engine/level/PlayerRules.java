@@ -79,7 +79,8 @@ final class PlayerRules {
 
     private static boolean holdsAxis(Solid solid, Vec3 feet) {
         try {
-            return holdsAxis(planes(solid), feet);
+            // Planes that enclose nothing hold everything; making the shape refuses them.
+            return holdsAxis(planes(solid), feet) && Brush.of(solid) != null;
         } catch (IllegalArgumentException toldByAnotherRule) {
             return false;
         }

@@ -4,8 +4,8 @@ import nephele.engine.math.Vec3;
 
 /** A portal that the level starts with. */
 public record PortalSpec(
-        @Written(required = true, text = TextFormat.Rule.ID) String id,
-        @Written(required = true, text = TextFormat.Rule.ID) String linkedTo,
+        @Written(required = true, text = TextRule.ID) String id,
+        @Written(required = true, text = TextRule.ID) String linkedTo,
         @Written(required = true) Vec3 centre,
         @Written(required = true) Vec3 normal,
         @Written(absent = "[0, 1, 0]") Vec3 up,

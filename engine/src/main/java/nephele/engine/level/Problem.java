@@ -1,11 +1,18 @@
 package nephele.engine.level;
 
+import nephele.engine.asset.ShownText;
+
 /**
  * Something wrong in a level.
  *
  * @param path JSON path such as {@code solids[3].size}; {@code $} is the whole file
  */
 public record Problem(Severity severity, String path, String message) {
+    public Problem {
+        path = ShownText.shortened(path);
+        message = ShownText.shortened(message);
+    }
+
     /** An ERROR keeps the level from being played, a WARNING does not. */
     public enum Severity {
         ERROR,

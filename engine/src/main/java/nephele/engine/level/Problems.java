@@ -18,7 +18,7 @@ final class Problems {
         if (mark > 0) {
             path.append('.');
         }
-        path.append(name.length() <= 60 ? name : name.substring(0, 60) + "…");
+        path.append(JsonTree.printable(name));
         return mark;
     }
 

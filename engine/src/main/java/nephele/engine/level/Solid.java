@@ -16,8 +16,8 @@ public sealed interface Solid {
 
     /** {@code "kind": "box"}, axis-aligned; {@code faces} by name: +x −x +y −y +z −z (written {@code "+y"}). */
     record Box(
-            @Written(required = true, text = TextFormat.Rule.ID) String id,
-            @Written(text = TextFormat.Rule.ID) String material,
+            @Written(required = true, text = TextRule.ID) String id,
+            @Written(text = TextRule.ID) String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true) Vec3 centre,
@@ -27,8 +27,8 @@ public sealed interface Solid {
 
     /** {@code "kind": "planes"}: what lies behind all planes, normal · p ≤ distanceMetres. Bounded and not empty. */
     record Planes(
-            @Written(required = true, text = TextFormat.Rule.ID) String id,
-            @Written(text = TextFormat.Rule.ID) String material,
+            @Written(required = true, text = TextRule.ID) String id,
+            @Written(text = TextRule.ID) String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true, most = 64) List<PlaneFace> planes)
@@ -40,8 +40,8 @@ public sealed interface Solid {
      * @param rising the horizontal side on which the wedge has its full height; it falls to zero at the opposite side
      */
     record Wedge(
-            @Written(required = true, text = TextFormat.Rule.ID) String id,
-            @Written(text = TextFormat.Rule.ID) String material,
+            @Written(required = true, text = TextRule.ID) String id,
+            @Written(text = TextRule.ID) String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true) Vec3 centre,
@@ -56,8 +56,8 @@ public sealed interface Solid {
      * @param centre of the whole prism
      */
     record Prism(
-            @Written(required = true, text = TextFormat.Rule.ID) String id,
-            @Written(text = TextFormat.Rule.ID) String material,
+            @Written(required = true, text = TextRule.ID) String id,
+            @Written(text = TextRule.ID) String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true) Vec3 centre,
@@ -67,12 +67,12 @@ public sealed interface Solid {
             implements Solid {}
 
     /** What a face says otherwise than its solid; {@code null} members inherit. */
-    record Face(@Written(text = TextFormat.Rule.ID) String material, @Written Boolean portalable) {}
+    record Face(@Written(text = TextRule.ID) String material, @Written Boolean portalable) {}
 
     /** One bounding plane; {@code null} members inherit from the solid. */
     record PlaneFace(
             @Written(required = true) Vec3 normal,
             @Written(required = true) double distanceMetres,
-            @Written(text = TextFormat.Rule.ID) String material,
+            @Written(text = TextRule.ID) String material,
             @Written Boolean portalable) {}
 }

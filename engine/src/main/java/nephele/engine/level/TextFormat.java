@@ -1,29 +1,10 @@
 package nephele.engine.level;
 
+import java.util.Locale;
 import nephele.engine.asset.AssetId;
 
 /** Texts, by what they may consist of. */
-record TextFormat(Rule rule, String fallback) implements ValueFormat {
-    /** Kinds of text. Public, because annotations outside the package hold one. */
-    public enum Rule {
-        /** One line for people. */
-        NAME(0, 200),
-        /** Several lines for people. */
-        PROSE(0, 10_000),
-        /** Names a record, or refers to one. */
-        ID(1, 128),
-        /** A file, after {@link AssetId}. */
-        ASSET(1, AssetId.MAX_LENGTH);
-
-        private final int shortest;
-        private final int longest;
-
-        Rule(int shortest, int longest) {
-            this.shortest = shortest;
-            this.longest = longest;
-        }
-    }
-
+record TextFormat(TextRule rule, String fallback) implements ValueFormat {
     @Override
     public Object read(JsonValue json, Problems problems) {
         if (!(json instanceof JsonValue.Text text)) {
@@ -34,20 +15,30 @@ record TextFormat(Rule rule, String fallback) implements ValueFormat {
     }
 
     private String objection(String text) {
-        if (text.length() < rule.shortest || text.length() > rule.longest) {
-            return "a text of " + rule.shortest + " to " + rule.longest + " characters is wanted, this one has "
+        if (text.length() < rule.shortest() || text.length() > rule.longest()) {
+            return "a text of " + rule.shortest() + " to " + rule.longest() + " characters is wanted, this one has "
                     + text.length();
         }
-        if (rule == Rule.ASSET) {
+        if (rule == TextRule.ASSET) {
             return AssetId.objection(text);
+        }
+        if (rule == TextRule.SHA256) {
+            return text.matches("[0-9a-fA-F]*") ? null : "64 hexadecimal digits are wanted";
         }
         for (int i = 0; i < text.length(); i++) {
             char c = text.charAt(i);
-            if (Character.isISOControl(c) && !(rule == Rule.PROSE && (c == '\n' || c == '\t'))) {
+            if (rule == TextRule.ID && VisibleText.isInvisible(c)) {
+                return String.format(
+                        Locale.ROOT,
+                        "an id holds no invisible characters, this one has U+%04X at position %d",
+                        (int) c,
+                        i);
+            }
+            if (Character.isISOControl(c) && !(rule == TextRule.PROSE && (c == '\n' || c == '\t'))) {
                 return "the text holds a control character at position " + i;
             }
         }
-        return null;
+        return rule == TextRule.ID && VisibleText.isBlank(text) ? "an id needs a character that can be seen" : null;
     }
 
     @Override
@@ -59,11 +50,14 @@ record TextFormat(Rule rule, String fallback) implements ValueFormat {
     public JsonValue.Members schema(SchemaDefinitions definitions) {
         var schema = new JsonValue.Members()
                 .with("type", new JsonValue.Text("string"))
-                .with("minLength", new JsonValue.Number(rule.shortest))
-                .with("maxLength", new JsonValue.Number(rule.longest));
-        return rule == Rule.ASSET
-                ? schema.with("pattern", new JsonValue.Text("^[A-Za-z0-9._][A-Za-z0-9._/-]*$"))
-                : schema;
+                .with("minLength", new JsonValue.Number(rule.shortest()))
+                .with("maxLength", new JsonValue.Number(rule.longest()));
+        return switch (rule) {
+            case ASSET -> schema.with("pattern", new JsonValue.Text("^[A-Za-z0-9._][A-Za-z0-9._/-]*$"));
+            case ID -> schema.with("pattern", new JsonValue.Text("\\S"));
+            case SHA256 -> schema.with("pattern", new JsonValue.Text("^[0-9a-fA-F]{64}$"));
+            case NAME, PROSE -> schema;
+        };
     }
 
     @Override

@@ -22,7 +22,7 @@ public @interface Written {
     double max() default 1e7;
 
     /** What a text may consist of. */
-    TextFormat.Rule text() default TextFormat.Rule.NAME;
+    TextRule text() default TextRule.NAME;
 
     /** Most entries of a list. */
     int most() default 10_000;

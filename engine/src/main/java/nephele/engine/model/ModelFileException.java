@@ -1,5 +1,7 @@
 package nephele.engine.model;
 
+import nephele.engine.asset.ShownText;
+
 /** A file of a mesh, a curve or a scene that cannot be used: which one, where, why, and what its author can do about it. */
 public final class ModelFileException extends RuntimeException {
     private static final long serialVersionUID = 1;
@@ -15,7 +17,7 @@ public final class ModelFileException extends RuntimeException {
     }
 
     public ModelFileException(String file, int line, String reason, String remedy, Throwable cause) {
-        super(file + (line > 0 ? ":" + line : "") + ": " + reason + "; " + remedy, cause);
+        super(file + (line > 0 ? ":" + line : "") + ": " + ShownText.shortened(reason) + "; " + remedy, cause);
         this.file = file;
         this.line = line;
         this.reason = reason;

@@ -1,19 +1,26 @@
 package nephele.engine.sim;
 
 import java.util.List;
+import nephele.engine.level.Level;
 import nephele.engine.level.LevelFormatException;
+import nephele.engine.level.LevelJson;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.RecordFile;
+import nephele.engine.level.TextRule;
 import nephele.engine.level.Written;
 
 /**
  * What was done in a level, tick by tick: with the level it repeats a game exactly.
  *
  * @param level the level's file name without folder, for people; the reader of a replay says which level to load
+ * @param levelName the level's {@code name}; {@code null} where the replay does not say
+ * @param levelSha256 of the level's canonical text, as {@link LevelJson#sha256} gives it; {@code null} likewise
  * @param start where it began, {@code null}: where the level starts
  */
 public record Replay(
         @Written(required = true) String level,
+        @Written String levelName,
+        @Written(text = TextRule.SHA256) String levelSha256,
         @Written(absent = "120", min = SimSettings.LEAST_TICKS_PER_SECOND, max = SimSettings.MOST_TICKS_PER_SECOND)
                 int ticksPerSecond,
         @Written List<Assist> assists,
@@ -56,7 +63,22 @@ public record Replay(
     }
 
     public Replay(String level, SimSettings settings, PlayerStart start, List<Run> inputs) {
-        this(level, settings.ticksPerSecond(), settings.assists(), settings.uprightDegreesPerSecond(), start, inputs);
+        this(
+                level,
+                null,
+                null,
+                settings.ticksPerSecond(),
+                settings.assists(),
+                settings.uprightDegreesPerSecond(),
+                start,
+                inputs);
+    }
+
+    /** The same, naming the level that it was recorded in. */
+    public Replay recordedIn(Level recorded) {
+        String name = recorded.name().isEmpty() ? null : recorded.name();
+        String sha256 = LevelJson.sha256(recorded);
+        return new Replay(level, name, sha256, ticksPerSecond, assists, uprightDegreesPerSecond, start, inputs);
     }
 
     /** What a level without a replay gets: standing at its start. */

@@ -1,6 +1,7 @@
 package nephele.engine.xmlscene;
 
 import java.util.List;
+import nephele.engine.asset.ShownText;
 import nephele.engine.math.Vec3;
 
 /**
@@ -19,5 +20,9 @@ public record XmlScene(
     public record Eye(Vec3 position, Vec3 lookAt, Vec3 up, double fovDegrees, double near, double far) {}
 
     /** @param line where; the first is 1 */
-    public record XmlWarning(int line, String message) {}
+    public record XmlWarning(int line, String message) {
+        public XmlWarning {
+            message = ShownText.shortened(message);
+        }
+    }
 }

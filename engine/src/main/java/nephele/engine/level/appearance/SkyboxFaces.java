@@ -1,5 +1,6 @@
 package nephele.engine.level.appearance;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
@@ -56,21 +57,22 @@ final class SkyboxFaces {
 
     static SkyboxFaces of(Sky.Skybox sky, Function<String, Picture> pictureOf, Decoding decoding) {
         if (sky.layout() == SkyboxLayout.FACES) {
-            List<Face> faces = sky.files().stream()
-                    .map(file -> whole(pictureOf.apply(file).toRgba8()))
-                    .toList();
+            List<Face> faces = new ArrayList<>();
+            for (String file : sky.files()) {
+                Picture picture = pictureOf.apply(file).toRgba8();
+                int side = faces.isEmpty() ? picture.width() : faces.get(0).side();
+                SkyboxSizes.requireFace(file, picture.width(), picture.height(), side);
+                faces.add(new Face(picture, 0, 0, side));
+            }
             return new SkyboxFaces(faces, decoding);
         }
-        Picture cross = pictureOf.apply(sky.files().get(0)).toRgba8();
-        int side = Math.max(cross.width() / 4, 1);
+        String file = sky.files().get(0);
+        Picture cross = pictureOf.apply(file).toRgba8();
+        int side = SkyboxSizes.crossSide(file, cross.width(), cross.height());
         List<Face> faces = List.of(CROSS_CELLS).stream()
                 .map(cell -> new Face(cross, cell[0] * side, cell[1] * side, side))
                 .toList();
         return new SkyboxFaces(faces, decoding);
-    }
-
-    private static Face whole(Picture picture) {
-        return new Face(picture, 0, 0, Math.min(picture.width(), picture.height()));
     }
 
     /** Linear radiance between the four nearest pixels, across the cube's edges too. */
@@ -97,10 +99,9 @@ final class SkyboxFaces {
         Place middle = new Place(face, (2.0 * column + 1) / side - 1, 1 - (2.0 * row + 1) / side);
         Place place = isOn ? middle : middle.folded();
         Face on = faces.get(place.face());
-        // A cross of wrong proportions reads its border; the sky pass refuses it by name.
         Picture picture = on.picture();
-        int x = Math.min(on.left() + index(place.right(), on.side()), picture.width() - 1);
-        int y = Math.min(on.top() + index(-place.up(), on.side()), picture.height() - 1);
+        int x = on.left() + index(place.right(), on.side());
+        int y = on.top() + index(-place.up(), on.side());
         sum.add(
                 weight * linear[picture.sample(x, y, 0)],
                 weight * linear[picture.sample(x, y, 1)],

@@ -3,10 +3,10 @@ package nephele.engine.render.pass.sky;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
-import nephele.engine.asset.AssetException;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.appearance.SkyboxSizes;
 
 /**
  * Six square pictures in the order +x −x +y −y +z −z, each as an eye in the middle sees it: sides with world up upwards,
@@ -28,12 +28,7 @@ record SkyboxFaces(int side, List<Picture> pictures) {
         for (String file : files) {
             Picture picture = pictureOf.apply(file).toRgba8();
             int side = pictures.isEmpty() ? picture.width() : pictures.get(0).width();
-            if (picture.width() != side || picture.height() != side) {
-                throw new AssetException(
-                        file,
-                        "is " + picture.width() + " x " + picture.height() + " pixels",
-                        "the six faces of a skybox must be squares of one size, here " + side);
-            }
+            SkyboxSizes.requireFace(file, picture.width(), picture.height(), side);
             pictures.add(picture);
         }
         return new SkyboxFaces(pictures.get(0).width(), pictures);
@@ -41,13 +36,7 @@ record SkyboxFaces(int side, List<Picture> pictures) {
 
     private static SkyboxFaces cross(String file, Function<String, Picture> pictureOf) {
         Picture whole = pictureOf.apply(file).toRgba8();
-        int side = whole.width() / 4;
-        if (side == 0 || whole.width() != 4 * side || whole.height() != 3 * side) {
-            throw new AssetException(
-                    file,
-                    "is " + whole.width() + " x " + whole.height() + " pixels",
-                    "a skybox cross has four columns and three rows of squares");
-        }
+        int side = SkyboxSizes.crossSide(file, whole.width(), whole.height());
         List<Picture> pictures = new ArrayList<>();
         for (int[] cell : CROSS_CELLS) {
             pictures.add(cut(whole, cell[0] * side, cell[1] * side, side));
