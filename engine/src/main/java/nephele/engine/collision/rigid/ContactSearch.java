@@ -102,7 +102,8 @@ final class ContactSearch {
     private boolean moves(int shape) {
         int owner = poses.owner[shape];
         if (owner < bodies.count) {
-            return bodies.isAwake(owner);
+            // What rests beside a sleeper without leaning on it must not wake it, or both wake each other for ever.
+            return bodies.isAwake(owner) && bodies.rest[owner] == 0;
         }
         return influences.characterList().get(owner - bodies.count).velocity.lengthSquared() > 1e-4;
     }
