@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 
 /**
  * Judges mutants, all of them or COUNT from number FROM on, a line each: {@code killed} or {@code SURVIVED}, area, name,
@@ -17,7 +18,9 @@ public final class AllMutants {
         int count = range.length == 2 ? Integer.parseInt(range[1]) : Mutants.ALL.size();
         PrintStream out = new PrintStream(System.out, true, StandardCharsets.UTF_8);
         MutantRun run = new MutantRun(Files.createDirectories(Path.of("build", "mutants")));
-        for (Mutant mutant : Mutants.ALL.subList(from, Math.min(from + count, Mutants.ALL.size()))) {
+        List<Mutant> mutants = Mutants.ALL.subList(from, Math.min(from + count, Mutants.ALL.size()));
+        run.requireGreen(mutants);
+        for (Mutant mutant : mutants) {
             MutantRun.Verdict verdict = run.judge(mutant);
             String state = verdict.killed() ? "killed" : "SURVIVED";
             out.println(String.join(

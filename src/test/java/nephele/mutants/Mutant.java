@@ -9,7 +9,7 @@ import java.nio.file.Path;
  *
  * @param file a Java source or shader, relative to the repository
  * @param text what is replaced; stands in the file exactly once
- * @param killer simple name of the test class that must fail
+ * @param killer the test class that must fail, by its simple name; folders tell it from others of that name
  */
 record Mutant(Area area, String name, String file, String text, String replacement, String killer) {
     enum Area {
@@ -19,6 +19,10 @@ record Mutant(Area area, String name, String file, String text, String replaceme
         SHADOW,
         SRGB,
         LIGHT,
+        COLLISION,
+        PLACEMENT,
+        SIMULATION,
+        LEVEL,
         MODEL
     }
 
@@ -29,6 +33,9 @@ record Mutant(Area area, String name, String file, String text, String replaceme
         if (at < 0 || source.indexOf(text, at + 1) >= 0) {
             String found = at < 0 ? "not" : "more than once";
             throw new IOException(name + ": `" + text + "` stands " + found + " in " + file + "; adapt the mutant");
+        }
+        if (replacement.equals(text)) {
+            throw new IOException(name + ": nothing is replaced");
         }
         return source.substring(0, at) + replacement + source.substring(at + text.length());
     }

@@ -7,6 +7,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
@@ -17,17 +20,39 @@ final class MutantRun {
 
     private static final int TESTS_FAILED = 1;
 
+    /** A fault may make a loop endless; no test of a mutant takes a tenth of this. */
+    private static final long MOST_MINUTES = 10;
+
+    private static final Path TESTS = Path.of("src/test/java");
+
     private final Path folder;
 
     MutantRun(Path folder) {
         this.folder = folder;
     }
 
+    /**
+     * Runs the test classes of these mutants without any fault: a test that fails anyway would kill whatever is planted.
+     *
+     * @throws IOException when one fails
+     */
+    void requireGreen(List<Mutant> mutants) throws IOException, InterruptedException {
+        Set<String> tests = new TreeSet<>();
+        for (Mutant mutant : mutants) {
+            tests.add(testClass(mutant.killer()));
+        }
+        Path log = folder.resolve("without-a-fault.txt");
+        if (run(List.of(), tests, log) != 0) {
+            String failure = firstFailure(Files.readString(log)).orElse("see " + log);
+            throw new IOException("a test fails without any fault: " + failure);
+        }
+    }
+
     Verdict judge(Mutant mutant) throws IOException, InterruptedException {
         Path override = Files.createDirectories(folder.resolve(mutant.name().replaceAll("\\W+", "-")));
         place(mutant, override);
         Path log = override.resolve("log.txt");
-        int exit = start(override, testClass(mutant.killer()), log).waitFor();
+        int exit = run(List.of(override.toString()), Set.of(testClass(mutant.killer())), log);
         String report = Files.readString(log);
         Optional<String> failure = firstFailure(report);
         if (exit == TESTS_FAILED && failure.isPresent() && !report.contains("GlException")) {
@@ -67,17 +92,31 @@ final class MutantRun {
         }
     }
 
-    private static String testClass(String simpleName) throws IOException {
-        try (Stream<Path> tests = Files.walk(Path.of("src/test/java"))) {
-            Path file = tests.filter(p -> p.endsWith(simpleName + ".java"))
-                    .findFirst()
-                    .orElseThrow(() -> new IOException("there is no test " + simpleName));
-            String relative = Path.of("src/test/java").relativize(file).toString();
+    /**
+     * @param killer simple name of a test class, with as many folders before it as tell it from others: {@code sim/WalkTest}
+     * @throws IOException unless there is just one
+     */
+    static String testClass(String killer) throws IOException {
+        try (Stream<Path> tests = Files.walk(TESTS)) {
+            List<Path> files = tests.filter(p -> p.endsWith(killer + ".java")).toList();
+            if (files.size() != 1) {
+                throw new IOException("there are " + files.size() + " tests " + killer + " under " + TESTS);
+            }
+            String relative = TESTS.relativize(files.get(0)).toString();
             return relative.replace(".java", "").replace('/', '.').replace('\\', '.');
         }
     }
 
-    private static Process start(Path override, String testClass, Path log) throws IOException {
+    private static int run(List<String> before, Set<String> testClasses, Path log)
+            throws IOException, InterruptedException {
+        Process process = start(before, testClasses, log);
+        if (!process.waitFor(MOST_MINUTES, TimeUnit.MINUTES)) {
+            process.destroyForcibly().waitFor();
+        }
+        return process.exitValue();
+    }
+
+    private static Process start(List<String> before, Set<String> testClasses, Path log) throws IOException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         for (String argument : ManagementFactory.getRuntimeMXBean().getInputArguments()) {
@@ -85,10 +124,13 @@ final class MutantRun {
                 command.add(argument);
             }
         }
-        String classPath = override + System.getProperty("path.separator") + System.getProperty("java.class.path");
-        command.addAll(List.of("-Xmx1g", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", classPath));
+        List<String> classPath = new ArrayList<>(before);
+        classPath.add(System.getProperty("java.class.path"));
+        command.addAll(List.of("-Xmx1g", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC"));
+        command.addAll(List.of("-cp", String.join(System.getProperty("path.separator"), classPath)));
         command.addAll(List.of("org.junit.platform.console.ConsoleLauncher", "execute", "--disable-banner"));
-        command.addAll(List.of("--details=summary", "--fail-if-no-tests", "--select-class=" + testClass));
+        command.addAll(List.of("--details=summary", "--fail-if-no-tests"));
+        testClasses.forEach(name -> command.add("--select-class=" + name));
         return new ProcessBuilder(command)
                 .redirectErrorStream(true)
                 .redirectOutput(log.toFile())

@@ -2,6 +2,7 @@ package nephele.mutants;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -10,9 +11,12 @@ import nephele.app.prove.MutantsProof;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class MutantsTest {
+    private static final String VEC3 = "engine/src/main/java/nephele/engine/math/Vec3.java";
+
     @TempDir
     private Path folder;
 
@@ -20,11 +24,26 @@ class MutantsTest {
     void everyFaultStillHasItsPlace() throws IOException {
         for (Mutant mutant : Mutants.ALL) {
             assertFalse(mutant.mutated().isEmpty());
+            assertTrue(MutantRun.testClass(mutant.killer()).endsWith("Test"));
         }
         assertEquals(
                 Mutants.ALL.size(),
                 Mutants.ALL.stream().map(Mutant::name).distinct().count());
         assertEquals(new MutantsProof().fullCount(), Mutants.ALL.size());
+    }
+
+    /** Sources and tests that have changed make it refused, never killed or survived. */
+    @ParameterizedTest
+    @CsvSource({
+        "no such text, x, math/Vec3Test",
+        "double, float, math/Vec3Test",
+        "toVector(), toVector(), math/Vec3Test",
+        "toVector(), x(), NoSuchTest",
+        "toVector(), x(), WalkTest"
+    })
+    void aFaultWithoutItsPlaceOrItsTestIsRefused(String text, String replacement, String killer) {
+        Mutant mutant = new Mutant(Mutant.Area.MODEL, "none", VEC3, text, replacement, killer);
+        assertThrows(IOException.class, () -> new MutantRun(folder).judge(mutant));
     }
 
     /** All of them are judged by {@code ./nephele prove mutants}. */
@@ -44,7 +63,7 @@ class MutantsTest {
         Mutant harmless = new Mutant(
                 Mutant.Area.CULLING,
                 "harmless",
-                "engine/src/main/java/nephele/engine/math/Vec3.java",
+                VEC3,
                 "return new Vector3d(x, y, z);",
                 "return new Vector3d(x + 0, y, z);",
                 "Vec3Test");

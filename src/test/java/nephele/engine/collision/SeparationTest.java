@@ -52,6 +52,39 @@ class SeparationTest {
         }
     }
 
+    /** Two boxes are as far apart, or as deep in each other, seen from either, and the ways out are opposite. */
+    @Test
+    void twoBoxesMeasureEachOtherAlike() {
+        var random = new SplittableRandom(4);
+        int deep = 0;
+        for (int i = 0; i < 3000; i++) {
+            Vec3[] a = halves(random);
+            Vec3[] b = halves(random);
+            Vector3d at = Solids.point(random, 1.5);
+            Collider first = new Collider("", ConvexPolyhedron.box(Vec3.ZERO, a[0], a[1], a[2]));
+            Collider second = new Collider("", ConvexPolyhedron.box(Vec3.of(at), b[0], b[1], b[2]));
+            separation.measure(RoundedHull.box(b[0], b[1], b[2]), at.x, at.y, at.z, first);
+            double metres = separation.metres();
+            separation.measure(RoundedHull.box(a[0], a[1], a[2]), 0, 0, 0, second);
+            assertEquals(metres, separation.metres(), 1e-9, "pair " + i);
+            deep += metres < -0.01 ? 1 : 0;
+        }
+        assertTrue(deep > 1000, "deep " + deep);
+    }
+
+    /** Half edges of a box, a plate or a stick, turned anyhow. */
+    private static Vec3[] halves(SplittableRandom random) {
+        Vector3d x = Solids.direction(random);
+        Vector3d y = Solids.direction(random).cross(x).normalize();
+        Vector3d z = new Vector3d(x).cross(y);
+        Vec3[] halves = new Vec3[3];
+        int axis = 0;
+        for (Vector3d unit : new Vector3d[] {x, y, z}) {
+            halves[axis++] = Vec3.of(unit.mul(random.nextInt(3) == 0 ? 0.02 : random.nextDouble(0.1, 1.5)));
+        }
+        return halves;
+    }
+
     /** Touching, parallel, crossing at a corner, tiny, vast. GJK's bound loses length² / distance · 1e-16: it errs to "meet". */
     @Test
     void gjkAndSeparatingAxesAgreeOnDegeneratePairs() {

@@ -97,6 +97,22 @@ class SweepTest {
         return sweep.collider() < 0 || -sweep.normal().dot(way) < 0.02 * way.length();
     }
 
+    /** Of a floor and a wall that are touched already the first of the world stops, whichever that is. */
+    @Test
+    void ofSolidsTouchedAtOnceTheFirstIsTold() {
+        double[] floor = {-9, -9, -9, 9, 0, 9};
+        double[] wall = {-9, 0, -9, 0, 9, 9};
+        Vector3d touching = new Vector3d(0.3 + SKIN, 0.9 + SKIN, 0);
+        for (double[][] order : new double[][][] {{floor, wall}, {wall, floor}}) {
+            Sweep sweep = new Sweep();
+            CollisionWorld world = PortalPairs.boxes(Vec3.ZERO, order);
+            assertTrue(sweep.cast(world, PLAYER, touching, new Vector3d(-1, -1, 0)));
+            assertEquals(0, sweep.fraction());
+            assertEquals(0, sweep.collider());
+            assertEquals(order[0] == floor ? 1 : 0, sweep.normal().y(), 1e-9);
+        }
+    }
+
     @Test
     void theOrderOfSolidsDoesNotMatter() {
         var random = new SplittableRandom(6);

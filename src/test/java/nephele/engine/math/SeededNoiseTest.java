@@ -21,6 +21,24 @@ class SeededNoiseTest {
         }
     }
 
+    /** Just below a whole number the difference to the one below it rounds to 1. */
+    @Test
+    void aFractionNeverReachesOne() {
+        double last = Math.nextDown(1.0);
+        for (double below : new double[] {-1e-20, -0x1p-54, -Double.MIN_VALUE}) {
+            assertEquals(last, SeededNoise.fraction(below));
+        }
+        assertEquals(last, SeededNoise.fraction(-0x1p-53));
+        assertEquals(0, SeededNoise.fraction(-3));
+        assertEquals(0.25, SeededNoise.fraction(-0.75));
+        var random = new SplittableRandom(37);
+        for (int i = 0; i < 100_000; i++) {
+            double x = Double.longBitsToDouble(random.nextLong());
+            double fraction = SeededNoise.fraction(Double.isFinite(x) ? x : i);
+            assertTrue(fraction >= 0 && fraction < 1, x + " gives " + fraction);
+        }
+    }
+
     @Test
     void valuesAreSpreadEvenly() {
         int[] histogram = new int[16];

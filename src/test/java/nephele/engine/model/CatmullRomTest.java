@@ -42,6 +42,25 @@ class CatmullRomTest {
         return curve.derivative(at, new Vector3d());
     }
 
+    /** Through points of a parabola at uneven times it is that parabola, but for the spans at its ends. */
+    @Test
+    void pointsOfAParabolaGiveTheParabola() {
+        double[] seconds = {0, 0.5, 2, 2.25, 5, 6};
+        List<Vec3> points = new ArrayList<>();
+        for (double t : seconds) {
+            points.add(parabola(t));
+        }
+        CatmullRom curve = CatmullRom.timed(points, seconds);
+        for (double t = 0.5; t <= 5; t += 0.03125) {
+            assertEquals(0, position(curve, t).distance(parabola(t).toVector()), 1e-12, "at " + t);
+            assertEquals(0, derivative(curve, t).distance(new Vector3d(2, 1 - t, 6 * t)), 1e-12, "at " + t);
+        }
+    }
+
+    private static Vec3 parabola(double t) {
+        return new Vec3(1 + 2 * t, t - t * t / 2, 3 * t * t);
+    }
+
     private static List<Vec3> randomPoints(SplittableRandom random) {
         List<Vec3> points = new ArrayList<>();
         int count = random.nextInt(1, 9);

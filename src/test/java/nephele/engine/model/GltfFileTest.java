@@ -72,6 +72,19 @@ class GltfFileTest {
         }
     }
 
+    /** Triangles of a strip look one way though every second has its corners the other way round. */
+    @Test
+    void aStripsTrianglesLookOneWay() {
+        for (boolean mirrored : new boolean[] {false, true}) {
+            String four = GltfFiles.embedded(mirrored ? ", \"scale\": [-1, 1, 1]" : "")
+                    .replace("\"byteLength\": 6 }", "\"byteLength\": 8 }")
+                    .replace("\"count\": 3, \"type\": \"SCALAR\"", "\"count\": 4, \"type\": \"SCALAR\"")
+                    .replace("\"indices\": 3", "\"indices\": 3, \"mode\": 5");
+            int[] expected = mirrored ? new int[] {0, 2, 1, 1, 2, 0} : new int[] {0, 1, 2, 1, 0, 2};
+            assertArrayEquals(expected, read(four).indices());
+        }
+    }
+
     @Test
     void missingNormalsAreComputed() {
         Mesh mesh = read(GltfFiles.embedded("").replace("\"NORMAL\": 1,", ""));

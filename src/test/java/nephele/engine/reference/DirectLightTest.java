@@ -42,6 +42,23 @@ class DirectLightTest {
         assertEquals(0, floor(1).light(spot).towards(EYE, new Vec3(2.001, 0, 0), 1)[0]);
     }
 
+    /** Between the cones light falls as the square of a ramp over the cosine; the cones are those written, to a hair. */
+    @Test
+    void aSpotsRimIsASquaredRampOverTheCosine() {
+        Light spot = new Light.Spot("s", new Vec3(0, 2, 0), new Vec3(0, -1, 0), Stage.grey(10), 1e6, 30, 45, true);
+        Stage lit = floor(1).light(spot);
+        double inner = Math.cos(Math.toRadians(30));
+        double outer = Math.cos(Math.toRadians(45));
+        for (double degrees : new double[] {0, 29.9, 30.1, 33, 36, 39, 42, 44, 44.9}) {
+            double cosine = Math.cos(Math.toRadians(degrees));
+            double ramp = Math.min(1, (cosine - outer) / (inner - outer));
+            double expected = 10 * Math.pow(cosine, 3) / 4 * ramp * ramp / Math.PI;
+            Vec3 on = new Vec3(2 * Math.tan(Math.toRadians(degrees)), 0, 0);
+            float seen = lit.towards(EYE, on, 1)[0];
+            assertEquals(expected, seen, 1e-6 * expected + 1e-9, degrees + " degrees off the axis");
+        }
+    }
+
     /** A wall of 1 m under a sun at 45°, and a lamp at (0, 3, −2): both shadows end where the ray over the edge lands. */
     @Test
     void shadowsEndWhereTheRayOverTheEdgeLands() {

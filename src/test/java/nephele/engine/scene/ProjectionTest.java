@@ -10,24 +10,35 @@ import org.joml.Matrix4d;
 import org.joml.Vector4d;
 import org.joml.Vector4f;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
+/** What the pipeline draws with: {@link View#clipFromRelative} and the two numbers of depth. */
 class ProjectionTest {
-    /** C.2 row 4: no NaN for 10⁵ bit patterns. */
+    private static final Vec3 AHEAD = new Vec3(0, 0, -1);
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+
+    /** Of a view along −z: its axes are the world's. */
+    private static Matrix4d clip(Projection projection) {
+        return View.lookAt(Vec3.ZERO, AHEAD, UP, projection).clipFromRelative(new Matrix4d());
+    }
+
+    /** No input gives a number that is not finite, for 10⁵ bit patterns. */
     @Test
     void everyBitPatternGivesAFiniteMatrix() {
         var random = new SplittableRandom(4);
+        double[] numbers = new double[16];
         for (int i = 0; i < 100_000; i++) {
             double a = anyDouble(random);
             double b = anyDouble(random);
             Projection p = i % 2 == 0
                     ? new Projection(a, b, anyDouble(random), anyDouble(random))
                     : Projection.ofHorizontalFov(a, b, anyDouble(random), anyDouble(random));
-            assertTrue(p.clipFromView().isFinite(), p::toString);
             double fov = Math.toDegrees(p.verticalFovRadians());
             assertTrue(fov >= 1 - 1e-9 && fov <= 170 + 1e-9, p::toString);
             assertTrue(p.nearMetres() >= 1e-3 && p.farMetres() >= p.nearMetres() * (1 + 1e-3), p::toString);
             assertTrue(p.aspect() > 0 && p.aspect() <= 1000, p::toString);
-            for (double value : p.clipFromView().get(new double[16])) {
+            for (double value : clip(p).get(numbers)) {
                 assertTrue(Float.isFinite((float) value), p::toString);
             }
         }
@@ -46,18 +57,18 @@ class ProjectionTest {
     @Test
     void nearFarAndBordersMapToTheFacesOfClipSpace() {
         Projection p = Projection.ofHorizontalFov(Math.toRadians(90), 2, 0.1, 50);
-        Vector4d near = p.clipFromView().transform(new Vector4d(0.1, 0.05, -0.1, 1));
+        Vector4d near = clip(p).transform(new Vector4d(0.1, 0.05, -0.1, 1));
         assertEquals(-1, near.z / near.w, 1e-12);
         assertEquals(1, near.x / near.w, 1e-12);
         assertEquals(1, near.y / near.w, 1e-12);
-        Vector4d far = p.clipFromView().transform(new Vector4d(0, 0, -50, 1));
+        Vector4d far = clip(p).transform(new Vector4d(0, 0, -50, 1));
         assertEquals(1, far.z / far.w, 1e-12);
         var infinite = new Projection(1, 1, 0.1, Double.POSITIVE_INFINITY);
-        Vector4d horizon = infinite.clipFromView().transform(new Vector4d(0, 0, -1, 0));
+        Vector4d horizon = clip(infinite).transform(new Vector4d(0, 0, -1, 0));
         assertEquals(1, horizon.z / horizon.w, 0);
     }
 
-    /** C.2 row 3: surfaces two quanta apart are never confused when depth goes through float and 24 bits. */
+    /** Surfaces that lie two steps of the depth buffer apart are never confused when depth goes through float. */
     @Test
     void surfacesTwoQuantaApartKeepTheirOrderInTwentyFourBits() {
         var random = new SplittableRandom(3);
@@ -66,9 +77,14 @@ class ProjectionTest {
             double far = i % 3 == 0 ? Double.POSITIVE_INFINITY : near * (2 + 1e4 * random.nextDouble());
             var p = new Projection(1, 1, near, far);
             double z = near * Math.pow(Math.min(far / near, 1e5), random.nextDouble());
-            double behind = z + 2 * p.depthQuantumMetres(z);
+            double behind = z + 2 * quantumMetres(near, far, z);
             assertTrue(depthCode(p, z) < depthCode(p, behind) || behind > far, p + " at " + z);
         }
+    }
+
+    /** The slope of window depth, z² (f − n) / (f n), times one step of the buffer and one of rounding z / w to float. */
+    private static double quantumMetres(double near, double far, double z) {
+        return z * z * (1 / near - 1 / far) * 0x1p-23;
     }
 
     private static long depthCode(Projection p, double distance) {
@@ -77,16 +93,16 @@ class ProjectionTest {
         return Math.round(window * (double) ((1 << 24) - 1));
     }
 
-    /** C.1, standard depth with near 0.1 and far 1000: measured 0.9 µm, 89 µm, 9.8 mm, 0.58 m. */
-    @Test
-    void theDepthQuantumIsThatOfTheMeasurements() {
+    /** Window depth is (1/n − 1/z) / (1/n − 1/f): so many steps lie between two distances. */
+    @ParameterizedTest
+    @CsvSource({"0.2, 0.3", "1, 2", "10, 15", "100, 140", "900, 990"})
+    void depthHasTheStepsOfItsFormula(double from, double to) {
         var p = new Projection(1, 1, 0.1, 1000);
-        assertEquals(9.8e-3, p.depthQuantumMetres(100), 0.3 * 9.8e-3);
-        assertEquals(0.9e-6, p.depthQuantumMetres(1), 0.4 * 0.9e-6);
-        assertEquals(100, p.depthQuantumMetres(100) / p.depthQuantumMetres(10), 1e-6);
+        double steps = (1 / from - 1 / to) / (1 / p.nearMetres() - 1 / p.farMetres()) * ((1 << 24) - 1);
+        assertEquals(steps, depthCode(p, to) - depthCode(p, from), 3);
     }
 
-    /** C.2 row 1: at 10⁷ m the picture of a point moves by at most 0.1 px of 1080 lines. */
+    /** At 10⁷ m the picture of a point moves by at most 0.1 px of 1080 lines. */
     @Test
     void tenThousandKilometresOutAPointStaysWithinATenthOfAPixel() {
         var random = new SplittableRandom(1);
@@ -94,8 +110,9 @@ class ProjectionTest {
         for (int i = 0; i < 20_000; i++) {
             Vec3 eye = new Vec3(1e7 + random.nextDouble(), -1e7 * random.nextDouble(), 1e7);
             Basis basis = Basis.ofYawPitch(random.nextDouble(-3, 3), random.nextDouble(-1.5, 1.5));
-            Matrix4d clip =
-                    new Projection(1.2, 16 / 9.0, 0.05, 1e5).clipFromView().mul(basis.viewFromRelative());
+            var projection = new Projection(1.2, 16 / 9.0, 0.05, 1e5);
+            Matrix4d clip = new View(View.MAIN, eye, basis.right(), basis.up(), basis.back(), projection)
+                    .clipFromRelative(new Matrix4d());
             // Exact: the offset from the eye is chosen in steps that a double holds at 10⁷.
             Vec3 back = basis.back();
             double distance = Math.rint(Math.pow(10, random.nextDouble(-0.5, 3)) * 1024) / 1024;

@@ -147,6 +147,21 @@ class WalkTest {
         assertEquals(0, course.feet().y(), 1e-6);
     }
 
+    /** Along the slope, up and, half a second after turning round, down. */
+    @Test
+    void slopesAreWalkedAtWalkingSpeed() {
+        for (double degrees : new double[] {15, 30, 45}) {
+            Course course = Course.onFloor().slope(-8, -2, degrees).hold(FORWARD, 1);
+            for (int percent : new int[] {100, -100}) {
+                PlayerInput input = PlayerInput.NONE.walking(percent, 0);
+                Vec3 from = course.hold(input, 0.5).feet();
+                Vec3 to = course.hold(input, 0.25).feet();
+                double walked = to.toVector().distance(from.toVector());
+                assertEquals(0.25 * 4, walked, 5e-3, degrees + " degrees at " + percent + " %");
+            }
+        }
+    }
+
     @Test
     void aSlopeOf51DegreesIsNoWayUp() {
         Course course = Course.onFloor().slope(-8, -2, 51).hold(RUN, 3);

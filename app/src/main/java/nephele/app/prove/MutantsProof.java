@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Plants faults in culling, depth, blending, shadow, sRGB, light and model code, and looks whether a test fails. Sources
- * and tests are not in the jar, so this calls the front door of the checkout, which calls Gradle.
+ * Plants faults in copies of sources and shaders, and looks whether a test fails. Sources and tests are not in the jar,
+ * so this calls the front door of the checkout, which calls Gradle.
  */
 public final class MutantsProof implements Proof {
     private static final Path FRONT_DOOR = Path.of("nephele");
@@ -21,7 +21,8 @@ public final class MutantsProof implements Proof {
 
     @Override
     public String claim() {
-        return "Every fault planted in culling, depth, blending, shadow, sRGB, light and model code makes a test fail.";
+        return "Every fault planted in culling, depth, blending, shadow, sRGB, light, collision, placement,"
+                + " simulation, level and model code makes a test fail.";
     }
 
     @Override
@@ -31,12 +32,12 @@ public final class MutantsProof implements Proof {
 
     @Override
     public long fullCount() {
-        return 25;
+        return 65;
     }
 
     @Override
     public long batch() {
-        return 25;
+        return 13;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package nephele.app.prove;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,12 +12,15 @@ import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelFormatException;
 
-/** Kills processes that save levels, at random moments, and reads what they left. */
+/**
+ * Kills processes that save levels, at random moments, and reads what they left. A kill that finds its process between two
+ * saves is repeated: a unit is a kill within one.
+ */
 public final class SaveKillProof implements Proof {
-    /** About two saves long, so that every step of one is met. */
-    private static final long LONGEST_WAIT_NANOS = 12_000_000;
-
     private static final int MOST_SAVES_BEFORE = 3;
+
+    /** A process is killed within so many lengths of the save before: some saves take longer. */
+    private static final double LENGTHS = 1.25;
 
     @Override
     public String name() {
@@ -30,7 +34,7 @@ public final class SaveKillProof implements Proof {
 
     @Override
     public String unit() {
-        return "kills";
+        return "kills within a save";
     }
 
     @Override
@@ -47,26 +51,41 @@ public final class SaveKillProof implements Proof {
     public ProofResult run(long from, long count, Progress progress) throws Exception {
         Path folder = Files.createTempDirectory("nephele-save-kills");
         List<String> failures = new ArrayList<>();
+        var random = new SplittableRandom(from);
         long within = 0;
-        Process next = start(file(folder, from));
+        long kills = 0;
+        long unfinished = 0;
+        Process next = start(file(folder, 0));
         try {
-            for (long unit = from; unit < from + count; unit++) {
+            while (within < count) {
                 Process child = next;
-                next = unit + 1 < from + count ? start(file(folder, unit + 1)) : null;
-                kill(child, new SplittableRandom(unit));
-                Path file = file(folder, unit);
-                within += Files.exists(beside(file, ".tmp")) || Files.exists(beside(file, ".bak.tmp")) ? 1 : 0;
-                judge(unit, file, failures);
-                progress.unitsDone(unit - from + 1);
+                Path file = file(folder, kills);
+                next = start(file(folder, ++kills));
+                boolean isWithin = isWithinASave(kill(child, random));
+                unfinished += isWithin && isUnfinished(file) ? 1 : 0;
+                judge(from + within, file, failures);
+                if (isWithin) {
+                    progress.unitsDone(++within);
+                    random = new SplittableRandom(from + within);
+                }
             }
         } finally {
-            if (next != null) {
-                next.destroyForcibly().waitFor();
-            }
+            next.destroyForcibly().waitFor();
             delete(folder);
         }
-        return new ProofResult(
-                count, failures.size(), List.of(Figure.sum("killed within a save", within, "kills")), failures);
+        List<Figure> figures = List.of(
+                Figure.sum("kills that left a file half-written or not yet in its place", unfinished, ""),
+                Figure.sum("further kills, between two saves", kills - within, ""));
+        return new ProofResult(count, failures.size(), figures, failures);
+    }
+
+    /** @param told everything that a killed process wrote */
+    static boolean isWithinASave(String told) {
+        return told.endsWith(String.valueOf(SavingChild.BEGUN));
+    }
+
+    private static boolean isUnfinished(Path file) {
+        return Files.exists(beside(file, ".tmp")) || Files.exists(beside(file, ".bak.tmp"));
     }
 
     private static Path file(Path folder, long unit) {
@@ -95,14 +114,34 @@ public final class SaveKillProof implements Proof {
                 .start();
     }
 
-    private static void kill(Process child, SplittableRandom random) throws IOException, InterruptedException {
-        for (int saves = 1 + random.nextInt(MOST_SAVES_BEFORE); saves > 0; saves--) {
-            if (child.getInputStream().read() < 0) {
-                throw new IOException("the saving process ended by itself with code " + child.waitFor());
+    /** Waits for a few saves and kills the process within about the length of one after the next has begun. */
+    private static String kill(Process child, SplittableRandom random) throws IOException, InterruptedException {
+        var told = new StringBuilder();
+        long begun = 0;
+        long nanos = 0;
+        for (int saves = 1 + random.nextInt(MOST_SAVES_BEFORE); saves >= 0; saves--) {
+            awaitNext(child, SavingChild.BEGUN, told);
+            begun = System.nanoTime();
+            if (saves > 0) {
+                awaitNext(child, SavingChild.ENDED, told);
+                nanos = System.nanoTime() - begun;
             }
         }
-        LockSupport.parkNanos(random.nextLong(LONGEST_WAIT_NANOS));
-        child.destroyForcibly().waitFor();
+        LockSupport.parkNanos((long) (random.nextDouble() * LENGTHS * nanos));
+        // Through its handle: killed through the process itself, what it wrote could not be read any more.
+        child.toHandle().destroyForcibly();
+        child.waitFor();
+        return told.append(new String(child.getInputStream().readAllBytes(), StandardCharsets.US_ASCII))
+                .toString();
+    }
+
+    private static void awaitNext(Process child, char expected, StringBuilder told)
+            throws IOException, InterruptedException {
+        int next = child.getInputStream().read();
+        if (next != expected) {
+            throw new IOException("the saving process ended by itself with code " + child.waitFor());
+        }
+        told.append(expected);
     }
 
     /** The file itself, not its backup, must be one of the levels that were saved, whole. */

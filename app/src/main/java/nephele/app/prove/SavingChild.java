@@ -14,17 +14,28 @@ final class SavingChild {
 
     private SavingChild() {}
 
-    /** Saves to the file it is given and writes a byte after each save. */
+    /** Written when a save begins, and when it has ended. */
+    static final char BEGUN = '(';
+
+    static final char ENDED = ')';
+
+    /** Saves to the file it is given and tells when each save begins and ends. */
     public static void main(String[] arguments) throws IOException {
         Path file = Path.of(arguments[0]);
         for (int generation = 1; generation <= MOST_SAVES; generation++) {
-            LevelFile.save(file, level(generation));
-            System.out.write('.');
-            System.out.flush();
+            Level level = level(generation);
+            tell(BEGUN);
+            LevelFile.save(file, level);
+            tell(ENDED);
             if (System.out.checkError()) {
                 return;
             }
         }
+    }
+
+    private static void tell(char what) {
+        System.out.write(what);
+        System.out.flush();
     }
 
     /** Levels of changing size, each known by its number. */

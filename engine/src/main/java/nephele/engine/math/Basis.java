@@ -1,7 +1,5 @@
 package nephele.engine.math;
 
-import org.joml.Matrix4d;
-
 /** A right-handed orthonormal frame of a view: it looks along −{@code back}. */
 public record Basis(Vec3 right, Vec3 up, Vec3 back) {
     /** Looking along −z with y up. */
@@ -45,12 +43,5 @@ public record Basis(Vec3 right, Vec3 up, Vec3 back) {
                 new Vec3(cosYaw, 0, -sinYaw),
                 new Vec3(sinYaw * sinPitch, cosPitch, cosYaw * sinPitch),
                 new Vec3(sinYaw * cosPitch, -sinPitch, cosYaw * cosPitch));
-    }
-
-    /** The rotation from world directions to the view's. */
-    public Matrix4d viewFromRelative() {
-        return new Matrix4d(
-                right.x(), up.x(), back.x(), 0, right.y(), up.y(), back.y(), 0, right.z(), up.z(), back.z(), 0, 0, 0, 0,
-                1);
     }
 }

@@ -1,7 +1,5 @@
 package nephele.engine.scene;
 
-import org.joml.Matrix4d;
-
 /**
  * A perspective projection that every input gives: what is out of range or not a number is clamped, so that no matrix
  * ever holds a NaN. OpenGL's clip space, z from −1 at near to 1 at far.
@@ -62,24 +60,5 @@ public record Projection(double verticalFovRadians, double aspect, double nearMe
     private boolean isInfinite() {
         // Beyond this far + near loses near; the limit of the matrix is then exact in float.
         return farMetres > 1e9 * nearMetres;
-    }
-
-    public Matrix4d clipFromView() {
-        return new Matrix4d()
-                .m00(1 / tanHalfWidth())
-                .m11(1 / tanHalfHeight())
-                .m22(depthScale())
-                .m23(-1)
-                .m32(depthOffset())
-                .m33(0);
-    }
-
-    /**
-     * Metres apart, along the view, that two surfaces need at {@code distanceMetres} to be told apart by a 24-bit depth
-     * buffer: the slope of window depth, z²(f − n)/(f n), times one step of the buffer and one of rounding z/w to float.
-     */
-    public double depthQuantumMetres(double distanceMetres) {
-        double perFar = isInfinite() ? 0 : 1 / farMetres;
-        return distanceMetres * distanceMetres * (1 / nearMetres - perFar) * 0x1p-23;
     }
 }

@@ -1,7 +1,6 @@
 package nephele.app.trade.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -108,18 +107,6 @@ class TradeRunTest {
                     3,
                     run(again, "levels/samples/empty.json", ROUNDS).settings().size());
         }
-    }
-
-    /** The costs of equal settings are equal beyond what the interval says, whoever ran first. */
-    @Test
-    void timesEverySettingTwiceARound() {
-        var counting = new Counting(NEVER);
-        var timing = new PairedTiming(trade(counting), counting, 1e-4);
-        timing.warmUp();
-        var round = timing.round(3);
-        assertEquals(3, round.size());
-        assertTrue(round.stream().allMatch(cost -> cost.cpuNanos() > 0 && cost.wallNanos() > 0));
-        assertFalse(counting.closed);
     }
 
     private Findings run(Counting experiment, String level, int rounds) throws IOException {

@@ -13,7 +13,7 @@ import org.lwjgl.system.Platform;
  * CPU time: of the running thread, or of the whole process, every thread of the JVM and of the OpenGL driver counted. For the
  * process Linux has a clock that advances by the nanosecond; the JVM's own, elsewhere, advances in steps of 10 ms.
  */
-final class CpuClock {
+final class CpuClock implements CostClock {
     /** CLOCK_PROCESS_CPUTIME_ID of Linux. */
     private static final int PROCESS_CPU = 2;
 
@@ -38,7 +38,8 @@ final class CpuClock {
         }
     }
 
-    long nanos() {
+    @Override
+    public long cpuNanos() {
         if (whose == CostMetric.Clock.THREAD) {
             return threads.getCurrentThreadCpuTime();
         }
@@ -48,7 +49,13 @@ final class CpuClock {
         return 1_000_000_000L * MemoryUtil.memGetLong(timespec) + MemoryUtil.memGetLong(timespec + Long.BYTES);
     }
 
-    long allocatedBytes() {
+    @Override
+    public long wallNanos() {
+        return System.nanoTime();
+    }
+
+    @Override
+    public long allocatedBytes() {
         return stopwatch.allocatedBytes();
     }
 }

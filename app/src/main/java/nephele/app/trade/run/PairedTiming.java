@@ -7,7 +7,6 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import nephele.app.trade.Cost;
 import nephele.app.trade.Experiment;
-import nephele.app.trade.Trade;
 
 /**
  * Times settings side by side: a round runs all of them in a random order and then in the reverse one (A B B A), so that
@@ -23,14 +22,14 @@ final class PairedTiming {
     private final Experiment experiment;
     private final int settings;
     private final double sliceNanos;
-    private final CpuClock clock;
+    private final CostClock clock;
     private int[] runs;
 
     /** @param sliceSeconds that a setting runs at a time, at least */
-    PairedTiming(Trade trade, Experiment experiment, double sliceSeconds) {
+    PairedTiming(Experiment experiment, int settings, double sliceSeconds, CostClock clock) {
         this.experiment = experiment;
-        settings = trade.settings().size();
-        clock = new CpuClock(trade.cost().clock());
+        this.settings = settings;
+        this.clock = clock;
         sliceNanos = 1e9 * sliceSeconds;
     }
 
@@ -40,13 +39,13 @@ final class PairedTiming {
         double warm = Math.min(WARM_UP_SLICES * sliceNanos, MOST_WARM_UP_NANOS);
         for (int pass = 0; pass < 2; pass++) {
             for (int setting = 0; setting < settings; setting++) {
-                long start = System.nanoTime();
+                long start = clock.wallNanos();
                 int done = 0;
-                while (done == 0 || System.nanoTime() - start < warm) {
+                while (done == 0 || clock.wallNanos() - start < warm) {
                     experiment.run(setting);
                     done++;
                 }
-                double nanos = (double) (System.nanoTime() - start) / done;
+                double nanos = (double) (clock.wallNanos() - start) / done;
                 runs[setting] = (int) Math.max(1, Math.ceil(sliceNanos / nanos));
             }
         }
@@ -72,15 +71,15 @@ final class PairedTiming {
     private Cost slice(int setting) {
         experiment.run(setting);
         long bytes = clock.allocatedBytes();
-        long cpu = clock.nanos();
-        long wall = System.nanoTime();
+        long cpu = clock.cpuNanos();
+        long wall = clock.wallNanos();
         for (int run = 0; run < runs[setting]; run++) {
             experiment.run(setting);
         }
         double each = runs[setting];
         return new Cost(
-                Math.max(1, clock.nanos() - cpu) / each,
-                Math.max(1, System.nanoTime() - wall) / each,
+                Math.max(1, clock.cpuNanos() - cpu) / each,
+                Math.max(1, clock.wallNanos() - wall) / each,
                 (clock.allocatedBytes() - bytes) / each);
     }
 }

@@ -117,7 +117,8 @@ public final class TradeRun {
     private SubjectState timed(Trade trade, Experiment experiment, SubjectState before, SubjectFile file)
             throws IOException {
         SubjectState state = before;
-        var timing = new PairedTiming(trade, experiment, request.sliceSeconds());
+        var clock = new CpuClock(trade.cost().clock());
+        var timing = new PairedTiming(experiment, trade.settings().size(), request.sliceSeconds(), clock);
         timing.warmUp();
         while (state.rounds().size() < request.rounds()) {
             int round = state.rounds().size();

@@ -1,0 +1,47 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+
+import nephele.engine.collision.Sweep;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.math.Vec3;
+import org.joml.Quaterniond;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Exactly where bodies are put that stood in a portal when it was moved away. */
+final class OccupantsPushTest {
+    private static final double EDGE = 0.5;
+
+    /** Out of the old portal's plane, which is the wall's, and the skin before it. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.002, 0.1, 0.2})
+    void aCubeEndsTheSkinBeforeTheWall(double before) {
+        Lab lab = Lab.twoPortals(EDGE);
+        SimState inPortal = withCubeAt(lab.state(), new Vec3(0, EDGE / 2 + 0.002, -8 + before));
+        Lab moved = lab.turn(90, 0).press(Action.FIRE_FIRST);
+        SimLevel level = SimLevel.of(lab.level());
+        PortalSpace from = new PortalSpace(level.statics(), inPortal.around().portals());
+        PortalSpace to = new PortalSpace(level.statics(), moved.state().around().portals());
+        var occupants = new Occupants(level.bodies());
+
+        Vec3 centre =
+                occupants.settle(inPortal, from, to).around().bodies().state(0).centre();
+        assertEquals(-8 + EDGE / 2 + Sweep.SKIN_METRES, centre.z(), 1e-12);
+        assertEquals(0, centre.x(), 1e-12);
+        assertEquals(EDGE / 2 + 0.002, centre.y(), 1e-12);
+
+        SimState clear = withCubeAt(inPortal, new Vec3(0, EDGE / 2 + 0.002, -7));
+        assertSame(
+                clear.around().bodies(),
+                occupants.settle(clear, from, to).around().bodies());
+    }
+
+    private static SimState withCubeAt(SimState state, Vec3 centre) {
+        Bodies bodies = state.around().bodies();
+        var there = new BodyState(centre, new Quaterniond(), Vec3.ZERO, Vec3.ZERO);
+        return state.with(state.around().with(bodies.with(0, there)));
+    }
+}

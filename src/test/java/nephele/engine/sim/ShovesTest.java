@@ -1,0 +1,45 @@
+package nephele.engine.sim;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** What a walker's legs add to what it walks into. */
+class ShovesTest {
+    private static final double TICK = 1 / 120.0;
+    private static final Vector3d NORTH = new Vector3d(0, 0, -1);
+    private static final Vector3d AT_REST = new Vector3d();
+
+    private static PlayerMotion standing() {
+        var player = new PlayerMotion();
+        player.load(PlayerState.standing(Vec3.ZERO, Heading.ofDegrees(0, 0)));
+        return player;
+    }
+
+    private static Vector3d push(Vector3d wish, Vector3d... normals) {
+        var shoves = new Shoves();
+        shoves.wish(wish);
+        for (Vector3d normal : normals) {
+            shoves.met(normal, AT_REST);
+        }
+        shoves.settle(standing(), TICK);
+        return new Vector3d(shoves.push());
+    }
+
+    /** Two bodies in one row, or one met twice, are pushed no harder than one. */
+    @Test
+    void whatIsMetTwiceIsPushedOnce() {
+        Vector3d once = push(NORTH, new Vector3d(0, 0, 1));
+        assertEquals(0, once.x);
+        assertEquals(-400 * TICK / PlayerBody.MASS_KILOGRAMS, once.z, 1e-15);
+        assertEquals(once, push(NORTH, new Vector3d(0, 0, 1), new Vector3d(0, 0, 1)));
+    }
+
+    @Test
+    void whatIsLeftBehindIsNotPushed() {
+        assertEquals(AT_REST, push(NORTH, new Vector3d(0, 0, -1)));
+        assertEquals(AT_REST, push(NORTH, new Vector3d(1, 0, 0)));
+    }
+}

@@ -1,0 +1,55 @@
+package nephele.mutants;
+
+import static nephele.mutants.Mutant.Area.LEVEL;
+import static nephele.mutants.Mutants.ENGINE;
+
+import java.util.List;
+
+/** Faults in reading levels and in their rules. */
+final class LevelMutants {
+    static final List<Mutant> ALL = List.of(
+            new Mutant(
+                    LEVEL,
+                    "a key behind the thirty-second counts as another one",
+                    ENGINE + "level/JsonValue.java",
+                    "asked |= 1L << index;",
+                    "asked |= 1 << index;",
+                    "LevelBoundsTest"),
+            new Mutant(
+                    LEVEL,
+                    "a list may not be as long as it may",
+                    ENGINE + "level/CollectionFormats.java",
+                    "array.values().size() > most",
+                    "array.values().size() >= most",
+                    "LevelBoundsTest"),
+            new Mutant(
+                    LEVEL,
+                    "the least number allowed is refused",
+                    ENGINE + "level/NumberFormats.java",
+                    "return value >= min && value <= max",
+                    "return value > min && value <= max",
+                    "LevelBoundsTest"),
+            new Mutant(
+                    LEVEL,
+                    "a capsule without a straight part is refused",
+                    ENGINE + "level/BodyRules.java",
+                    "capsule.heightMetres() < 2 * capsule.radiusMetres()",
+                    "capsule.heightMetres() <= 2 * capsule.radiusMetres()",
+                    "LevelBoundsTest"),
+            new Mutant(
+                    LEVEL,
+                    "models may share an id",
+                    ENGINE + "level/IdRules.java",
+                    "unique(\"models\", level.models(), ModelPlacement::id, report);",
+                    "",
+                    "LevelBoundsTest"),
+            new Mutant(
+                    LEVEL,
+                    "a wedge falls towards the side it should rise to",
+                    ENGINE + "level/Brush.java",
+                    "new Vec3(-high.x() * rise, run, -high.z() * rise)",
+                    "new Vec3(high.x() * rise, run, high.z() * rise)",
+                    "BrushTest"));
+
+    private LevelMutants() {}
+}

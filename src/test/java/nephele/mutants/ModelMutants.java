@@ -1,0 +1,55 @@
+package nephele.mutants;
+
+import static nephele.mutants.Mutant.Area.MODEL;
+import static nephele.mutants.Mutants.ENGINE;
+
+import java.util.List;
+
+/** Faults in shapes, curves and the readers of meshes. */
+final class ModelMutants {
+    static final List<Mutant> ALL = List.of(
+            new Mutant(
+                    MODEL,
+                    "the sides of a cone look up by the angle they should look out by",
+                    ENGINE + "model/ConeShape.java",
+                    "height / length * sine, radius / length, height / length * cosine",
+                    "radius / length * sine, height / length, radius / length * cosine",
+                    "ShapeNormalsTest"),
+            new Mutant(
+                    MODEL,
+                    "missing normals weigh each triangle alike",
+                    ENGINE + "model/MissingNormals.java",
+                    "normal.mul(StrictMath.atan2(length, a.dot(b)) / length);",
+                    "normal.mul(1 / length);",
+                    "MissingNormalsTest"),
+            new Mutant(
+                    MODEL,
+                    "an index from the end names the point after",
+                    ENGINE + "model/ObjFile.java",
+                    "index < 0 ? count + index : index - 1",
+                    "index < 0 ? count + index - 1 : index - 1",
+                    "ObjFileTest"),
+            new Mutant(
+                    MODEL,
+                    "every second triangle of a strip is inside out",
+                    ENGINE + "model/GltfTriangles.java",
+                    "mirrored != odd",
+                    "mirrored",
+                    "GltfFileTest"),
+            new Mutant(
+                    MODEL,
+                    "the longer span decides a tangent",
+                    ENGINE + "model/CatmullRom.java",
+                    "arriving.mul(after / sum).fma(before / sum, leaving)",
+                    "arriving.mul(before / sum).fma(after / sum, leaving)",
+                    "CatmullRomTest"),
+            new Mutant(
+                    MODEL,
+                    "a patch rises where it falls",
+                    ENGINE + "model/CubicWeights.java",
+                    "6 * t * rest - 3 * t * t",
+                    "6 * t * rest + 3 * t * t",
+                    "BezierPatchesTest"));
+
+    private ModelMutants() {}
+}
