@@ -38,6 +38,11 @@ final class ContactKey {
         return (int) (key >>> 33 + FEATURE_BITS);
     }
 
+    /** The solid's index in its world, of a key with one. */
+    static int solid(long key) {
+        return (int) (key >>> 8 + FEATURE_BITS & 0xffffff);
+    }
+
     /** The second owner, or −1 for a solid. */
     static int second(long key) {
         long parties = key >>> FEATURE_BITS;

@@ -35,6 +35,8 @@ final class ContactSearch {
     private Influences influences;
     private double seconds;
     private boolean woke;
+    /** Where each body's manifolds with solids begin; those of the last end where the pairs' begin. */
+    private int[] firstWithSolid = new int[1];
 
     ContactSearch(BodyTable table, Poses poses, Motions motions, ContactRows rows) {
         this.table = table;
@@ -162,13 +164,44 @@ final class ContactSearch {
         int shapes = poses.count;
         int scratch = poses.add(BodyTable.BOX, motions.count - 1, -1);
         poses.upright(scratch);
+        if (firstWithSolid.length <= bodies.count) {
+            firstWithSolid = new int[bodies.count + 1];
+        }
         for (int body = 0; body < bodies.count; body++) {
+            firstWithSolid[body] = rows.count;
             if (bodies.isAwake(body)) {
                 withStatics(body, surroundings.around(bodies.active(body)), scratch);
             }
         }
+        firstWithSolid[bodies.count] = rows.count;
         poses.count = shapes;
         pairs.visit(poses, this::pair);
+    }
+
+    /** Whether the solver was given contacts of a body and a solid of the world around it. */
+    boolean metSolid(int body, int solid) {
+        for (int m = firstWithSolid[body]; m < firstWithSolid[body + 1]; m++) {
+            if (ContactKey.solid(rows.key[m]) == solid) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether the solver was given contacts of a body and another owner, on this side of every portal. */
+    boolean metOther(int body, int other) {
+        long parties = ContactKey.parties(ContactKey.between(Math.min(body, other), Math.max(body, other), -1));
+        for (int m = firstWithSolid[bodies.count]; m < rows.count; m++) {
+            if (ContactKey.parties(rows.key[m]) == parties) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** So far contacts are made ahead, whatever the speed. */
+    double farMetres(int body) {
+        return Math.max(poses.leastHalf(body) / 2, FAR_METRES);
     }
 
     private void withStatics(int body, CollisionWorld world, int scratch) {

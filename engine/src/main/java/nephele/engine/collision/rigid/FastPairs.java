@@ -1,6 +1,7 @@
 package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 import nephele.engine.collision.HullDistance;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Separation;
@@ -58,13 +59,15 @@ final class FastPairs {
     /**
      * The free share of a body's way.
      *
+     * @param isLeftOut the others, by owner, that need not be looked at
      * @param hasCrossed the body went through a portal in this tick: the others count as they were at the tick's start
      */
-    double free(int body, Vector3dc from, Vector3dc way, double depth, boolean hasCrossed) {
+    double free(
+            int body, Vector3dc from, Vector3dc way, double depth, boolean hasCrossed, IntPredicate isLeftOut) {
         int count = bodies + (influences.meetsCharacters(body) ? influences.characters() : 0);
         double free = 1;
         for (int other = 0; other < count && free > 0; other++) {
-            if (other != body && isNear(body, from, way, other)) {
+            if (other != body && isNear(body, from, way, other) && !isLeftOut.test(other)) {
                 relative.set(way);
                 if (!hasCrossed) {
                     relative.sub(ways[3 * other], ways[3 * other + 1], ways[3 * other + 2]);

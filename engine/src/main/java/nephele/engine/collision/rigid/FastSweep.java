@@ -1,5 +1,6 @@
 package nephele.engine.collision.rigid;
 
+import java.util.function.IntPredicate;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.RoundedHull;
@@ -29,12 +30,19 @@ final class FastSweep {
      * The free share of a way, 0 to 1.
      *
      * @param depth in metres, how far in the body may get
+     * @param isLeftOut the solids, by index, that need not be looked at
      */
-    double free(CollisionWorld world, RoundedHull shape, Vector3dc from, Vector3dc way, double depth) {
+    double free(
+            CollisionWorld world,
+            RoundedHull shape,
+            Vector3dc from,
+            Vector3dc way,
+            double depth,
+            IntPredicate isLeftOut) {
         find(world, shape, from, way);
         double free = 1;
         for (int i = 0; i < near.size() && free > 0; i++) {
-            free = Math.min(free, against(world.collider(near.get(i)), shape, from, way, depth));
+            free = isLeftOut.test(near.get(i)) ? free : Math.min(free, against(world.collider(near.get(i)), shape, from, way, depth));
         }
         return free;
     }

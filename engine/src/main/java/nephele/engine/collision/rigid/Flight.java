@@ -17,10 +17,13 @@ final class Flight {
     /** A fast body may get so far into what it hits, and no deeper than an eighth of its thickness. */
     private static final double MOST_DEPTH_METRES = 6e-4;
 
+    private static final double MOST_TURN_DEPTH_METRES = 5e-3;
+
     private static final int MOST_SLIDES = 4;
 
     private final BodyTable table;
     private final Vec3 gravity;
+    private final ContactSearch search;
     private final NarrowPhase narrow;
     private final Poses poses;
     private final Spin spin = new Spin();
@@ -51,10 +54,11 @@ final class Flight {
     /** The way that gravity has changed the velocity for. */
     private final Vector3d paidWay = new Vector3d();
 
-    Flight(BodyTable table, Vec3 gravity, NarrowPhase narrow, Poses poses) {
+    Flight(BodyTable table, Vec3 gravity, ContactSearch search, Poses poses) {
         this.table = table;
         this.gravity = gravity;
-        this.narrow = narrow;
+        this.search = search;
+        narrow = search.narrow();
         this.poses = poses;
         pairs = new FastPairs(poses, narrow);
         turn = new FastTurn(poses, narrow, sweep);
@@ -176,7 +180,7 @@ final class Flight {
         if (turn.isFast(bodies.motion, q, body, farMetres(body))) {
             System.arraycopy(poses.axes, 9 * body, axes, 0, 9);
             carry.begin(bodies.motion, Bodies.STRIDE * body);
-            boolean turns = turn.fit(bodies.motion, q, body, place, surroundings, depth(body));
+            boolean turns = turn.fit(bodies.motion, q, body, place, surroundings, turnDepth(body));
             carry.end(bodies.motion, Bodies.STRIDE * body);
             if (!turns) {
                 // Corners that seem to turn away from a wall, and do not, would keep the solver from stopping the body.
@@ -190,6 +194,11 @@ final class Flight {
     /** Who goes farther in a tick could get past something unseen. */
     private double farMetres(int body) {
         return poses.leastHalf(body) / 2;
+    }
+
+    /** Turning, what the solver holds may get deeper into solids for a tick, but not through them. */
+    private double turnDepth(int body) {
+        return Math.min(MOST_TURN_DEPTH_METRES, farMetres(body));
     }
 
     private double depth(int body) {
@@ -282,12 +291,24 @@ final class Flight {
             int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
             poses.turn(body, m[q], m[q + 1], m[q + 2], m[q + 3]);
         }
-        double free = pairs.free(body, place, way, depth(body), hasCrossed);
+        // What the solver was given contacts with it holds off itself, turns included.
+        boolean held = !hasCrossed && way.length() <= search.farMetres(body);
+        double free = pairs.free(
+                body, place, way, depth(body), hasCrossed, other -> held && search.metOther(body, other));
         blocking.set(pairs.normal());
         if (free > 0) {
             var hull = narrow.turnedHull(body);
             long mask = portals.size() == 0 ? 0 : surroundings.active(hull, place, way);
-            free = Math.min(free, sweep.free(surroundings.around(mask), hull, place, way, depth(body)));
+            boolean same = held && mask == bodies.active(body);
+            free = Math.min(
+                    free,
+                    sweep.free(
+                            surroundings.around(mask),
+                            hull,
+                            place,
+                            way,
+                            depth(body),
+                            solid -> same && search.metSolid(body, solid)));
             blocking.set(sweep.normal());
         }
         System.arraycopy(axes, 0, poses.axes, 9 * body, 9);

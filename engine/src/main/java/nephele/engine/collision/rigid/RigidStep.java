@@ -71,7 +71,7 @@ public final class RigidStep {
         this.table = table;
         this.gravity = gravity;
         search = new ContactSearch(table, poses, motions, rows);
-        flight = new Flight(table, gravity, search.narrow(), poses);
+        flight = new Flight(table, gravity, search, poses);
     }
 
     /** The bodies {@code seconds} later: all that the tick depends on is in the arguments. */
