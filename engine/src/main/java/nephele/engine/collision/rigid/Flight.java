@@ -216,7 +216,7 @@ final class Flight {
             boolean enters = portals.size() > 0 && crossing.find(portals, place, velocity, pull, left);
             double t = enters ? crossing.seconds() : left;
             velocity.mul(t, way).fma(t * t / 2, pull);
-            if (way.lengthSquared() > farMetres(body) * farMetres(body) && isStopped(bodies, body, t)) {
+            if (way.lengthSquared() > farMetres(body) * farMetres(body) && isStopped(bodies, body, t, left)) {
                 break;
             }
             if (!enters) {
@@ -260,13 +260,17 @@ final class Flight {
         m[w + 2] = turning.z;
     }
 
-    /** Whether something stands in the way; then the body has gone as far as it can, or along what it is deep in. */
-    private boolean isStopped(TickBodies bodies, int body, double t) {
+    /**
+     * Whether something stands in the way; then the body has gone as far as it can, or along what it is deep in.
+     *
+     * @param t how long the way is; {@code left}: how long the rest of the tick is
+     */
+    private boolean isStopped(TickBodies bodies, int body, double t, double left) {
         double share = freeShare(bodies, body);
         if (share >= 1) {
             return false;
         }
-        paidWay.set(way);
+        velocity.mul(left, paidWay);
         for (int i = 0; share == 0 && i < MOST_SLIDES; i++) {
             way.fma(-way.dot(blocking), blocking);
             boolean enters = portals.size() > 0 && crossing.find(portals, place, way, turning.zero(), 1);

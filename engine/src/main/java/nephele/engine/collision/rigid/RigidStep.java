@@ -61,6 +61,7 @@ public final class RigidStep {
     private int[] order = new int[0];
 
     private int grouped;
+    private int awake;
     private int[] next = new int[0];
     private int[] firstOf = new int[0];
     /** Manifolds that are left to the solver in substeps. */
@@ -129,13 +130,18 @@ public final class RigidStep {
         }
     }
 
+    private void countAwake() {
+        awake = 0;
+        for (int body = 0; body < bodies.count; body++) {
+            awake += bodies.isAwake(body) ? 1 : 0;
+        }
+    }
+
     /** Into how many parts contacts have to be found anew because bodies turn too far in one. */
     private int finerParts(double seconds) {
-        int awake = 0;
         double most = 0;
         findPressed();
         for (int body = 0; body < bodies.count; body++) {
-            awake += bodies.isAwake(body) ? 1 : 0;
             if (pressed[body] && bodies.isAwake(body)) {
                 most = Math.max(most, bendMetres(body, seconds));
             }
@@ -188,6 +194,7 @@ public final class RigidStep {
         if (isAllAsleep() && !bodies.hasFrozen) {
             return false;
         }
+        countAwake();
         search.findContacts(bodies, surroundings, influences, seconds);
         solve(influences, seconds);
         return true;
@@ -386,7 +393,7 @@ public final class RigidStep {
             alone &= ia == 0 || ib == 0;
             hard = isThin(a) || isThin(b) || ia > 0 && ib > 0 && Math.max(ia, ib) > EVEN_MASSES * Math.min(ia, ib);
         }
-        return hard || alone;
+        return hard || alone || awake <= MOST_BODIES_A_TICK / 2;
     }
 
     private boolean isThin(int slot) {

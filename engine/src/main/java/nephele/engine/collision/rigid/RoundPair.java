@@ -14,6 +14,9 @@ final class RoundPair {
     /** Sine of the angle up to which a capsule lies flat. */
     private static final double FLAT = 0.05;
 
+    /** One minus the cosine up to which two normals are one. */
+    private static final double ALONG = 1e-9;
+
     private final Separation separation = new Separation();
     private final double[] axesInBox = new double[9];
 
@@ -170,8 +173,10 @@ final class RoundPair {
         double uY = axes[at + 1] * halfAxis;
         double uZ = axes[at + 2] * halfAxis;
         double rise = uX * nX + uY * nY + uZ * nZ;
-        if (halfAxis > 0 && Math.abs(rise) <= FLAT * halfAxis) {
-            int face = faceAlong(solid.contactHull(), nX, nY, nZ);
+        if (halfAxis > 0) {
+            // However it stands over a face: the end that is higher now may come down within the tick.
+            boolean lies = Math.abs(rise) <= FLAT * halfAxis;
+            int face = faceAlong(solid.contactHull(), lies ? FLAT * FLAT / 2 : ALONG, nX, nY, nZ);
             if (face >= 0) {
                 flat(solid.contactHull(), face, radius, uX, uY, uZ, x, y, z, reach, out);
                 if (out.count > 0) {
@@ -198,9 +203,9 @@ final class RoundPair {
         return Math.max(-1, Math.min(1, s));
     }
 
-    private static int faceAlong(ContactHull hull, double nX, double nY, double nZ) {
+    private static int faceAlong(ContactHull hull, double tolerance, double nX, double nY, double nZ) {
         for (int face = 0; face < hull.faces(); face++) {
-            if (hull.plane(face, 0) * nX + hull.plane(face, 1) * nY + hull.plane(face, 2) * nZ > 1 - FLAT * FLAT / 2) {
+            if (hull.plane(face, 0) * nX + hull.plane(face, 1) * nY + hull.plane(face, 2) * nZ > 1 - tolerance) {
                 return face;
             }
         }
