@@ -14,10 +14,10 @@ public final class RigidStep {
     private static final int MOST_SUBSTEPS = 32;
 
     /** Masses that touch and differ by less than this factor are even. */
-    private static final double EVEN_MASSES = Double.parseDouble(System.getProperty("masses", "2"));
+    private static final double EVEN_MASSES = 2;
 
     /** Edges of a body that differ by less than this factor are even. */
-    private static final double EVEN_EDGES = Double.parseDouble(System.getProperty("edges", "4"));
+    private static final double EVEN_EDGES = 4;
 
     /** Longer ticks are stepped in parts: where shapes touch is found once a part. */
     private static final double LONGEST_PART_SECONDS = 1 / 120.0;
@@ -25,14 +25,14 @@ public final class RigidStep {
     private static final int MOST_PARTS = 32;
 
     /** Where the way of a point of a body that touches something bends by more, contacts are found anew in between. */
-    private static final double BEND_METRES = Double.parseDouble(System.getProperty("bend", "3e-5"));
+    private static final double BEND_METRES = 3e-5;
 
     private static final int MOST_FINER_PARTS = 16;
     /** Finer parts are for few bodies: this many steps of a body in all. */
     private static final int MOST_BODIES_A_TICK = 64;
 
     /** Products of blocks a body that the direct solver may spend on an island. */
-    private static final double MOST_PRODUCTS_A_BODY = Double.parseDouble(System.getProperty("most", "12"));
+    private static final double MOST_PRODUCTS_A_BODY = 12;
 
     /** So long a group rests before it sleeps. */
     private static final float SLEEP_SECONDS = 0.5f;

@@ -108,7 +108,6 @@ final class TickBodies {
                 return true;
             }
         }
-        cutShort++;
         return false;
     }
 
