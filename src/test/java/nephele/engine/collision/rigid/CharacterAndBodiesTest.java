@@ -22,7 +22,7 @@ class CharacterAndBodiesTest {
         int box = scene.add(new Body.Box("box", v(1, 0, 0), v(0.5, 0.5, 0.5), 20, null, 0, 0));
         Influences.Character player = new Influences.Character(0.3, 1.8, 80);
         scene.influences.add(player);
-        player.move(new Vector3d(0.44, 0, 0), new Vector3d(2, 0, 0));
+        player.move(new Vector3d(0.45, 0, 0), new Vector3d(2, 0, 0));
         scene.start();
         scene.tick(1 / 120.0);
         assertEquals(20 * scene.velocity(box).x, -player.impulse().x(), 1e-9);
@@ -40,7 +40,7 @@ class CharacterAndBodiesTest {
         int box = scene.add(new Body.Box("box", v(29.65, 0, 0), v(0.5, 0.5, 0.5), 20, null, 0, 0));
         Influences.Character player = new Influences.Character(0.3, 1.8, 80);
         scene.influences.add(player);
-        player.move(new Vector3d(0, 0, 0.21), new Vector3d(0, 0, -2));
+        player.move(new Vector3d(0, 0, 0.2), new Vector3d(0, 0, -2));
         scene.start();
         scene.tick(1 / 120.0);
         assertEquals(-1.6, scene.velocity(box).x, 0.05);

@@ -93,9 +93,11 @@ final class Activity {
                 poses.axes[9 * image + axis + 2] = way.z;
             }
             double[] v = motions.velocity;
+            way.set(v[6 * owner + 3], v[6 * owner + 4], v[6 * owner + 5]);
+            double turned = way.length() * seconds * poses.radius(owner);
             way.set(v[6 * owner], v[6 * owner + 1], v[6 * owner + 2]);
             passage.direction(way).mul(seconds);
-            poses.bound(image, way.x, way.y, way.z, 2 * ContactSearch.REACH_METRES);
+            poses.bound(image, way.x, way.y, way.z, turned, 2 * ContactSearch.REACH_METRES);
         }
     }
 

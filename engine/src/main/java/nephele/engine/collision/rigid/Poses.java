@@ -90,15 +90,20 @@ final class Poses {
         return half[h + 1] * Math.abs(axes[a + 3]) + half[h + 2];
     }
 
-    /** Bounds that hold the shape during a displacement and a margin around it. */
-    void bound(int shape, double wayX, double wayY, double wayZ, double margin) {
-        bound(shape, 0, wayX, margin);
-        bound(shape, 1, wayY, margin);
-        bound(shape, 2, wayZ, margin);
+    /**
+     * Bounds that hold the shape during a displacement and a margin around it.
+     *
+     * @param turned metres that its farthest point may go by a turn
+     */
+    void bound(int shape, double wayX, double wayY, double wayZ, double turned, double margin) {
+        bound(shape, 0, wayX, turned, margin);
+        bound(shape, 1, wayY, turned, margin);
+        bound(shape, 2, wayZ, turned, margin);
     }
 
-    private void bound(int shape, int axis, double way, double margin) {
-        double reach = extent(shape, axis) + margin;
+    private void bound(int shape, int axis, double way, double turned, double margin) {
+        double still = extent(shape, axis);
+        double reach = Math.max(still, Math.min(still + turned, radius(shape))) + margin;
         double c = centre[3 * shape + axis];
         bounds[6 * shape + axis] = c - reach + Math.min(0, way);
         bounds[6 * shape + 3 + axis] = c + reach + Math.max(0, way);

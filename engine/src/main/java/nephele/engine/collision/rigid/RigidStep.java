@@ -300,6 +300,7 @@ public final class RigidStep {
                     awake ? m[at + 7] * seconds + gravity.x() * fall : 0,
                     awake ? m[at + 8] * seconds + gravity.y() * fall : 0,
                     awake ? m[at + 9] * seconds + gravity.z() * fall : 0,
+                    awake ? turnedMetres(body, seconds) : 0,
                     ContactSearch.REACH_METRES);
         }
         for (int i = 0; i < influences.characters(); i++) {
@@ -313,8 +314,16 @@ public final class RigidStep {
                     c.velocity.x * seconds,
                     c.velocity.y * seconds,
                     c.velocity.z * seconds,
+                    0,
                     ContactSearch.REACH_METRES);
         }
+    }
+
+    private double turnedMetres(int body, double seconds) {
+        int w = Bodies.STRIDE * body + Bodies.SPIN;
+        double[] m = bodies.motion;
+        double spin = Math.sqrt(m[w] * m[w] + m[w + 1] * m[w + 1] + m[w + 2] * m[w + 2]);
+        return spin * seconds * poses.radius(body);
     }
 
     private void setMasses(Influences influences) {
