@@ -4,40 +4,15 @@ import java.util.Arrays;
 import nephele.engine.math.Vec3;
 
 /**
- * Moves bodies by one tick: finds contacts, solves them in substeps, lets what touches nothing fly exactly, and puts to
- * sleep what has come to rest. Not for two threads at once: the working set is reused.
+ * Moves bodies by one tick: finds contacts, solves them, lets what touches nothing fly exactly, and puts to sleep what
+ * has come to rest. A long tick, and one in which something that touches turns far, is stepped in parts. Not for two
+ * threads at once: the working set is reused.
  */
 public final class RigidStep {
-    /** As near as whole numbers of them come to a tick: four at 120 ticks a second. */
-    private static final double SUBSTEPS_A_SECOND = 480;
-
-    private static final int MOST_SUBSTEPS = 32;
-
-    /** Masses that touch and differ by less than this factor are even. */
-    private static final double EVEN_MASSES = 2;
-
-    /** Edges of a body that differ by less than this factor are even. */
-    private static final double EVEN_EDGES = 4;
-
     /** Longer ticks are stepped in parts: where shapes touch is found once a part. */
     private static final double LONGEST_PART_SECONDS = 1 / 120.0;
 
     private static final int MOST_PARTS = 32;
-
-    /** Where the way of a point of a body that touches something bends by more, contacts are found anew in between. */
-    private static final double BEND_METRES = 3e-5;
-
-    private static final int MOST_FINER_PARTS = 16;
-    /** Finer parts are for few bodies: this many steps of a body in all. */
-    private static final int MOST_BODIES_A_TICK = 64;
-
-    /** Products of blocks a body that the direct solver may spend on an island. */
-    private static final double MOST_PRODUCTS_A_BODY = 12;
-
-    /** So long a group rests before it sleeps. */
-    private static final float SLEEP_SECONDS = 0.5f;
-
-    private static final double REST_METRES_PER_SECOND = 0.03;
 
     private final BodyTable table;
     private final Vec3 gravity;
@@ -45,33 +20,24 @@ public final class RigidStep {
     private final Poses poses = new Poses();
     private final Motions motions = new Motions();
     private final ContactRows rows = new ContactRows(motions);
-    private final IslandSolver exact = new IslandSolver(rows, motions);
-    private final ContactSolver solver = new ContactSolver(motions, rows);
     private final ContactSearch search;
+    private final StepSolver solver;
+    private final TurnBend bend = new TurnBend(poses, motions);
     private final Flight flight;
-    private final Islands islands = new Islands();
-    private float[] islandRest = new float[0];
+    private final Sleep sleep = new Sleep(bodies, poses, rows);
     private boolean[] pressed = new boolean[0];
     private boolean[] held = new boolean[0];
     /** Per slot: whether gravity pulls at it. */
     private boolean[] weighs = new boolean[0];
-    /** Per slot: whether the solver in substeps moves it. */
-    private boolean[] stepped = new boolean[0];
-    /** Manifolds, island by island. */
-    private int[] order = new int[0];
 
-    private int grouped;
     private int awake;
-    private int[] next = new int[0];
-    private int[] firstOf = new int[0];
-    /** Manifolds that are left to the solver in substeps. */
-    private int[] rest = new int[0];
 
     /** @param gravity m/s² */
     public RigidStep(BodyTable table, Vec3 gravity) {
         this.table = table;
         this.gravity = gravity;
         search = new ContactSearch(table, poses, motions, rows);
+        solver = new StepSolver(table, gravity, motions, rows);
         flight = new Flight(table, gravity, search, poses);
     }
 
@@ -81,43 +47,37 @@ public final class RigidStep {
             return before;
         }
         int parts = (int) Math.max(1, Math.min(MOST_PARTS, Math.ceil(seconds / LONGEST_PART_SECONDS - 1e-6)));
-        double part = seconds / parts;
         influences.begin();
-        Bodies after = inParts(before, surroundings, influences, new Cut(parts, false), seconds);
+        Bodies after = inParts(before, surroundings, influences, new Cut(parts, false, false), seconds);
         influences.end();
         return after;
     }
 
-    /** How a span of time is cut: into equal parts, and whether these belong to a tick that has begun. */
-    private record Cut(int parts, boolean isLater) {}
+    /**
+     * How a span of time is cut.
+     *
+     * @param parts of equal length
+     * @param isLater whether the first of them belongs to a tick that has begun
+     * @param isFine whether they are cut no finer
+     */
+    private record Cut(int parts, boolean isLater, boolean isFine) {}
 
-    private Bodies inParts(
-            Bodies before, Surroundings surroundings, Influences influences, Cut cut, double seconds) {
+    private Bodies inParts(Bodies before, Surroundings surroundings, Influences influences, Cut cut, double seconds) {
         double part = seconds / cut.parts;
         Bodies at = before;
         for (int i = 0; i < cut.parts; i++) {
             boolean later = cut.isLater || i > 0;
             load(at, later);
-            boolean stepped = begin(at, surroundings, influences, part);
-            int finer = stepped ? finerParts(part) : 1;
+            boolean moves = begin(at, surroundings, influences, part);
+            int finer = cut.isFine || !moves ? 1 : finerParts(part);
             if (finer > 1) {
-                at = inFinerParts(at, surroundings, influences, new Cut(finer, later), part);
+                at = inParts(at, surroundings, influences, new Cut(finer, later, true), part);
+            } else if (moves) {
+                at = end(at, surroundings, influences, part);
             } else {
-                at = end(at, surroundings, influences, stepped, later, part);
+                influences.advance(part);
+                at = later ? at : at.at(surroundings.portals());
             }
-        }
-        return at;
-    }
-
-    private Bodies inFinerParts(
-            Bodies before, Surroundings surroundings, Influences influences, Cut cut, double seconds) {
-        double part = seconds / cut.parts;
-        Bodies at = before;
-        for (int i = 0; i < cut.parts; i++) {
-            boolean later = cut.isLater || i > 0;
-            load(at, later);
-            boolean stepped = begin(at, surroundings, influences, part);
-            at = end(at, surroundings, influences, stepped, later, part);
         }
         return at;
     }
@@ -140,42 +100,12 @@ public final class RigidStep {
     /** Into how many parts contacts have to be found anew because bodies turn too far in one. */
     private int finerParts(double seconds) {
         double most = 0;
-        findPressed();
         for (int body = 0; body < bodies.count; body++) {
             if (pressed[body] && bodies.isAwake(body)) {
-                most = Math.max(most, bendMetres(body, seconds));
+                most = Math.max(most, bend.metres(body, seconds));
             }
         }
-        double wanted = Math.ceil(Math.sqrt(most / BEND_METRES));
-        return (int) Math.max(1, Math.min(wanted, Math.min(MOST_FINER_PARTS, MOST_BODIES_A_TICK / Math.max(1, awake))));
-    }
-
-    /** How far, at most, the way of a point of a body bends off a straight line by the body's turn: r ω² t² / 2. */
-    private double bendMetres(int body, double seconds) {
-        if (poses.kind[body] == BodyTable.SPHERE) {
-            return 0;
-        }
-        int w = 6 * body + 3;
-        double[] v = motions.velocity;
-        double[] x = poses.axes;
-        double[] local = new double[3];
-        for (int i = 0; i < 3; i++) {
-            int at = 9 * body + 3 * i;
-            local[i] = Math.abs(v[w] * x[at] + v[w + 1] * x[at + 1] + v[w + 2] * x[at + 2]);
-        }
-        double spin = Math.sqrt(local[0] * local[0] + local[1] * local[1] + local[2] * local[2]);
-        if (spin * seconds < 1e-3) {
-            return 0;
-        }
-        boolean box = poses.kind[body] == BodyTable.BOX;
-        double hX = box ? poses.half[3 * body] : 0;
-        double hY = poses.half[3 * body + 1];
-        double hZ = box ? poses.half[3 * body + 2] : 0;
-        double sX = local[1] * hZ + local[2] * hY;
-        double sY = local[2] * hX + local[0] * hZ;
-        double sZ = local[0] * hY + local[1] * hX;
-        double speed = Math.sqrt(sX * sX + sY * sY + sZ * sZ);
-        return Math.min(spin * speed * seconds * seconds / 2, 2 * speed / spin);
+        return bend.parts(most, awake);
     }
 
     /** Finds and solves the contacts of a part; false when nothing moves. */
@@ -183,38 +113,29 @@ public final class RigidStep {
         drive(influences);
         place(influences, seconds);
         search.activity().find(bodies, before.passages(), surroundings, gravity, seconds);
-        wakeNeighbours(before.contacts());
+        sleep.wakeNeighbours(before.contacts());
         setMasses(influences);
         search.activity().addImages(surroundings, influences, motions, seconds);
         search.index(before.contacts(), seconds);
         if (search.wakeTouched(bodies, influences, seconds)) {
-            wakeNeighbours(before.contacts());
+            sleep.wakeNeighbours(before.contacts());
             setMasses(influences);
         }
-        if (isAllAsleep() && !bodies.hasFrozen) {
+        countAwake();
+        if (awake == 0 && !bodies.hasFrozen) {
             return false;
         }
-        countAwake();
         search.findContacts(bodies, surroundings, influences, seconds);
-        solve(influences, seconds);
+        solver.solve(bodies.count + influences.characters(), awake, weighs, seconds);
+        findPressed();
         return true;
     }
 
     /** Moves the bodies by what {@link #begin} has found. */
-    private Bodies end(
-            Bodies before,
-            Surroundings surroundings,
-            Influences influences,
-            boolean stepped,
-            boolean later,
-            double seconds) {
-        if (!stepped) {
-            influences.advance(seconds);
-            return later ? before : before.at(surroundings.portals());
-        }
+    private Bodies end(Bodies before, Surroundings surroundings, Influences influences, double seconds) {
         flight.begin(surroundings, influences, bodies, seconds);
         move(before);
-        fallAsleep(seconds);
+        sleep.fallAsleep(pressed, held, seconds);
         giveImpulses(influences);
         influences.advance(seconds);
         ContactMemory carried = search.remember(before.contacts(), bodies, seconds);
@@ -231,7 +152,6 @@ public final class RigidStep {
         if (held.length < count) {
             held = new boolean[count];
             pressed = new boolean[count + 64];
-            islandRest = new float[count];
         }
         Arrays.fill(held, 0, count, false);
         for (int i = 0; i < influences.driven(); i++) {
@@ -244,43 +164,6 @@ public final class RigidStep {
                 }
             }
         }
-    }
-
-    /** Whoever leant on somebody who is awake wakes, and all who lean on them. */
-    private void wakeNeighbours(ContactMemory memory) {
-        boolean anyAsleep = false;
-        for (int body = 0; body < bodies.count; body++) {
-            anyAsleep |= bodies.rest[body] == Bodies.ASLEEP;
-        }
-        if (!anyAsleep) {
-            return;
-        }
-        islands.reset(bodies.count);
-        for (int i = 0; i < memory.size(); i++) {
-            int a = ContactKey.first(memory.key(i));
-            int b = ContactKey.second(memory.key(i));
-            if (a < bodies.count && b >= 0 && b < bodies.count) {
-                islands.join(a, b);
-            }
-        }
-        Arrays.fill(pressed, 0, bodies.count, false);
-        for (int body = 0; body < bodies.count; body++) {
-            pressed[islands.root(body)] |= bodies.isAwake(body);
-        }
-        for (int body = 0; body < bodies.count; body++) {
-            if (pressed[islands.root(body)]) {
-                bodies.wake(body);
-            }
-        }
-    }
-
-    private boolean isAllAsleep() {
-        for (int body = 0; body < bodies.count; body++) {
-            if (bodies.isAwake(body)) {
-                return false;
-            }
-        }
-        return true;
     }
 
     private void place(Influences influences, double seconds) {
@@ -357,137 +240,6 @@ public final class RigidStep {
         }
     }
 
-    private void solve(Influences influences, double seconds) {
-        if (rows.count == 0) {
-            return;
-        }
-        rows.rememberApproach();
-        int slots = bodies.count + influences.characters();
-        group(slots);
-        Arrays.fill(stepped, 0, slots, false);
-        int left = 0;
-        for (int i = 0; i < grouped; ) {
-            int end = islandEnd(i);
-            if (needsExact(i, end) && exact.take(order, i, end, MOST_PRODUCTS_A_BODY)) {
-                exact.solve(gravity, weighs, seconds);
-            } else {
-                for (int k = i; k < end; k++) {
-                    stepped[rows.slotA[order[k]]] = true;
-                    stepped[rows.slotB[order[k]]] = true;
-                    rest[left++] = order[k];
-                }
-            }
-            i = end;
-        }
-        if (left > 0) {
-            solveInSubsteps(left, slots, seconds);
-        }
-        solver.bounce();
-    }
-
-    private int root(int m) {
-        int a = rows.slotA[m];
-        return islands.root(motions.inverseMass[a] > 0 ? a : rows.slotB[m]);
-    }
-
-    /** Whether an island has what sequential impulses are slow or wrong about: unequal masses, or thin bodies. */
-    private boolean needsExact(int from, int to) {
-        boolean alone = true;
-        boolean hard = false;
-        for (int i = from; i < to && !hard; i++) {
-            int a = rows.slotA[order[i]];
-            int b = rows.slotB[order[i]];
-            double ia = motions.inverseMass[a];
-            double ib = motions.inverseMass[b];
-            alone &= ia == 0 || ib == 0;
-            hard = isThin(a) || isThin(b) || ia > 0 && ib > 0 && Math.max(ia, ib) > EVEN_MASSES * Math.min(ia, ib);
-        }
-        return hard || alone || awake <= MOST_BODIES_A_TICK / 2;
-    }
-
-    private boolean isThin(int slot) {
-        return slot < bodies.count && table.slenderness(slot) > EVEN_EDGES;
-    }
-
-    private int islandEnd(int from) {
-        int root = root(order[from]);
-        int end = from + 1;
-        while (end < grouped && root(order[end]) == root) {
-            end++;
-        }
-        return end;
-    }
-
-    /** Sorts the manifolds by island; within one they stay in order. */
-    private void group(int slots) {
-        islands.reset(slots);
-        for (int m = 0; m < rows.count; m++) {
-            int a = rows.slotA[m];
-            int b = rows.slotB[m];
-            if (a < slots && b < slots && motions.inverseMass[a] > 0 && motions.inverseMass[b] > 0) {
-                islands.join(a, b);
-            }
-        }
-        if (order.length < rows.count) {
-            order = new int[2 * rows.count];
-            rest = new int[2 * rows.count];
-            next = new int[2 * rows.count];
-        }
-        if (firstOf.length <= slots) {
-            firstOf = new int[slots + 64];
-            stepped = new boolean[slots + 64];
-        }
-        Arrays.fill(firstOf, 0, slots, -1);
-        for (int m = rows.count - 1; m >= 0; m--) {
-            int r = root(m);
-            next[m] = firstOf[r];
-            firstOf[r] = m;
-        }
-        grouped = 0;
-        for (int slot = 0; slot < slots; slot++) {
-            for (int m = firstOf[slot]; m >= 0; m = next[m]) {
-                order[grouped++] = m;
-            }
-        }
-    }
-
-    private void solveInSubsteps(int count, int slots, double seconds) {
-        int substeps = (int) Math.max(2, Math.min(MOST_SUBSTEPS, Math.round(seconds * SUBSTEPS_A_SECOND)));
-        double h = seconds / substeps;
-        for (int i = 0; i < count; i++) {
-            rows.scaleImpulses(rest[i], 1.0 / substeps);
-        }
-        solver.begin(rest, count);
-        for (int i = 0; i < substeps; i++) {
-            weigh(h);
-            solver.warmStart();
-            solver.solve(h, true);
-            advance(h, slots);
-            solver.relax(h);
-        }
-        for (int i = 0; i < count; i++) {
-            rows.scaleImpulses(rest[i], substeps);
-        }
-    }
-
-    private void weigh(double h) {
-        for (int body = 0; body < bodies.count; body++) {
-            if (stepped[body] && weighs[body]) {
-                motions.velocity[6 * body] += gravity.x() * h;
-                motions.velocity[6 * body + 1] += gravity.y() * h;
-                motions.velocity[6 * body + 2] += gravity.z() * h;
-            }
-        }
-    }
-
-    private void advance(double h, int slots) {
-        for (int slot = 0; slot < slots; slot++) {
-            for (int i = 6 * slot; stepped[slot] && i < 6 * slot + 6; i++) {
-                motions.moved[i] += h * motions.velocity[i];
-            }
-        }
-    }
-
     private void findPressed() {
         Arrays.fill(pressed, 0, bodies.count, false);
         for (int m = 0; m < rows.count; m++) {
@@ -499,7 +251,6 @@ public final class RigidStep {
     }
 
     private void move(Bodies before) {
-        findPressed();
         flight.expect(bodies, pressed, motions);
         for (int body = 0; body < bodies.count; body++) {
             if (!bodies.isAwake(body)) {
@@ -520,38 +271,6 @@ public final class RigidStep {
         if (slot < bodies.count) {
             pressed[slot] = true;
         }
-    }
-
-    private void fallAsleep(double seconds) {
-        islands.reset(bodies.count);
-        for (int m = 0; m < rows.count; m++) {
-            if (rows.slotA[m] < bodies.count && rows.slotB[m] < bodies.count && rows.carries(m)) {
-                islands.join(rows.slotA[m], rows.slotB[m]);
-            }
-        }
-        for (int body = 0; body < bodies.count; body++) {
-            if (bodies.isAwake(body)) {
-                boolean resting = pressed[body] && !held[body] && isSlow(body);
-                bodies.rest[body] = resting ? Math.min(1, bodies.rest[body] + (float) seconds) : 0;
-            }
-        }
-        islands.least(bodies.rest, bodies.count, islandRest);
-        for (int body = 0; body < bodies.count; body++) {
-            if (bodies.isAwake(body) && islandRest[islands.root(body)] >= SLEEP_SECONDS) {
-                bodies.halt(body);
-                bodies.rest[body] = Bodies.ASLEEP;
-            }
-        }
-    }
-
-    private boolean isSlow(int body) {
-        double[] m = bodies.motion;
-        int v = Bodies.STRIDE * body + Bodies.VELOCITY;
-        int w = Bodies.STRIDE * body + Bodies.SPIN;
-        double radius = poses.radius(body);
-        double square = m[v] * m[v] + m[v + 1] * m[v + 1] + m[v + 2] * m[v + 2];
-        square += radius * radius * (m[w] * m[w] + m[w + 1] * m[w + 1] + m[w + 2] * m[w + 2]);
-        return square < REST_METRES_PER_SECOND * REST_METRES_PER_SECOND;
     }
 
     private void giveImpulses(Influences influences) {
