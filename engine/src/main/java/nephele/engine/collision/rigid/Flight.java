@@ -227,7 +227,8 @@ final class Flight {
                 break;
             }
             if (!bodies.enter(body, crossing.portal())) {
-                // What hovers at the plane of a portal passes it ever faster and ever less far: nothing of note is lost.
+                // What hovers at the plane of a portal passes it ever faster and ever less far: nothing of note is
+                // lost.
                 bodies.cutShort += velocity.length() * left > LOST_METRES ? 1 : 0;
                 break;
             }
@@ -302,8 +303,8 @@ final class Flight {
         }
         // What the solver was given contacts with it holds off itself, turns included.
         boolean held = !hasCrossed && way.length() <= search.farMetres(body);
-        double free = pairs.free(
-                body, place, way, depth(body), hasCrossed, other -> held && search.metOther(body, other));
+        double free =
+                pairs.free(body, place, way, depth(body), hasCrossed, other -> held && search.metOther(body, other));
         blocking.set(pairs.normal());
         if (free > 0) {
             var hull = narrow.turnedHull(body);

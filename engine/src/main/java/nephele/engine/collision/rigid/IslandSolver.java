@@ -29,6 +29,7 @@ final class IslandSolver {
     private final Motions motions;
     private final BlockCholesky matrix = new BlockCholesky();
     private final IslandSystem system;
+    private final IslandRows rows;
     private final double[] step = new double[6 * BlockCholesky.MOST_NODES];
     private int[] nodeOf = new int[0];
 
@@ -36,6 +37,7 @@ final class IslandSolver {
         this.contacts = contacts;
         this.motions = motions;
         system = new IslandSystem(contacts, motions, matrix);
+        rows = system.rows;
     }
 
     /**
@@ -70,8 +72,9 @@ final class IslandSolver {
             return false;
         }
         for (int i = from; i < to; i++) {
-            system.addManifold(list[i], nodeOf[contacts.slotA[list[i]]], nodeOf[contacts.slotB[list[i]]]);
+            rows.addManifold(list[i], nodeOf[contacts.slotA[list[i]]], nodeOf[contacts.slotB[list[i]]]);
         }
+        system.ready();
         return true;
     }
 
@@ -84,15 +87,6 @@ final class IslandSolver {
         }
         nodeOf[slot] = system.addNode(slot);
         return true;
-    }
-
-    /** Bodies of the island that was taken. */
-    int size() {
-        return system.nodes;
-    }
-
-    int slot(int node) {
-        return system.slot[node];
     }
 
     /**
@@ -136,24 +130,23 @@ final class IslandSolver {
 
     /** Rows that push carry something, though no impulse is left of it. */
     private void markPushed() {
-        for (int c = 0; c < system.manifolds; c++) {
-            int m = system.manifold[c];
-            for (int i = 0; i < system.points(c); i++) {
+        for (int c = 0; c < rows.manifolds; c++) {
+            int m = rows.manifold[c];
+            for (int i = 0; i < rows.points(c); i++) {
                 int r = ContactRows.ROW * (contacts.first[m] + i) + ContactRows.GREATEST;
-                contacts.rows[r] = Math.max(contacts.rows[r], system.impulse[system.firstRow[c] + i]);
+                contacts.rows[r] = Math.max(contacts.rows[r], system.impulse[rows.firstRow[c] + i]);
             }
         }
     }
 
     /** Whether no row that presses changes its speed by enough to matter on half of the way. */
     private boolean isSmooth(double seconds) {
-        for (int c = 0; c < system.manifolds; c++) {
-            int m = system.manifold[c];
-            for (int i = 0; i < system.points(c); i++) {
-                int row = system.firstRow[c] + i;
+        for (int c = 0; c < rows.manifolds; c++) {
+            int m = rows.manifold[c];
+            for (int i = 0; i < rows.points(c); i++) {
+                int row = rows.firstRow[c] + i;
                 double before = contacts.rows[ContactRows.ROW * (contacts.first[m] + i) + ContactRows.APPROACH];
-                if (system.impulse[row] > 0
-                        && !(Math.abs(system.speed(row) - before) * seconds < SMOOTH_METRES)) {
+                if (system.impulse[row] > 0 && !(Math.abs(system.speed(row) - before) * seconds < SMOOTH_METRES)) {
                     return false;
                 }
             }
@@ -175,15 +168,15 @@ final class IslandSolver {
     private boolean aim(double seconds, boolean push) {
         boolean overlapping = false;
         double share = Math.min(MOST_PUSH_SHARE, PUSH_PER_SECOND * seconds);
-        for (int c = 0; c < system.manifolds; c++) {
-            int m = system.manifold[c];
+        for (int c = 0; c < rows.manifolds; c++) {
+            int m = rows.manifold[c];
             double slop = contacts.head[ContactRows.HEAD * m + ContactRows.SLOP];
-            for (int i = 0; i < system.points(c); i++) {
+            for (int i = 0; i < rows.points(c); i++) {
                 double gap = contacts.rows[ContactRows.ROW * (contacts.first[m] + i) + ContactRows.GAP];
                 double over = Math.max(0, -gap - slop);
                 overlapping |= over > 0;
                 double pushed = push ? Math.min(share * over / seconds, PUSH_METRES_PER_SECOND) : 0;
-                system.target[system.firstRow[c] + i] = gap > 0 ? -gap / seconds : pushed;
+                rows.target[rows.firstRow[c] + i] = gap > 0 ? -gap / seconds : pushed;
             }
         }
         return overlapping;
@@ -191,34 +184,34 @@ final class IslandSolver {
 
     /** Bounds the friction by what presses by the impulses kept. */
     private void bound() {
-        for (int c = 0; c < system.manifolds; c++) {
-            system.bound[c] = friction(c, system.bias);
+        for (int c = 0; c < rows.manifolds; c++) {
+            rows.bound[c] = friction(c, rows.bias);
         }
     }
 
     private double friction(int c, double[] impulses) {
         double pressed = 0;
-        for (int i = 0; i < system.points(c); i++) {
-            pressed += impulses[system.firstRow[c] + i];
+        for (int i = 0; i < rows.points(c); i++) {
+            pressed += impulses[rows.firstRow[c] + i];
         }
-        return pressed * contacts.head[ContactRows.HEAD * system.manifold[c] + ContactRows.FRICTION];
+        return pressed * contacts.head[ContactRows.HEAD * rows.manifold[c] + ContactRows.FRICTION];
     }
 
     /** Keeps the impulses found; returns whether they are those that were kept before, as far as it matters. */
     private boolean settle() {
         boolean settled = true;
-        for (int c = 0; c < system.manifolds; c++) {
-            int friction = system.firstRow[c] + system.points(c);
-            for (int row = system.firstRow[c]; row < friction + 3; row++) {
-                double change = Math.abs(system.impulse[row] - system.bias[row]);
-                settled &= change <= SETTLED_METRES_PER_SECOND * system.stiffness[row];
-                system.bias[row] = system.impulse[row];
+        for (int c = 0; c < rows.manifolds; c++) {
+            int friction = rows.firstRow[c] + rows.points(c);
+            for (int row = rows.firstRow[c]; row < rows.end(c); row++) {
+                double change = Math.abs(system.impulse[row] - rows.bias[row]);
+                settled &= change <= SETTLED_METRES_PER_SECOND * rows.stiffness[row];
+                rows.bias[row] = system.impulse[row];
             }
             double now = friction(c, system.impulse);
             // What a bound changes by acts on the lighter body at once, without any compliance between.
-            double change = Math.abs(now - system.bound[c]) / (1e-8 * system.stiffness[friction]);
-            settled &= change <= 1e-4 || now >= system.bound[c] && sticks(c, friction);
-            system.bound[c] = now;
+            double change = Math.abs(now - rows.bound[c]) / (IslandRows.COMPLIANCE_SHARE * rows.stiffness[friction]);
+            settled &= change <= 1e-4 || now >= rows.bound[c] && sticks(c, friction);
+            rows.bound[c] = now;
         }
         return settled;
     }
@@ -226,7 +219,7 @@ final class IslandSolver {
     private boolean sticks(int c, int friction) {
         double u = system.impulse[friction];
         double w = system.impulse[friction + 1];
-        return u * u + w * w < 0.999 * system.bound[c] * system.bound[c];
+        return u * u + w * w < 0.999 * rows.bound[c] * rows.bound[c];
     }
 
     private void minimise() {
@@ -310,10 +303,10 @@ final class IslandSolver {
     }
 
     private void writeImpulses() {
-        for (int c = 0; c < system.manifolds; c++) {
-            int m = system.manifold[c];
-            int row = system.firstRow[c];
-            for (int i = 0; i < system.points(c); i++, row++) {
+        for (int c = 0; c < rows.manifolds; c++) {
+            int m = rows.manifold[c];
+            int row = rows.firstRow[c];
+            for (int i = 0; i < rows.points(c); i++, row++) {
                 int r = ContactRows.ROW * (contacts.first[m] + i);
                 contacts.rows[r + ContactRows.IMPULSE] = system.impulse[row];
                 contacts.rows[r + ContactRows.GREATEST] = system.impulse[row];

@@ -11,6 +11,10 @@ package nephele.engine.collision.rigid;
 final class Spin {
     private static final double STEP_RADIANS = 0.04;
     private static final int MOST_STEPS = 256;
+    /** A step may turn this much farther about the axis of the least moment. */
+    private static final double FAST_SHARE = 0.1;
+
+    private static final double NEGLIGIBLE_SHARE = 1e-9;
     /** Yoshida's outer and middle weights: 1 / (2 − ∛2) and 1 − 2 of it. */
     private static final double OUTER = 1.3512071919596578;
 
@@ -47,7 +51,7 @@ final class Spin {
         double fast = table.inverseInertia(body, least) - ball;
         double slow = table.inverseInertia(body, middle) - ball;
         double all = Math.sqrt(momentum[0] * momentum[0] + momentum[1] * momentum[1] + momentum[2] * momentum[2]);
-        int steps = steps(seconds, fast, slow, all);
+        int steps = steps(seconds, fast, slow, all, ball);
         // The ball's turn about the momentum, which is the same in the world before and after.
         rotate(momentum[0], momentum[1], momentum[2], 1, turned);
         turnBy(motion, at, turned[0] * ball * seconds, turned[1] * ball * seconds, turned[2] * ball * seconds);
@@ -68,12 +72,15 @@ final class Spin {
         middle = 3 - least - greatest;
     }
 
-    /** As many as the slow turn needs beside the fast one. */
-    private int steps(double seconds, double fast, double slow, double all) {
+    /** As many as the slow turn needs beside the fast one; one where the slow turn could change next to no energy. */
+    private int steps(double seconds, double fast, double slow, double all, double ball) {
         double slowRate = slow * all;
-        double along = Math.abs(momentum[least]);
-        double fastRate = fast * Math.min(all, along + slowRate * seconds * all);
-        double rate = Math.sqrt(slowRate * (slowRate + fastRate));
+        double change = slowRate * all * seconds;
+        if (fast * change * change < NEGLIGIBLE_SHARE * ball * all * all) {
+            return 1;
+        }
+        double fastRate = fast * Math.min(all, Math.abs(momentum[least]) + change);
+        double rate = Math.max(Math.sqrt(slowRate * (slowRate + fastRate)), FAST_SHARE * fastRate);
         return (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(rate * seconds / STEP_RADIANS)));
     }
 
