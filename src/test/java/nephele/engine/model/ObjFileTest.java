@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
+import nephele.engine.level.OddLevels;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -94,6 +95,20 @@ class ObjFileTest {
                 new float[] {-half, half, 0},
                 new float[] {flat.normals()[0], flat.normals()[1], flat.normals()[2]},
                 1e-6f);
+    }
+
+    @Test
+    void aPolygonMayHaveUpTo4096Corners() {
+        assertEquals(4094, read(OddLevels.polygon(4096)).triangleCount());
+        String twoLines = OddLevels.polygon(4096).replace(" 2000 ", " 2000 \\\n");
+        assertEquals(4094, read(twoLines).triangleCount());
+    }
+
+    /** It goes on with nothing. */
+    @ParameterizedTest
+    @ValueSource(strings = {"f 1 2 3 \\", "f 1 2 3\\", "f 1 2 3 \\\n", "f 1 2 3\n\\", "f 1 2 3\\\\\n# end"})
+    void aBackslashMayEndTheFile(String face) {
+        assertEquals(1, read(SQUARE + face).triangleCount());
     }
 
     @Test

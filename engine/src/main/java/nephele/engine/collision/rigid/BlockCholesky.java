@@ -212,12 +212,7 @@ final class BlockCholesky {
             int t = to + SIZE * i;
             for (int j = 0; j < SIZE; j++) {
                 int r = right + SIZE * j;
-                m[t + j] -= l0 * m[r]
-                        + l1 * m[r + 1]
-                        + l2 * m[r + 2]
-                        + l3 * m[r + 3]
-                        + l4 * m[r + 4]
-                        + l5 * m[r + 5];
+                m[t + j] -= l0 * m[r] + l1 * m[r + 1] + l2 * m[r + 2] + l3 * m[r + 3] + l4 * m[r + 4] + l5 * m[r + 5];
             }
         }
     }

@@ -62,8 +62,7 @@ final class FastPairs {
      * @param isLeftOut the others, by owner, that need not be looked at
      * @param hasCrossed the body went through a portal in this tick: the others count as they were at the tick's start
      */
-    double free(
-            int body, Vector3dc from, Vector3dc way, double depth, boolean hasCrossed, IntPredicate isLeftOut) {
+    double free(int body, Vector3dc from, Vector3dc way, double depth, boolean hasCrossed, IntPredicate isLeftOut) {
         int count = bodies + (influences.meetsCharacters(body) ? influences.characters() : 0);
         double free = 1;
         for (int other = 0; other < count && free > 0; other++) {

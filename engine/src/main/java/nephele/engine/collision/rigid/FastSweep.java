@@ -42,7 +42,9 @@ final class FastSweep {
         find(world, shape, from, way);
         double free = 1;
         for (int i = 0; i < near.size() && free > 0; i++) {
-            free = isLeftOut.test(near.get(i)) ? free : Math.min(free, against(world.collider(near.get(i)), shape, from, way, depth));
+            free = isLeftOut.test(near.get(i))
+                    ? free
+                    : Math.min(free, against(world.collider(near.get(i)), shape, from, way, depth));
         }
         return free;
     }

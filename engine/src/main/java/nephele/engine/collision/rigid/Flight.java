@@ -293,8 +293,8 @@ final class Flight {
         }
         // What the solver was given contacts with it holds off itself, turns included.
         boolean held = !hasCrossed && way.length() <= search.farMetres(body);
-        double free = pairs.free(
-                body, place, way, depth(body), hasCrossed, other -> held && search.metOther(body, other));
+        double free =
+                pairs.free(body, place, way, depth(body), hasCrossed, other -> held && search.metOther(body, other));
         blocking.set(pairs.normal());
         if (free > 0) {
             var hull = narrow.turnedHull(body);

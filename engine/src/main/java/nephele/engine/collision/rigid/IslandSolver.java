@@ -152,8 +152,7 @@ final class IslandSolver {
             for (int i = 0; i < system.points(c); i++) {
                 int row = system.firstRow[c] + i;
                 double before = contacts.rows[ContactRows.ROW * (contacts.first[m] + i) + ContactRows.APPROACH];
-                if (system.impulse[row] > 0
-                        && !(Math.abs(system.speed(row) - before) * seconds < SMOOTH_METRES)) {
+                if (system.impulse[row] > 0 && !(Math.abs(system.speed(row) - before) * seconds < SMOOTH_METRES)) {
                     return false;
                 }
             }

@@ -297,8 +297,7 @@ final class IslandSystem {
             addSquare(c, stiffness[row + 1], jacobian, JACOBIAN * (row + 1));
         } else {
             for (int i = 0; i < JACOBIAN; i++) {
-                across[i] =
-                        (u * jacobian[JACOBIAN * (row + 1) + i] - w * jacobian[JACOBIAN * row + i]) / length;
+                across[i] = (u * jacobian[JACOBIAN * (row + 1) + i] - w * jacobian[JACOBIAN * row + i]) / length;
             }
             addSquare(c, stiffness[row] * bound[c] / length, across, 0);
         }

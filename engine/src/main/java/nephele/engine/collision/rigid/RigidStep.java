@@ -90,8 +90,7 @@ public final class RigidStep {
     /** How a span of time is cut: into equal parts, and whether these belong to a tick that has begun. */
     private record Cut(int parts, boolean isLater) {}
 
-    private Bodies inParts(
-            Bodies before, Surroundings surroundings, Influences influences, Cut cut, double seconds) {
+    private Bodies inParts(Bodies before, Surroundings surroundings, Influences influences, Cut cut, double seconds) {
         double part = seconds / cut.parts;
         Bodies at = before;
         for (int i = 0; i < cut.parts; i++) {
