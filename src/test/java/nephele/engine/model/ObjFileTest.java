@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
-import nephele.engine.level.OddLevels;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -99,8 +98,8 @@ class ObjFileTest {
 
     @Test
     void aPolygonMayHaveUpTo4096Corners() {
-        assertEquals(4094, read(OddLevels.polygon(4096)).triangleCount());
-        String twoLines = OddLevels.polygon(4096).replace(" 2000 ", " 2000 \\\n");
+        assertEquals(4094, read(SampleMeshes.polygon(4096)).triangleCount());
+        String twoLines = SampleMeshes.polygon(4096).replace(" 2000 ", " 2000 \\\n");
         assertEquals(4094, read(twoLines).triangleCount());
     }
 
