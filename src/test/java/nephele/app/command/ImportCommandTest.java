@@ -110,7 +110,31 @@ class ImportCommandTest {
         Path flat = scene("<scene><group>\n<scale x='1' y='1'/><models><model file='box_2_3.3d'/>"
                 + "<model file='own/tri.3d' texture='own/t.png'/></models></group></scene>");
         assertEquals(1, imported(flat, to).exitCode());
-        assertEquals(List.of(), names(to.getParent()));
+        assertFalse(Files.exists(to.getParent()), "something was written");
+    }
+
+    @Test
+    void aLevelThatCannotBeSavedLeavesNoMeshes() throws IOException {
+        Path taken = Files.createDirectories(folder.resolve("to/level.json"));
+        Captured answer = imported(scene(SCENE), taken);
+        assertEquals(3, answer.exitCode(), answer.err());
+        assertTrue(answer.err().contains("level.json"), answer.err());
+        assertEquals(List.of(), names(taken.getParent()));
+        assertFalse(Files.exists(taken.resolveSibling("own")), "a folder was made");
+    }
+
+    /** It stops at the first that is too many, before the others are made. */
+    @Test
+    void aSceneOfTooManyTrianglesIsToldByItsLineAndLeavesNothing() throws IOException {
+        StringBuilder models = new StringBuilder();
+        for (int tessellation = 10; tessellation < 512; tessellation += 10) {
+            models.append("\n<model file='bezier_").append(tessellation).append(".3d'/>");
+        }
+        Path to = folder.resolve("to/level.json");
+        Captured answer = imported(scene("<scene><models>" + models + "</models></scene>"), to);
+        assertEquals(1, answer.exitCode());
+        assertTrue(answer.err().contains("scene.xml:6: makes no level: with bezier_50.3d"), answer.err());
+        assertFalse(Files.exists(to.getParent()), "something was written");
     }
 
     /** Course projects keep their meshes in a folder beside that of their scenes. */

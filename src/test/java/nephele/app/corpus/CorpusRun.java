@@ -27,7 +27,7 @@ final class CorpusRun {
     }
 
     /**
-     * Prints what went wrong, a line each, and what each file took on the error stream.
+     * Prints what is refused and what went wrong, a line each, and what each file took on the error stream.
      *
      * @param files of levels; without any, the odd levels are written into the working directory
      */
@@ -46,45 +46,48 @@ final class CorpusRun {
                 + "}]}";
     }
 
-    /** What is wrong with the answers about one file: nothing where it is refused, naming the file. */
+    /** What is told of one file: that it is refused, and what is wrong with the answers about it. */
     private List<String> show(String file) {
-        List<String> wrong = new ArrayList<>();
+        List<String> told = new ArrayList<>();
         long before = process.getProcessCpuTime();
         var err = new ByteArrayOutputStream();
         var checked = command(err, "check", file);
         double checkSeconds = secondsSince(before);
         boolean accepted = checked == ExitCode.DONE;
         if (!accepted && checked != ExitCode.INPUT || err.size() > 0) {
-            wrong.add(file + ": check ends with " + checked + ": " + err.toString(StandardCharsets.UTF_8));
+            told.add(file + ": check ends with " + checked + ": " + err.toString(StandardCharsets.UTF_8));
+        }
+        if (checked == ExitCode.INPUT) {
+            told.add(file + ": refused");
         }
         if (checkSeconds > MOST_CPU_SECONDS) {
-            wrong.add(file + ": check takes " + checkSeconds + " CPU-s");
+            told.add(file + ": check takes " + checkSeconds + " CPU-s");
         }
         System.err.println(String.format(Locale.ROOT, "%6.2f %s check", checkSeconds, file));
         if (accepted) {
             String picture = folder.resolve("picture.png").toString();
-            expectDone(wrong, file, "render", file, "--out", picture, "--size", "64x36", "--quality", "low");
-            expectDone(wrong, file, "simulate", file, "--replay", replay("second"), "--every", "120");
-            expectDone(wrong, file, "play", file, "--replay", replay("moment"), "--size", "64x36", "--quality", "low");
+            expectDone(told, file, "render", file, "--out", picture, "--size", "64x36", "--quality", "low");
+            expectDone(told, file, "simulate", file, "--replay", replay("second"), "--every", "120");
+            expectDone(told, file, "play", file, "--replay", replay("moment"), "--size", "64x36", "--quality", "low");
         }
-        return wrong;
+        return told;
     }
 
     private String replay(String name) {
         return folder.resolve(name + ".json").toString();
     }
 
-    private void expectDone(List<String> wrong, String file, String... words) {
+    private void expectDone(List<String> told, String file, String... words) {
         var err = new ByteArrayOutputStream();
         long before = process.getProcessCpuTime();
         var exitCode = command(err, words);
         double seconds = secondsSince(before);
         System.err.println(String.format(Locale.ROOT, "%6.2f %s %s", seconds, file, words[0]));
         if (exitCode != ExitCode.DONE) {
-            wrong.add(file + ": " + words[0] + " ends with " + exitCode + ": " + err.toString(StandardCharsets.UTF_8));
+            told.add(file + ": " + words[0] + " ends with " + exitCode + ": " + err.toString(StandardCharsets.UTF_8));
         }
         if (seconds > MOST_CPU_SECONDS) {
-            wrong.add(file + ": " + words[0] + " takes " + seconds + " CPU-s");
+            told.add(file + ": " + words[0] + " takes " + seconds + " CPU-s");
         }
     }
 

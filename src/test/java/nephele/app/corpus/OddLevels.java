@@ -5,9 +5,7 @@ import static nephele.app.corpus.OddLevel.body;
 import static nephele.app.corpus.OddLevel.box;
 import static nephele.app.corpus.OddLevel.floorAnd;
 import static nephele.app.corpus.OddLevel.many;
-import static nephele.app.corpus.OddLevel.model;
 import static nephele.app.corpus.OddLevel.portal;
-import static nephele.app.corpus.OddLevel.scale;
 import static nephele.app.corpus.OddLevel.seen;
 import static nephele.app.corpus.OddLevel.solids;
 import static nephele.app.corpus.OddLevel.vector;
@@ -27,9 +25,6 @@ final class OddLevels {
     private static final String WALL = box("wall", "[0, 2, -0.5]", "[6, 4, 1]");
     private static final String BEHIND = box("behind", "[0, 2, 9.5]", "[6, 4, 1]");
 
-    /** A polygon that is not convex. */
-    private static final String L_SHAPE = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n";
-
     private OddLevels() {}
 
     /** Writes all of them, and the assets that they name, into a folder; returns the levels' file names. */
@@ -37,7 +32,7 @@ final class OddLevels {
         Files.write(folder.resolve("pixel.png"), SamplePictures.png(1, 1, 8, 2, 1));
         Files.write(folder.resolve("wide.png"), SamplePictures.png(5, 2, 16, 2, 1));
         Files.write(folder.resolve("grey.png"), SamplePictures.png(3, 3, 8, 0, 1));
-        Files.writeString(folder.resolve("l.obj"), L_SHAPE);
+        OddModels.write(folder);
         List<String> files = new ArrayList<>();
         for (OddLevel level : all()) {
             String file = level.name().replace(",", "").replace(' ', '-') + ".json";
@@ -48,7 +43,7 @@ final class OddLevels {
     }
 
     private static List<OddLevel> all() {
-        return Stream.of(views(), shapes(), lights(), portals(), bodies(), models(), pictures())
+        return Stream.of(views(), shapes(), lights(), portals(), bodies(), OddModels.ALL, pictures())
                 .flatMap(List::stream)
                 .toList();
     }
@@ -81,29 +76,10 @@ final class OddLevels {
                         box("grain", "[0, 1, 0]", "[1e-4, 1e-4, 1e-4]") + ", "
                                 + box("plate", "[0, 9, 0]", "[1e7, 1e-4, 1e7]") + ", "
                                 + many(100, i -> box("b" + i, "[2, 1, 0]", "[1, 2, 1]")) + ", "
-                                + many(40, i -> box("f" + i, vector(0.1 * i - 7, 0.5, 0), "[1, 1, 1]")) + ", {\"id\":"
-                                + " \"n\","
-                                + " \"kind\":"
-                                + " \"prism\","
-                                + " \"centre\":"
-                                + " [0, 5, 0],"
-                                + " \"radiusMetres\":"
-                                + " 0.001,"
-                                + " \"heightMetres\":"
-                                + " 10, \"sides\":"
-                                + " 62},"
-                                + " {\"id\":"
-                                + " \"w\","
-                                + " \"kind\":"
-                                + " \"wedge\","
-                                + " \"centre\":"
-                                + " [0, 1,"
-                                + " -3],"
-                                + " \"size\":"
-                                + " [1e4,"
-                                + " 1e-4, 1],"
-                                + " \"rising\":"
-                                + " \"+x\"}"),
+                                + many(40, i -> box("f" + i, vector(0.1 * i - 7, 0.5, 0), "[1, 1, 1]")) + ", "
+                                + prism("n", "[0, 5, 0]", 10) + ", {\"id\": \"w\", \"kind\": \"wedge\", \"centre\":"
+                                + " [0, 1, -3], \"size\": [1e4, 1e-4, 1], \"rising\": \"+x\"}"),
+                solids("a needle of 10 km with 62 sides", prism("p", "[0, 0, -2]", 10_000)),
                 solids(
                         "planes twice, and planes that touch in a corner",
                         "{\"id\": \"p\", \"kind\": \"planes\", \"planes\": [" + many(2, i -> planes())
@@ -111,7 +87,12 @@ final class OddLevels {
                                 + ", {\"normal\": [1, 1, 1], \"distanceMetres\": 1.7320508}]}"));
     }
 
-    /** Of a cube of 2 m around the origin. */
+    private static String prism(String id, String centre, int heightMetres) {
+        return "{\"id\": \"" + id + "\", \"kind\": \"prism\", \"centre\": " + centre
+                + ", \"radiusMetres\": 0.001, \"heightMetres\": " + heightMetres + ", \"sides\": 62}";
+    }
+
+    /** The faces of a cube of 2 m around the origin. */
     private static String planes() {
         return Stream.of("[1, 0, 0]", "[-1, 0, 0]", "[0, 1, 0]", "[0, -1, 0]", "[0, 0, 1]", "[0, 0, -1]")
                 .map(normal -> "{\"normal\": " + normal + ", \"distanceMetres\": 1}")
@@ -214,23 +195,6 @@ final class OddLevels {
         boolean isFree = Math.abs(column - 3) <= 1 && Math.abs(row - 3) <= 1;
         double x = isFree ? 2 + 0.201 * column : 0.201 * (column - 3);
         return vector(x, 0.101 + 0.201 * (box / 50), 4 + 0.201 * (row - 3));
-    }
-
-    private static OddLevel models(String name, String models) {
-        return seen(name, floorAnd("") + ", \"models\": [" + models + "]");
-    }
-
-    private static List<OddLevel> models() {
-        return List.of(
-                models("a model larger than the world", model("m", "sphere_1_8_8.3d", scale("[2e7, 2e7, 2e7]"))),
-                models("a model around the player", model("m", "sphere_1_8_8.3d", scale("[1e6, 1e6, 1e6]"))),
-                models(
-                        "models inside out, as small as nothing, needles, the same ones, polygons",
-                        model("inside", "sphere_1_8_8.3d", scale("[-1, 1, 1]")) + ", "
-                                + model("nothing", "sphere_1_8_8.3d", scale("[1e-8, 1e-8, 1e-8]")) + ", "
-                                + model("needle", "sphere_1_8_8.3d", scale("[1e-3, 1e3, 1e-3]")) + ", "
-                                + many(50, i -> model("t" + i, "torus_1_0.3_8_6.3d", "")) + ", "
-                                + model("polygon", "l.obj", "")));
     }
 
     private static List<OddLevel> pictures() {

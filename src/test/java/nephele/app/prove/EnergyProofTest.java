@@ -7,6 +7,14 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class EnergyProofTest {
+    @Test
+    void droppedPilesGainNoEnergyAndSinkIntoNothing() {
+        EnergyProof proof = new EnergyProof();
+        ProofResult result = proof.judged(proof.run(0, 36, Proof.Progress.NONE));
+        assertEquals(0, result.failures(), () -> String.join("\n", result.examples()));
+        assertTrue(result.figure("bodies through portals").orElseThrow().value() > 10);
+    }
+
     private static ProofResult shares(double little, double awake) {
         List<Figure> sums = List.of(
                 Figure.sum("piles", 3000, ""),

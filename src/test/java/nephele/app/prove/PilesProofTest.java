@@ -9,6 +9,13 @@ import org.junit.jupiter.api.Test;
 class PilesProofTest {
     private final PilesProof proof = new PilesProof(0);
 
+    @Test
+    void pilesStandRestAndSinkIntoNothing() {
+        ProofResult result = proof.judged(proof.run(0, 24, Proof.Progress.NONE));
+        assertEquals(0, result.failures(), () -> String.join("\n", result.examples()));
+        assertEquals(8, result.figure("big piles").orElseThrow().value());
+    }
+
     private static ProofResult towers(int piles, int standing) {
         List<Figure> sums = List.of(
                 Figure.sum("tower piles", piles, ""),

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -102,6 +103,24 @@ class PictureDecoderTest {
         Picture small = PictureDecoder.decode("a.tga", SamplePictures.tga(2, 1, 1, 16, red555));
         assertEquals(255, small.toRgba8().sample(0, 0, 0));
         assertEquals(0, small.toRgba8().sample(0, 0, 1));
+    }
+
+    @Test
+    void aPaletteOfATgaIsReadUpToItsLastColour() {
+        byte[] rgb = {3, 2, 1, 6, 5, 4, 6, 5, 4, 3, 2, 1};
+        for (byte[] file : List.of(
+                SamplePictures.paletteTga(1, new byte[] {0, 1, 1, 0}),
+                SamplePictures.paletteTga(9, new byte[] {0, 0, (byte) 0x81, 1, 0, 0}))) {
+            assertArrayEquals(rgb, PictureDecoder.decode("a.tga", file).samples());
+        }
+    }
+
+    /** Rows of {@code BadRelations} refuse what goes past it. */
+    @Test
+    void packetsOfATgaMayCrossItsRows() {
+        byte[] packets = {(byte) 0x82, 1, 2, 3, 0, 4, 5, 6};
+        Picture picture = PictureDecoder.decode("a.tga", SamplePictures.tga(10, 2, 2, 24, packets));
+        assertArrayEquals(new byte[] {3, 2, 1, 3, 2, 1, 3, 2, 1, 6, 5, 4}, picture.samples());
     }
 
     @Test

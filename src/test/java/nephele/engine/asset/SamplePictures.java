@@ -90,6 +90,20 @@ public final class SamplePictures {
         }
     }
 
+    /** A TGA file of 2 × 2 pixels and two colours; {@code type} 1 plain, 9 run-length encoded. */
+    public static byte[] paletteTga(int type, byte[] indices) {
+        byte[] colours = {1, 2, 3, 4, 5, 6};
+        byte[] content = ByteBuffer.allocate(colours.length + indices.length)
+                .put(colours)
+                .put(indices)
+                .array();
+        return ByteBuffer.wrap(tga(type, 2, 2, 8, content))
+                .put(1, (byte) 1)
+                .put(5, (byte) 2)
+                .put(7, (byte) 24)
+                .array();
+    }
+
     /** A TGA header for true-colour pixels; {@code type} 2 plain, 10 run-length encoded. */
     public static byte[] tga(int type, int width, int height, int bits, byte[] content) {
         return ByteBuffer.allocate(18 + content.length)

@@ -43,6 +43,11 @@ final class BadLevelRun {
         Files.writeString(inside.resolve("text.png"), "no picture");
         Files.write(inside.resolve("empty.png"), new byte[0]);
         Files.write(inside.resolve("cut.tga"), new byte[10]);
+        byte[] run = {(byte) 0x84, 1, 2, 3};
+        Files.write(inside.resolve("run.tga"), SamplePictures.tga(10, 2, 2, 24, run));
+        Files.write(inside.resolve("short-run.tga"), SamplePictures.tga(10, 3, 2, 24, run));
+        Files.write(inside.resolve("palette.tga"), SamplePictures.paletteTga(1, new byte[] {0, 1, 2, 0}));
+        Files.write(inside.resolve("palette-run.tga"), SamplePictures.paletteTga(9, new byte[] {(byte) 0x83, 2}));
         Files.write(inside.resolve("wide.tga"), SamplePictures.tga(2, 65535, 65535, 24, new byte[9]));
     }
 

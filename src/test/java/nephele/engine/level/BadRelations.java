@@ -2,6 +2,7 @@ package nephele.engine.level;
 
 import static nephele.engine.level.BadLevel.level;
 
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -136,6 +137,16 @@ final class BadRelations {
                     "no such file",
                     "\"environment\": {\"clouds\": [{\"id\": \"c\", \"kind\": \"layer\", \"baseAltitudeMetres\": 1,"
                             + " \"thicknessMetres\": 1, \"density\": {\"kind\": \"grid\", \"file\": \"no.vol\"}}]}"),
+            new BadLevel(
+                    "a generated mesh too large for a level",
+                    "models[0].file",
+                    "stands for 4194304 triangles",
+                    () -> BadLevel.wrap("\"models\": [" + model("a", null, "").replace("no.3d", "bezier_256.3d") + "]")
+                            .getBytes(StandardCharsets.UTF_8)),
+            texture("run.tga", "damaged"),
+            texture("short-run.tga", "damaged"),
+            texture("palette.tga", "damaged"),
+            texture("palette-run.tga", "damaged"),
             texture("../real.png", "'..'"),
             texture("/etc/passwd", "starts"),
             texture("a/../../x", "'..'"),

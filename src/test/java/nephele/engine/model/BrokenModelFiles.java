@@ -207,6 +207,10 @@ record BrokenModelFiles(String name, byte[] bytes, String where) {
         return Stream.of(
                 of("millions-of-values.gltf", "[" + "0,".repeat(300_000) + "0]", ":1: "),
                 of("jagged.obj", spikes + (face + "\n").repeat(50), ":40"),
+                of(
+                        "corners-4097.obj",
+                        OBJ_POINTS + "f" + " 1 2 3".repeat(1365) + " 1 2\n",
+                        ":4: a face has 4097 corners"),
                 of("long-face.obj", OBJ_POINTS + "f" + " 1".repeat(100_000), ":4: "),
                 new BrokenModelFiles("too-large.3d", new byte[MeshLimits.MAX_TEXT_BYTES + 1], ": "),
                 new BrokenModelFiles("too-large.obj", new byte[MeshLimits.MAX_TEXT_BYTES + 1], ": "),

@@ -9,6 +9,7 @@ import java.util.Optional;
 import nephele.engine.model.PlaneShape.Sides;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class GeneratedNameTest {
@@ -48,6 +49,21 @@ class GeneratedNameTest {
     void numbersThatMakeNoShapeAreRefusedByFile(String name) {
         var problem = assertThrows(ModelFileException.class, () -> shape(name));
         assertTrue(problem.getMessage().startsWith(name + ": "), problem.getMessage());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "plane_2_3.3d, 0",
+        "box_2_3.3d, 0",
+        "cone_1_2_4_3.3d, 0",
+        "sphere_0.5_8_8.3d, 0",
+        "cylinder_1_2_8.3d, 0",
+        "torus_1_0.3_16_8.3d, 0",
+        "bezier_10.3d, 80"
+    })
+    void trianglesAreCountedBeforeTheyAreMade(String name, int withoutArea) {
+        Shape shape = shape(name).orElseThrow();
+        assertEquals(shape.mostTriangles(), shape.mesh().triangleCount() + withoutArea);
     }
 
     @Test

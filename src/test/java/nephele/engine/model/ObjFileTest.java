@@ -97,6 +97,20 @@ class ObjFileTest {
     }
 
     @Test
+    void aPolygonMayHaveUpTo4096Corners() {
+        assertEquals(4094, read(SampleMeshes.polygon(4096)).triangleCount());
+        String twoLines = SampleMeshes.polygon(4096).replace(" 2000 ", " 2000 \\\n");
+        assertEquals(4094, read(twoLines).triangleCount());
+    }
+
+    /** It goes on with nothing. */
+    @ParameterizedTest
+    @ValueSource(strings = {"f 1 2 3 \\", "f 1 2 3\\", "f 1 2 3 \\\n", "f 1 2 3\n\\", "f 1 2 3\\\\\n# end"})
+    void aBackslashMayEndTheFile(String face) {
+        assertEquals(1, read(SQUARE + face).triangleCount());
+    }
+
+    @Test
     void aTriangleWithoutAreaIsLeftOut() {
         assertEquals(1, read(SQUARE + "f 1 2 3\nf 1 1 2\n").triangleCount());
     }

@@ -1,7 +1,5 @@
 package nephele.app.command;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import nephele.app.scenes.SceneImport;
@@ -9,11 +7,7 @@ import nephele.app.scenes.SceneName;
 import nephele.app.terminal.CommandFailure;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
-import nephele.engine.asset.WholeFile;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
-import nephele.engine.level.LevelFormatException;
-import nephele.engine.level.LevelSaveException;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -44,17 +38,7 @@ final class ImportCommand implements Command {
         if (!out.toString().toLowerCase(Locale.ROOT).endsWith(".json")) {
             throw CommandFailure.usage("--out must end in .json: " + out);
         }
-        Level level = SceneImport.level(new SceneName(scene), out, terminal.err()::println);
-        try {
-            Files.createDirectories(out.toAbsolutePath().getParent());
-            LevelFile.save(out, level);
-        } catch (IOException failure) {
-            throw CommandFailure.environment(out + ": can't be written: " + WholeFile.reason(failure), failure);
-        } catch (LevelSaveException failure) {
-            throw CommandFailure.environment(failure.getMessage(), failure);
-        } catch (LevelFormatException wrong) {
-            throw CommandFailure.input(scene + ": makes no level: " + wrong.getMessage());
-        }
+        Level level = SceneImport.save(new SceneName(scene), out, terminal.err()::println);
         terminal.out().println(out + ": " + level.models().size() + " models; play it with: nephele play " + word(out));
         return ExitCode.DONE;
     }

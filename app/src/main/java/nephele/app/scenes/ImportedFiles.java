@@ -1,10 +1,12 @@
 package nephele.app.scenes;
 
 import java.io.IOException;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +28,7 @@ final class ImportedFiles {
     private final Map<String, String> meshes = new HashMap<>();
     private final Map<String, String> pictures = new HashMap<>();
     private final List<Path> written = new ArrayList<>();
+    private final List<Path> folders = new ArrayList<>();
 
     /** @param from where the scene finds its files */
     ImportedFiles(AssetSource from, Path level) {
@@ -34,10 +37,26 @@ final class ImportedFiles {
         this.folder = level.toAbsolutePath().normalize().getParent();
     }
 
-    /** Deletes what was written: nobody can use it. */
+    /** Deletes what was written, and folders that were made for it: nobody can use it. */
     void takeBack() throws IOException {
         for (Path file : written) {
             Files.deleteIfExists(file);
+        }
+        folders.sort(Comparator.comparingInt(Path::getNameCount).reversed());
+        for (Path made : folders) {
+            try {
+                Files.deleteIfExists(made);
+            } catch (DirectoryNotEmptyException usedByOthers) {
+                continue;
+            }
+        }
+    }
+
+    /** To be called before a file is written: remembers which of its folders are made for it. */
+    void expect(Path file) {
+        Path around = file.toAbsolutePath().normalize().getParent();
+        for (Path at = around; at != null && !Files.exists(at); at = at.getParent()) {
+            folders.add(at);
         }
     }
 
@@ -77,8 +96,10 @@ final class ImportedFiles {
             id = stem(wanted) + "-" + number + wanted.substring(stem(wanted).length());
         }
         AssetId.check(id);
-        WholeFile.write(folder.resolve(id), bytes);
-        written.add(folder.resolve(id));
+        Path file = folder.resolve(id);
+        expect(file);
+        written.add(file);
+        WholeFile.write(file, bytes);
         return id;
     }
 

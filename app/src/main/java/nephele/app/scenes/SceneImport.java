@@ -1,19 +1,26 @@
 package nephele.app.scenes;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import nephele.app.terminal.CommandFailure;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.Picture;
+import nephele.engine.asset.WholeFile;
 import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.LevelFormatException;
 import nephele.engine.level.LevelRules;
+import nephele.engine.level.LevelSaveException;
 import nephele.engine.level.Problem;
+import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
@@ -45,13 +52,13 @@ public final class SceneImport {
     }
 
     /**
-     * The level that a scene makes; its meshes and pictures are where that, saved as {@code target}, finds them.
+     * Saves the level that a scene makes, with its meshes and pictures beside it, or else nothing at all.
      *
      * @param complaints takes a line for all that is odd or left out
      */
-    public static Level level(SceneName name, Path target, Consumer<String> complaints) {
+    public static Level save(SceneName name, Path target, Consumer<String> complaints) {
         try {
-            return new SceneImport(name, target, complaints).wholeLevel(target);
+            return new SceneImport(name, target, complaints).saved(target);
         } catch (ModelFileException problem) {
             throw CommandFailure.input(problem.getMessage());
         } catch (IOException failure) {
@@ -59,20 +66,38 @@ public final class SceneImport {
         }
     }
 
-    /** With all of its files, or else with none of them. */
-    private Level wholeLevel(Path target) throws IOException {
+    private Level saved(Path target) throws IOException {
+        boolean done = false;
         try {
-            return level(target);
-        } catch (IOException | RuntimeException failure) {
-            files.takeBack();
-            throw failure;
+            Level level = level(target);
+            save(level, target);
+            done = true;
+            return level;
+        } finally {
+            if (!done) {
+                files.takeBack();
+            }
+        }
+    }
+
+    private void save(Level level, Path target) {
+        try {
+            files.expect(target);
+            Files.createDirectories(target.toAbsolutePath().getParent());
+            LevelFile.save(target, level);
+        } catch (IOException failure) {
+            throw CommandFailure.environment(target + ": can't be written: " + WholeFile.reason(failure), failure);
+        } catch (LevelSaveException failure) {
+            throw CommandFailure.environment(failure.getMessage(), failure);
+        } catch (LevelFormatException wrong) {
+            throw CommandFailure.input(name.typed() + ": makes no level: " + wrong.getMessage());
         }
     }
 
     private Level level(Path target) throws IOException {
         XmlScene scene = name.read();
         tell(scene.warnings());
-        List<Part> parts = parts(PosedScene.of(scene));
+        List<Part> parts = parts(PosedScene.of(scene), LevelDraft.placeable(scene));
         LevelDraft draft = LevelDraft.of(name.stem(), scene, parts);
         tell(draft.warnings());
         if (draft.level().models().isEmpty()) {
@@ -96,20 +121,31 @@ public final class SceneImport {
         complaints.accept(name.typed() + ":" + line + ": " + message);
     }
 
-    private List<Part> parts(PosedScene posed) throws IOException {
+    /** @param placeable the models that can be in the level */
+    private List<Part> parts(PosedScene posed, Set<Integer> placeable) throws IOException {
         List<Part> parts = new ArrayList<>();
+        long triangles = 0;
         for (int number = 0; number < posed.modelCount(); number++) {
-            parts.add(part(posed.model(number)));
+            XmlModel model = posed.model(number);
+            Mesh mesh = folder.mesh(model);
+            triangles += mesh == null || !placeable.contains(number) ? 0 : mesh.triangleCount();
+            requireFew(model, triangles);
+            parts.add(mesh == null ? null : part(model, mesh));
         }
         return parts;
     }
 
-    /** {@code null} for one that cannot be shown, which has been told. */
-    private Part part(XmlModel model) throws IOException {
-        Mesh mesh = folder.mesh(model);
-        if (mesh == null) {
-            return null;
+    /** Said by the level's rules too, but only after all meshes are made. */
+    private void requireFew(XmlModel model, long triangles) {
+        if (triangles > PlacedModels.MOST_TRIANGLES) {
+            throw CommandFailure.input(name.typed() + ":" + model.line() + ": makes no level: with " + model.file()
+                    + " its models have " + triangles + " triangles or more, of " + PlacedModels.MOST_TRIANGLES
+                    + " that a level may have; place fewer models or coarser ones");
         }
+    }
+
+    /** {@code null} for one that cannot be shown, which has been told. */
+    private Part part(XmlModel model, Mesh mesh) throws IOException {
         try {
             String file = files.mesh(model.file(), mesh);
             Picture picture = model.texture() == null ? null : folder.picture(model);

@@ -9,6 +9,7 @@ import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.DataBufferByte;
 import java.awt.image.DataBufferUShort;
+import java.awt.image.IndexColorModel;
 import java.awt.image.PixelInterleavedSampleModel;
 import java.awt.image.Raster;
 import java.io.IOException;
@@ -23,6 +24,9 @@ final class ImageIoPictures {
     private ImageIoPictures() {}
 
     static Picture decode(PictureFormat format, byte[] bytes) throws IOException {
+        if (format == PictureFormat.TGA && !TgaRuns.fit(bytes)) {
+            throw new IOException("its runs do not fill its pixels");
+        }
         ImageReader reader = reader(format);
         try (ImageInputStream stream = new ByteArrayImageInputStream(padded(format, bytes))) {
             reader.setInput(stream, false, true);
@@ -34,7 +38,9 @@ final class ImageIoPictures {
 
     /** The TGA reader looks for a footer of 26 bytes before it knows that there are so many. */
     private static byte[] padded(PictureFormat format, byte[] bytes) {
-        return format == PictureFormat.TGA ? Arrays.copyOf(bytes, Math.max(bytes.length, 18 + 26)) : bytes;
+        return format == PictureFormat.TGA
+                ? Arrays.copyOf(bytes, Math.max(bytes.length, TgaRuns.begin(bytes) + 26))
+                : bytes;
     }
 
     /** The fat jar holds no merged provider lists, so TwelveMonkeys' readers are made directly. */
@@ -56,7 +62,18 @@ final class ImageIoPictures {
         throw new IllegalStateException("this Java runtime has no " + name + " reader");
     }
 
-    private static Picture picture(BufferedImage image) {
+    private static boolean namesNoColour(Raster raster, int colours) {
+        int[] row = new int[raster.getWidth()];
+        for (int y = 0; y < raster.getHeight(); y++) {
+            raster.getSamples(0, y, row.length, 1, 0, row);
+            if (Arrays.stream(row).anyMatch(index -> index >= colours)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static Picture picture(BufferedImage image) throws IOException {
         boolean components = image.getColorModel() instanceof ComponentColorModel;
         if (components && image.getSampleModel() instanceof PixelInterleavedSampleModel) {
             int type = image.getRaster().getDataBuffer().getDataType();
@@ -107,8 +124,11 @@ final class ImageIoPictures {
     }
 
     /** Palettes and packed pixels: all of them are sRGB with 8 bits or fewer, so the conversion changes no value. */
-    private static Picture converted(BufferedImage image) {
+    private static Picture converted(BufferedImage image) throws IOException {
         ColorModel model = image.getColorModel();
+        if (model instanceof IndexColorModel palette && namesNoColour(image.getRaster(), palette.getMapSize())) {
+            throw new IOException("a pixel names none of its palette's colours");
+        }
         int channels = model.hasAlpha() ? 4 : 3;
         int width = image.getWidth();
         byte[] samples = new byte[width * image.getHeight() * channels];

@@ -6,18 +6,27 @@ import org.joml.Vector3dc;
 
 /**
  * Finds a short way out for a shape that starts inside solids: by the nearest surfaces first, and when these push it to
- * and fro, by each face of each solid that it is in. Reused for every query.
+ * and fro, by each face of each solid that it is in, or along the axes where these are too many. Reused for every query.
  */
 public final class Recovery {
     private static final int MAX_PUSHES = 12;
+
+    /** Solids around a shape from which on it is lost in a crowd: to try each of their faces would take seconds. */
+    private static final int CROWD = 128;
+
+    /** Of separations, for one way out by the faces: some hundredths of a second. */
+    private static final int MOST_MEASURES = 20_000;
 
     private CollisionWorld world;
     private final Separation separation = new Separation();
     private final ItemList near = new ItemList();
     private final ItemList overlapped = new ItemList();
+    private final AxisExit axes = new AxisExit();
     private final Vector3d place = new Vector3d();
     private final Vector3d push = new Vector3d();
     private final Vector3d still = new Vector3d();
+    private int measures;
+    private double shortest;
 
     /** True when the shape reaches into no solid; touching is free. */
     public boolean isFree(CollisionWorld in, RoundedHull shape, Vector3dc at) {
@@ -42,26 +51,42 @@ public final class Recovery {
         if (isFree(in, shape, at)) {
             return true;
         }
-        listOverlapped(shape, at);
+        boolean crowded = near.size() > CROWD;
         place.set(at);
         boolean found = relax(shape, place);
         place.sub(at, out);
-        double shortest = found ? out.length() : Double.POSITIVE_INFINITY;
+        shortest = found ? out.length() : Double.POSITIVE_INFINITY;
         if (shortest <= shape.radiusMetres()) {
             return true;
         }
+        if (!crowded && !leaveByFaces(shape, at, out)) {
+            crowded = true;
+        }
+        if (crowded && axes.find(world, shape, at) < shortest) {
+            shortest = axes.metres();
+            out.set(axes.way());
+        }
+        return shortest < Double.POSITIVE_INFINITY;
+    }
+
+    /** Tries each face of each solid that the shape is in; false when these were too many to try all. */
+    private boolean leaveByFaces(RoundedHull shape, Vector3dc at, Vector3d out) {
+        measures = 0;
+        listOverlapped(shape, at);
         for (int i = 0; i < overlapped.size(); i++) {
             Collider solid = world.collider(overlapped.get(i));
             for (int face = 0; face < solid.faces(); face++) {
+                if (measures > MOST_MEASURES) {
+                    return false;
+                }
                 leaveBy(solid, face, shape, at);
                 if (relax(shape, place) && place.distance(at) < shortest) {
                     shortest = place.distance(at);
                     place.sub(at, out);
-                    found = true;
                 }
             }
         }
-        return found;
+        return true;
     }
 
     private void listOverlapped(RoundedHull shape, Vector3dc at) {
@@ -105,9 +130,15 @@ public final class Recovery {
     /** The least separation from any solid, not positive; {@code push} leads out of the solid that has it. */
     private double deepest(RoundedHull shape, Vector3dc at) {
         lookAround(shape, at);
+        boolean crowded = near.size() > CROWD;
         double least = 0;
         for (int i = 0; i < near.size(); i++) {
-            separation.measure(shape, at.x(), at.y(), at.z(), world.collider(near.get(i)));
+            Collider solid = world.collider(near.get(i));
+            if (crowded && -AxisExit.depth(shape, at, solid.bounds()) > least) {
+                continue;
+            }
+            measures++;
+            separation.measure(shape, at.x(), at.y(), at.z(), solid);
             if (separation.metres() < least) {
                 least = separation.metres();
                 double way = Sweep.SKIN_METRES - least;

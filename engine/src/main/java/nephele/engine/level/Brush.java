@@ -5,6 +5,7 @@ import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
+import nephele.engine.math.UprightPrism;
 import nephele.engine.math.Vec3;
 
 /** A solid's shape, with what the author said of each face. */
@@ -32,10 +33,9 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             return assemble(solid, ConvexPolyhedron.box(Aabb.around(box.centre(), box.size())), boxFaces(box));
         }
         List<Named> named = named(solid);
-        return assemble(
-                solid,
-                ConvexPolyhedron.fromPlanes(named.stream().map(Named::plane).toList()),
-                named);
+        List<Plane> planes = named.stream().map(Named::plane).toList();
+        boolean isPrism = solid instanceof Solid.Prism;
+        return assemble(solid, isPrism ? UprightPrism.of(planes) : ConvexPolyhedron.fromPlanes(planes), named);
     }
 
     private static List<Named> named(Solid solid) {
@@ -123,8 +123,11 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
     }
 
     private static List<Named> prismFaces(Solid.Prism prism) {
-        if (!(prism.radiusMetres() > 0) || !(prism.heightMetres() > 0) || prism.sides() < 3) {
-            throw new IllegalArgumentException("a prism needs a positive radius and height and at least 3 sides");
+        int mostSides = ConvexPolyhedron.MAX_PLANES - 2;
+        boolean isBounded = prism.radiusMetres() > 0 && prism.heightMetres() > 0;
+        if (!isBounded || prism.sides() < 3 || prism.sides() > mostSides) {
+            throw new IllegalArgumentException(
+                    "a prism needs a positive radius and height and 3 to " + mostSides + " sides");
         }
         List<Named> faces = new ArrayList<>();
         double y = prism.centre().y();

@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.placed.MeshAssets;
+import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.model.Mesh;
 
@@ -65,12 +66,24 @@ final class ModelRules {
     private static void placeable(Level level, Map<String, Mesh> meshes, Consumer<Problem> report) {
         try {
             PlacedModels placed = PlacedModels.of(level, meshes::get);
+            tellEmpty(placed, report);
             PlayerRules.tellInside(level, placed, report);
             PortalRules.tellFree(level, placed, report);
         } catch (AssetException problem) {
             report.accept(Problem.error("models", problem.getMessage()));
         } catch (IllegalArgumentException toldByAnotherRule) {
             return;
+        }
+    }
+
+    private static void tellEmpty(PlacedModels placed, Consumer<Problem> report) {
+        for (PlacedModel model : placed.all()) {
+            if (model.isEmpty()) {
+                report.accept(Problem.warning(
+                        "models[" + model.index() + "]",
+                        "'" + model.said().id() + "' draws nothing: none of the triangles of "
+                                + model.said().file() + " has an area here; check its scale, or delete it"));
+            }
         }
     }
 

@@ -132,7 +132,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     }
 
     /** Cramer's rule on the three plane equations; {@code null} when they share a direction. */
-    private static Vec3 intersection(Plane a, Plane b, Plane c) {
+    static Vec3 intersection(Plane a, Plane b, Plane c) {
         double bcX = b.ny() * c.nz() - b.nz() * c.ny();
         double bcY = b.nz() * c.nx() - b.nx() * c.nz();
         double bcZ = b.nx() * c.ny() - b.ny() * c.nx();
@@ -200,7 +200,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         return List.copyOf(ring);
     }
 
-    private static Vec3 lowest(List<Vec3> points) {
+    static Vec3 lowest(List<Vec3> points) {
         Vec3 lowest = points.get(0);
         for (Vec3 p : points) {
             if (Arrays.compare(new double[] {p.x(), p.y(), p.z()}, new double[] {lowest.x(), lowest.y(), lowest.z()})

@@ -12,6 +12,11 @@ record BezierPatch(Vector3d[] points) {
 
     /** The sum of all points, each weighted by its column's and its row's weight. */
     Vector3d weighted(double[] columns, double[] rows) {
+        return along(across(columns), rows);
+    }
+
+    /** Each row's points, weighted by their columns: the same for all places of one u. */
+    Vector3d[] across(double[] columns) {
         Vector3d[] across = new Vector3d[SIDE];
         for (int row = 0; row < SIDE; row++) {
             across[row] = symmetricSum(
@@ -21,6 +26,11 @@ record BezierPatch(Vector3d[] points) {
                     points[SIDE * row + 3],
                     columns);
         }
+        return across;
+    }
+
+    /** @param across of {@link #across} */
+    static Vector3d along(Vector3d[] across, double[] rows) {
         return symmetricSum(across[0], across[1], across[2], across[3], rows);
     }
 

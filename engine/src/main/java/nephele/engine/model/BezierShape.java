@@ -29,23 +29,39 @@ public record BezierShape(BezierPatches patches, int tessellation) implements Sh
     public Mesh mesh() {
         int count = patches.patches().size();
         int side = tessellation + 1;
-        var mesh = new MeshBuilder(count * side * side, 2 * count * tessellation * tessellation);
+        var mesh = new MeshBuilder(count * side * side, mostTriangles());
+        CubicWeights[] weights = new CubicWeights[side];
+        for (int part = 0; part < side; part++) {
+            weights[part] = CubicWeights.at(part, tessellation);
+        }
         for (BezierPatch patch : patches.patches()) {
-            add(mesh, patch);
+            add(mesh, patch, weights);
         }
         return mesh.mesh();
     }
 
+    @Override
+    public int mostTriangles() {
+        return 2 * patches.patches().size() * tessellation * tessellation;
+    }
+
     /** The first vertex is the one at u = v = 1, which is the lower left one. */
-    private void add(MeshBuilder mesh, BezierPatch patch) {
+    private void add(MeshBuilder mesh, BezierPatch patch, CubicWeights[] weights) {
         int first = mesh.nextVertex();
         var normals = new PatchNormal(patch);
+        Vector3d[][] values = new Vector3d[weights.length][];
+        Vector3d[][] slopes = new Vector3d[weights.length][];
+        for (int column = 0; column <= tessellation; column++) {
+            values[column] = patch.across(weights[column].value());
+            slopes[column] = patch.across(weights[column].slope());
+        }
         for (int row = tessellation; row >= 0; row--) {
-            double[] v = CubicWeights.at(row, tessellation).value();
+            CubicWeights v = weights[row];
             for (int column = tessellation; column >= 0; column--) {
-                Vector3d point =
-                        patch.weighted(CubicWeights.at(column, tessellation).value(), v);
-                Vector3d normal = normals.at(column, row, tessellation);
+                Vector3d point = BezierPatch.along(values[column], v.value());
+                Vector3d cross = BezierPatch.along(slopes[column], v.value())
+                        .cross(BezierPatch.along(values[column], v.slope()));
+                Vector3d normal = normals.unit(cross, column, row, tessellation);
                 mesh.point(point.x, point.y, point.z)
                         .normal(normal.x, normal.y, normal.z)
                         .texture(share(tessellation - column), share(tessellation - row));

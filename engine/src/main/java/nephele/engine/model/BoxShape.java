@@ -13,10 +13,15 @@ public record BoxShape(double length, int divisions) implements Shape {
 
     @Override
     public Mesh mesh() {
-        var mesh = new MeshBuilder(6 * (divisions + 1) * (divisions + 1), 12 * divisions * divisions);
+        var mesh = new MeshBuilder(6 * (divisions + 1) * (divisions + 1), mostTriangles());
         for (SquareFace face : SquareFace.values()) {
             face.add(mesh, length, divisions, length / 2);
         }
         return mesh.mesh();
+    }
+
+    @Override
+    public int mostTriangles() {
+        return 12 * divisions * divisions;
     }
 }

@@ -14,8 +14,7 @@ public record ConeShape(double radius, double height, int slices, int stacks) im
     @Override
     public Mesh mesh() {
         int sideVertices = stacks * (slices + 1) + slices;
-        int sideTriangles = slices * (2 * stacks - 1);
-        var mesh = new MeshBuilder(sideVertices + Disc.vertices(slices), sideTriangles + slices);
+        var mesh = new MeshBuilder(sideVertices + Disc.vertices(slices), mostTriangles());
         Circle circle = Circle.of(slices);
         for (int stack = 0; stack < stacks; stack++) {
             ring(mesh, circle, stack);
@@ -24,6 +23,11 @@ public record ConeShape(double radius, double height, int slices, int stacks) im
         tip(mesh, (stacks - 1) * (slices + 1));
         Disc.DOWN.add(mesh, circle, radius, 0);
         return mesh.mesh();
+    }
+
+    @Override
+    public int mostTriangles() {
+        return 2 * slices * stacks;
     }
 
     private void ring(MeshBuilder mesh, Circle circle, int stack) {

@@ -12,7 +12,7 @@ public record CylinderShape(double radius, double height, int slices) implements
 
     @Override
     public Mesh mesh() {
-        var mesh = new MeshBuilder(2 * (slices + 1) + 2 * Disc.vertices(slices), 4 * slices);
+        var mesh = new MeshBuilder(2 * (slices + 1) + 2 * Disc.vertices(slices), mostTriangles());
         Circle circle = Circle.of(slices);
         ring(mesh, circle, -height / 2, 0);
         ring(mesh, circle, height / 2, 1);
@@ -20,6 +20,11 @@ public record CylinderShape(double radius, double height, int slices) implements
         Disc.DOWN.add(mesh, circle, radius, -height / 2);
         Disc.UP.add(mesh, circle, radius, height / 2);
         return mesh.mesh();
+    }
+
+    @Override
+    public int mostTriangles() {
+        return 4 * slices;
     }
 
     private void ring(MeshBuilder mesh, Circle circle, double y, double t) {

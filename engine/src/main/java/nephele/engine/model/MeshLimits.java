@@ -6,6 +6,9 @@ final class MeshLimits {
 
     static final int MAX_VERTICES = 1 << 22;
 
+    /** Of a polygon. */
+    static final int MAX_CORNERS = 4096;
+
     /** Bytes of a text file, read or written; larger ones would take seconds to read. */
     static final int MAX_TEXT_BYTES = 64 << 20;
 

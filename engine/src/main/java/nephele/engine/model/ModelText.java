@@ -9,13 +9,15 @@ import java.util.List;
  * {@code #} begins a comment.
  */
 final class ModelText {
-    private static final int MOST_WORDS = 4096;
+    /** A polygon's corners, the word before them, and a mark that the line goes on. */
+    private static final int MOST_WORDS = 2 + MeshLimits.MAX_CORNERS;
+
     private static final int LONGEST_WORD = 256;
     private static final int MARK_BYTES = 3;
 
     private final String file;
     private final byte[] bytes;
-    private final String separators;
+    private final boolean[] separates = new boolean[256];
     private int at;
     private int line;
 
@@ -23,7 +25,9 @@ final class ModelText {
     ModelText(String file, byte[] bytes, String separators) {
         this.file = file;
         this.bytes = bytes;
-        this.separators = separators;
+        for (char c : (" \t\f" + separators).toCharArray()) {
+            separates[c] = true;
+        }
         this.at = beginsWithMark(bytes) ? MARK_BYTES : 0;
         if (bytes.length > MeshLimits.MAX_TEXT_BYTES) {
             throw new ModelFileException(
@@ -55,13 +59,33 @@ final class ModelText {
         List<String> words = new ArrayList<>(4);
         boolean comment;
         do {
-            comment = readLine(words);
+            comment = readLine(() -> words.add(word(words.size())));
         } while (comment && words.isEmpty() && hasNext());
         return words;
     }
 
+    /**
+     * The same of a line of numbers, without an object for each; returns how many they are.
+     *
+     * @param row receives the first of them
+     */
+    int nextNumbers(float[] row) {
+        int[] count = new int[1];
+        boolean comment;
+        do {
+            comment = readLine(() -> {
+                float number = nextNumber(count[0]);
+                if (count[0] < row.length) {
+                    row[count[0]] = number;
+                }
+                count[0]++;
+            });
+        } while (comment && count[0] == 0 && hasNext());
+        return count[0];
+    }
+
     /** Returns whether it ends in a comment. */
-    private boolean readLine(List<String> words) {
+    private boolean readLine(Runnable word) {
         line++;
         boolean comment = false;
         while (at < bytes.length && !endsLine(bytes[at])) {
@@ -71,7 +95,7 @@ final class ModelText {
             } else if (separates(bytes[at])) {
                 at++;
             } else {
-                words.add(word(words.size()));
+                word.run();
             }
         }
         skipEnd();
@@ -136,6 +160,19 @@ final class ModelText {
         return shown.append(word.length() > 24 ? "…\"" : "\"").toString();
     }
 
+    private float nextNumber(int before) {
+        int end = at;
+        while (end < bytes.length && !endsLine(bytes[end]) && !separates(bytes[end]) && bytes[end] != '#') {
+            end++;
+        }
+        float number = before < MOST_WORDS ? PlainDecimal.read(bytes, at, end) : Float.NaN;
+        if (Float.isNaN(number)) {
+            return number(word(before));
+        }
+        at = end;
+        return number;
+    }
+
     private String word(int before) {
         int start = at;
         while (at < bytes.length && !endsLine(bytes[at]) && !separates(bytes[at]) && bytes[at] != '#') {
@@ -161,11 +198,13 @@ final class ModelText {
     }
 
     private ModelFileException tooManyWords() {
-        return wrong("has more than " + MOST_WORDS + " words in a line", "cut the polygon into smaller ones");
+        return wrong(
+                "has more than " + MeshLimits.MAX_CORNERS + " corners or numbers in a line",
+                "cut the polygon into smaller ones");
     }
 
     private boolean separates(byte c) {
-        return c == ' ' || c == '\t' || c == '\f' || separators.indexOf(c) >= 0;
+        return separates[c & 0xff];
     }
 
     private static boolean endsLine(byte c) {

@@ -54,10 +54,10 @@ final class ObjFile {
         return corners.mesh();
     }
 
-    /** A backslash at its end joins a line to the next one. */
+    /** A backslash at its end joins a line to the next one; at the end of the file to nothing. */
     private List<String> logicalLine() {
         List<String> words = text.nextLine();
-        while (!words.isEmpty() && words.get(words.size() - 1).endsWith("\\") && text.hasNext()) {
+        while (!words.isEmpty() && words.get(words.size() - 1).endsWith("\\")) {
             List<String> joined = new ArrayList<>(words);
             String last = joined.remove(joined.size() - 1);
             if (last.length() > 1) {
@@ -122,6 +122,11 @@ final class ObjFile {
     private void face(List<String> words) {
         if (words.size() < 3) {
             throw text.wrong("a face has " + words.size() + " corners", "write at least three");
+        }
+        if (words.size() > MeshLimits.MAX_CORNERS) {
+            throw text.wrong(
+                    "a face has " + words.size() + " corners, of " + MeshLimits.MAX_CORNERS + " that one may have",
+                    "cut the polygon into smaller ones");
         }
         int group = smoothingGroup < 0 ? -1 - faces : smoothingGroup;
         faces++;

@@ -21,13 +21,17 @@ final class PatchNormal {
     }
 
     Vector3d at(int column, int row, int parts) {
+        return unit(cross(CubicWeights.at(column, parts), CubicWeights.at(row, parts)), column, row, parts);
+    }
+
+    /** @param cross product of the derivatives; may be changed */
+    Vector3d unit(Vector3d cross, int column, int row, int parts) {
+        if (cross.length() > vanishing) {
+            return cross.normalize();
+        }
         CubicWeights u = CubicWeights.at(column, parts);
         CubicWeights v = CubicWeights.at(row, parts);
-        Vector3d normal = cross(u, v);
-        if (normal.length() > vanishing) {
-            return normal.normalize();
-        }
-        normal = secondOrder(u, v, column == parts ? -1 : 1, row == parts ? -1 : 1);
+        Vector3d normal = secondOrder(u, v, column == parts ? -1 : 1, row == parts ? -1 : 1);
         return normal.length() > vanishing ? normal.normalize() : inward((double) column / parts, (double) row / parts);
     }
 

@@ -22,11 +22,16 @@ public record PlaneShape(double length, int divisions, Sides sides) implements S
     @Override
     public Mesh mesh() {
         int faces = sides == Sides.BOTH ? 2 : 1;
-        var mesh = new MeshBuilder(faces * (divisions + 1) * (divisions + 1), faces * 2 * divisions * divisions);
+        var mesh = new MeshBuilder(faces * (divisions + 1) * (divisions + 1), mostTriangles());
         SquareFace.TOP.add(mesh, length, divisions, 0);
         if (sides == Sides.BOTH) {
             SquareFace.BOTTOM.add(mesh, length, divisions, 0);
         }
         return mesh.mesh();
+    }
+
+    @Override
+    public int mostTriangles() {
+        return (sides == Sides.BOTH ? 4 : 2) * divisions * divisions;
     }
 }

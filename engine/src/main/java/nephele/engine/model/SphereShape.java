@@ -15,7 +15,7 @@ public record SphereShape(double radius, int slices, int stacks) implements Shap
 
     @Override
     public Mesh mesh() {
-        var mesh = new MeshBuilder(2 * slices + (stacks - 1) * (slices + 1), 2 * slices * (stacks - 1));
+        var mesh = new MeshBuilder(2 * slices + (stacks - 1) * (slices + 1), mostTriangles());
         pole(mesh, -1);
         Circle circle = Circle.of(slices);
         int rings = mesh.nextVertex();
@@ -27,6 +27,11 @@ public record SphereShape(double radius, int slices, int stacks) implements Shap
         caps(mesh, rings, north);
         GridTriangles.join(mesh, rings, slices, stacks - 2, Diagonal.FALLING);
         return mesh.mesh();
+    }
+
+    @Override
+    public int mostTriangles() {
+        return 2 * slices * (stacks - 1);
     }
 
     /** One vertex for each slice, at the middle of its part of the picture. */

@@ -18,6 +18,7 @@ final class TextMeshBlocks {
 
     private final ModelText text;
     private final List<NumberRows> blocks = new ArrayList<>();
+    private final float[] row = new float[3];
 
     /** The block that rows are added to; {@code null} after a blank line. */
     private NumberRows open;
@@ -33,31 +34,27 @@ final class TextMeshBlocks {
 
     List<NumberRows> read() {
         while (text.hasNext()) {
-            List<String> words = text.nextLine();
-            if (words.isEmpty()) {
+            int numbers = text.nextNumbers(row);
+            if (numbers == 0) {
                 close();
             } else {
-                add(words);
+                add(numbers);
             }
         }
         close();
         return blocks;
     }
 
-    private void add(List<String> words) {
-        if (open != null && open.width() != words.size()) {
-            changeWidth(words.size());
+    private void add(int numbers) {
+        if (open != null && open.width() != numbers) {
+            changeWidth(numbers);
         }
         if (open == null) {
-            open = new NumberRows(width(words.size()));
+            open = new NumberRows(width(numbers));
         }
         int most = open.width() == 1 ? MOST_SINGLE_ROWS : MOST_ROWS;
         if (open.rows() >= most) {
             throw text.wrong("has more than " + most + " rows in a block", "make the mesh coarser");
-        }
-        float[] row = new float[words.size()];
-        for (int i = 0; i < row.length; i++) {
-            row[i] = text.number(words.get(i));
         }
         open.add(text.line(), row);
     }

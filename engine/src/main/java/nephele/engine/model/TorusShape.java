@@ -25,7 +25,7 @@ public record TorusShape(double radius, double tube, int slices, int stacks) imp
 
     @Override
     public Mesh mesh() {
-        var mesh = new MeshBuilder((slices + 1) * (stacks + 1), 2 * slices * stacks);
+        var mesh = new MeshBuilder((slices + 1) * (stacks + 1), mostTriangles());
         Circle around = Circle.of(slices);
         Circle section = Circle.of(stacks);
         for (int stack = 0; stack <= stacks; stack++) {
@@ -41,5 +41,10 @@ public record TorusShape(double radius, double tube, int slices, int stacks) imp
         }
         GridTriangles.join(mesh, 0, slices, stacks, Diagonal.FALLING);
         return mesh.mesh();
+    }
+
+    @Override
+    public int mostTriangles() {
+        return 2 * slices * stacks;
     }
 }

@@ -37,6 +37,9 @@ final class ModelMesher {
 
     void add(int model) {
         PlacedModel placed = models.get(model);
+        if (placed.isEmpty()) {
+            return;
+        }
         int material = materials.indexOf(placed.said().material());
         Surface surface = materials.surfaces().get(material);
         WorldTriangles mesh = placed.triangles();

@@ -1,8 +1,10 @@
 package nephele.engine.xmlscene;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
 import nephele.engine.level.PortalShape;
@@ -55,6 +57,14 @@ public record LevelDraft(Level level, List<XmlWarning> warnings) {
                 new PortalGun(1.2, 2.1, PortalShape.ARCH, 500));
         warnings.sort(Comparator.comparingInt(XmlWarning::line));
         return new LevelDraft(level, List.copyOf(warnings));
+    }
+
+    /** The models that a level can place, where their meshes can be shown, as {@link PosedScene} counts them. */
+    public static Set<Integer> placeable(XmlScene scene) {
+        Part any = new Part("", null, new Vec3(1, 1, 1), Aabb.EMPTY);
+        List<Part> parts = Collections.nCopies(PosedScene.of(scene).modelCount(), any);
+        return Set.copyOf(DraftPlacements.of(scene, parts, new DraftLooks(), new ArrayList<>())
+                .numbers());
     }
 
     private static List<Aabb> boxes(PosedScene posed, List<Part> parts, DraftPlacements placements) {

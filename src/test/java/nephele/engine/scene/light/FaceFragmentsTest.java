@@ -3,10 +3,14 @@ package nephele.engine.scene.light;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.engine.level.Brush;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
@@ -57,6 +61,42 @@ class FaceFragmentsTest {
                 assertEquals(hidden, fragments.get(solid).get(face).get(0).cover() == FaceFragment.Cover.TOUCHING);
             }
         }
+    }
+
+    /** A copy at the same place changes nothing. */
+    @Test
+    void solidsThatAreThereManyTimesAreCutOnce() {
+        List<Brush> repeated = new ArrayList<>(WALLS);
+        repeated.addAll(Collections.nCopies(2_000, WALLS.get(0)));
+        repeated.addAll(Collections.nCopies(2_000, WALLS.get(1)));
+        var once = FaceFragments.of(WALLS);
+        var all = FaceFragments.of(repeated);
+        for (int i = 0; i < all.size(); i++) {
+            int original = WALLS.indexOf(repeated.get(i));
+            assertEquals(described(once.get(original)), described(all.get(i)));
+        }
+    }
+
+    private static List<String> described(List<List<FaceFragment>> faces) {
+        return faces.stream()
+                .flatMap(List::stream)
+                .map(part -> part.cover() + " " + part.corners() + Arrays.toString(part.triangles()))
+                .toList();
+    }
+
+    /** Of each that overlap each other; a level as full as any has a tenth of these pairs. */
+    @Test
+    void inACrowdThoseWithTheMostNeighboursStandAlone() {
+        List<Aabb> crowd = new ArrayList<>();
+        for (int i = 0; i < 1_000; i++) {
+            crowd.add(Aabb.around(new Vec3(i * 1e-3, 0, 0), new Vec3(1, 1, 1)));
+        }
+        crowd.add(Aabb.around(new Vec3(-0.9, 0, 0), new Vec3(1, 1, 1)));
+        Neighbours neighbours = Neighbours.of(crowd, 1e-4);
+        assertEquals(List.of(), neighbours.of(500));
+        assertEquals(101, neighbours.of(1_000).size());
+        Neighbours few = Neighbours.of(crowd.subList(0, 500), 1e-4);
+        assertEquals(499, few.of(250).size());
     }
 
     @Test

@@ -31,12 +31,19 @@ public final class MeshAssets {
     }
 
     private Mesh generated(String assetId) {
-        Optional<Shape> shape = GeneratedName.shape(assetId, besides(assetId));
-        return shape.orElseThrow(() -> new AssetException(
-                        assetId,
-                        "there is no such file, and the generator makes none of that name",
-                        "put it into the level's folder or into assets/"))
-                .mesh();
+        Optional<Shape> named = GeneratedName.shape(assetId, besides(assetId));
+        Shape shape = named.orElseThrow(() -> new AssetException(
+                assetId,
+                "there is no such file, and the generator makes none of that name",
+                "put it into the level's folder or into assets/"));
+        if (shape.mostTriangles() > PlacedModels.MOST_TRIANGLES) {
+            throw new AssetException(
+                    assetId,
+                    "stands for " + shape.mostTriangles() + " triangles, of " + PlacedModels.MOST_TRIANGLES
+                            + " that a level may have",
+                    "write smaller numbers of parts into the name");
+        }
+        return shape.mesh();
     }
 
     /** What lies in the same folder; {@code null} where nothing does. */

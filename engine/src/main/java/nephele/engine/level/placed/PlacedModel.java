@@ -15,6 +15,11 @@ public record PlacedModel(int index, ModelPlacement said, WorldTriangles triangl
         return new PlacedModel(index, said, triangles, triangles.bounds(), ConvexModel.solid(said, triangles));
     }
 
+    /** Whether none of its triangles has an area, so that there is nothing to draw. */
+    public boolean isEmpty() {
+        return triangles.count() == 0;
+    }
+
     PlacedModel split(double edgeMetres, int mostTriangles) {
         double wanted = Math.ceil(triangles.longestEdge() / edgeMetres);
         double possible = Math.floor(Math.sqrt((double) mostTriangles / Math.max(1, triangles.count())));

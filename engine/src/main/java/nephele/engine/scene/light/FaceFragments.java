@@ -1,14 +1,15 @@
 package nephele.engine.scene.light;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.BiFunction;
 import nephele.engine.level.Brush;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
-import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.FaceFragment.Cover;
 
@@ -30,23 +31,38 @@ public final class FaceFragments {
     }
 
     private final List<Brush> brushes;
-    private final SpatialIndex index;
+    private final Neighbours neighbours;
     private final CornerWeld weld = new CornerWeld();
 
     private FaceFragments(List<Brush> brushes) {
         this.brushes = brushes;
-        index = SpatialIndex.of(brushes.stream().map(b -> b.shape().bounds()).toList());
+        neighbours = Neighbours.of(brushes.stream().map(b -> b.shape().bounds()).toList(), PROBE_METRES);
     }
 
     /** Fragments by brush, by face of its shape; together they cover each face exactly. */
     public static List<List<List<FaceFragment>>> of(List<Brush> brushes) {
-        return new FaceFragments(brushes).fragments(FaceFragments::cut);
+        return ofDistinct(brushes, FaceFragments::cut);
     }
 
     /** As {@link #of}, but every face stays whole: its neighbours' corners are put on its edges, or they hide all of it. */
     public static List<List<List<FaceFragment>>> uncut(List<Brush> brushes) {
-        return new FaceFragments(brushes)
-                .fragments((face, near) -> List.of(new Piece(coverOfAll(face, near), face.polygon())));
+        return ofDistinct(brushes, (face, near) -> List.of(new Piece(coverOfAll(face, near), face.polygon())));
+    }
+
+    /** Solids of the same shape at the same place have the same fragments: a face is never before its own copy. */
+    private static List<List<List<FaceFragment>>> ofDistinct(
+            List<Brush> brushes, BiFunction<ConvexPolyhedron.Face, List<Brush>, List<Piece>> divide) {
+        Map<ConvexPolyhedron, Integer> numbers = new HashMap<>();
+        List<Brush> distinct = new ArrayList<>();
+        for (Brush brush : brushes) {
+            if (numbers.putIfAbsent(brush.shape(), distinct.size()) == null) {
+                distinct.add(brush);
+            }
+        }
+        List<List<List<FaceFragment>>> fragments = new FaceFragments(distinct).fragments(divide);
+        return brushes.stream()
+                .map(brush -> fragments.get(numbers.get(brush.shape())))
+                .toList();
     }
 
     private static Cover coverOfAll(ConvexPolyhedron.Face face, List<Brush> near) {
@@ -65,12 +81,12 @@ public final class FaceFragments {
         List<List<Integer>> near = new ArrayList<>();
         List<List<List<Piece>>> pieces = new ArrayList<>();
         for (int brush = 0; brush < brushes.size(); brush++) {
-            List<Integer> neighbours = near(brush);
-            List<Brush> standing = neighbours.stream().map(brushes::get).toList();
-            near.add(neighbours);
+            List<Integer> around = neighbours.of(brush);
+            List<Brush> standing = around.stream().map(brushes::get).toList();
+            near.add(around);
             pieces.add(brushes.get(brush).shape().faces().stream()
                     .map(face -> divide.apply(face, standing))
-                    .map(parts -> neighbours.isEmpty() ? parts : welded(parts))
+                    .map(parts -> around.isEmpty() ? parts : welded(parts))
                     .toList());
         }
         List<List<List<FaceFragment>>> byBrush = new ArrayList<>();
@@ -78,18 +94,6 @@ public final class FaceFragments {
             byBrush.add(joined(brush, pieces, near.get(brush)));
         }
         return byBrush;
-    }
-
-    /** Brushes that touch this one. */
-    private List<Integer> near(int brush) {
-        List<Integer> found = new ArrayList<>();
-        index.overlapping(brushes.get(brush).shape().bounds().grown(PROBE_METRES), other -> {
-            if (other != brush) {
-                found.add(other);
-            }
-        });
-        found.sort(null);
-        return found;
     }
 
     private List<Piece> welded(List<Piece> parts) {

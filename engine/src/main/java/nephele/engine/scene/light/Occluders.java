@@ -48,11 +48,19 @@ final class Occluders {
     /** Inside or on the surface of a solid other than {@code except}; nothing is inside a surface that is not closed. */
     boolean isInside(double[] p, int except) {
         boolean[] inside = new boolean[1];
-        index.overlapping(
-                new double[] {p[0], p[1], p[2], p[0], p[1], p[2]},
-                0,
+        index.passing(
+                (boxes, at) -> !inside[0] && holds(boxes, at, p),
                 item -> inside[0] |= item != except && item < planes.length && behindAll(planes[item], p));
         return inside[0];
+    }
+
+    private static boolean holds(double[] boxes, int at, double[] p) {
+        return boxes[at] <= p[0]
+                && p[0] <= boxes[at + 3]
+                && boxes[at + 1] <= p[1]
+                && p[1] <= boxes[at + 4]
+                && boxes[at + 2] <= p[2]
+                && p[2] <= boxes[at + 5];
     }
 
     private static boolean behindAll(double[] solid, double[] p) {

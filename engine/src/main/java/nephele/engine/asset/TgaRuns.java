@@ -1,0 +1,41 @@
+package nephele.engine.asset;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/** The packets of a run-length encoded TGA file (Truevision TGA 2.0, "Run-length encoded images"). */
+final class TgaRuns {
+    private static final int HEADER_BYTES = 18;
+    private static final int FIRST_ENCODED_TYPE = 9;
+    private static final int LAST_ENCODED_TYPE = 11;
+
+    private TgaRuns() {}
+
+    /** Whether the packets hold as many pixels as the header claims, and end there; so too where none are encoded. */
+    static boolean fit(byte[] bytes) {
+        ByteBuffer header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        if (bytes[2] < FIRST_ENCODED_TYPE || bytes[2] > LAST_ENCODED_TYPE) {
+            return true;
+        }
+        long left = (long) (header.getShort(12) & 0xffff) * (header.getShort(14) & 0xffff);
+        int pixelBytes = bytesOf(bytes[16]);
+        long at = begin(bytes);
+        while (left > 0 && at < bytes.length) {
+            int packet = bytes[(int) at];
+            int pixels = (packet & 0x7f) + 1;
+            at += 1 + (long) pixelBytes * (packet < 0 ? 1 : pixels);
+            left -= pixels;
+        }
+        return left == 0 && at <= bytes.length;
+    }
+
+    /** Where the pixels begin: behind the header, a remark and the palette. */
+    static int begin(byte[] bytes) {
+        int colours = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getShort(5) & 0xffff;
+        return HEADER_BYTES + (bytes[0] & 0xff) + (bytes[1] == 1 ? colours * bytesOf(bytes[7]) : 0);
+    }
+
+    private static int bytesOf(byte bits) {
+        return ((bits & 0xff) + 7) / 8;
+    }
+}
