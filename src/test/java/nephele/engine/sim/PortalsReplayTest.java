@@ -41,12 +41,12 @@ class PortalsReplayTest {
         play();
         assertEquals(
                 List.of(
-                        "600 4b6a75f6a51459da",
-                        "1200 077b9e851df5b19e",
-                        "1800 19ae46e5aaf0c3a8",
-                        "2400 eddf920b81827d56",
-                        "3000 a4ce0e5436201f36",
-                        "3434 ff62086ba9efc158"),
+                        "600 448a712f53535be0",
+                        "1200 d648ea53c5f899fd",
+                        "1800 619a67b5e33f4657",
+                        "2400 983b5e10cc718f2e",
+                        "3000 b5ae327d5122ed67",
+                        "3434 149085138ad29518"),
                 hashes);
     }
 

@@ -48,7 +48,7 @@ public final class RigidStep {
         }
         int parts = (int) Math.max(1, Math.min(MOST_PARTS, Math.ceil(seconds / LONGEST_PART_SECONDS - 1e-6)));
         influences.begin();
-        Bodies after = inParts(before, surroundings, influences, new Cut(parts, false, false), seconds);
+        Bodies after = inParts(before, surroundings, influences, new Cut(parts, false, TurnBend.MOST_PARTS), seconds);
         influences.end();
         return after;
     }
@@ -58,9 +58,9 @@ public final class RigidStep {
      *
      * @param parts of equal length
      * @param isLater whether the first of them belongs to a tick that has begun
-     * @param isFine whether they are cut no finer
+     * @param again into how many parts each of them may be cut again
      */
-    private record Cut(int parts, boolean isLater, boolean isFine) {}
+    private record Cut(int parts, boolean isLater, int again) {}
 
     private Bodies inParts(Bodies before, Surroundings surroundings, Influences influences, Cut cut, double seconds) {
         double part = seconds / cut.parts;
@@ -69,9 +69,9 @@ public final class RigidStep {
             boolean later = cut.isLater || i > 0;
             load(at, later);
             boolean moves = begin(at, surroundings, influences, part);
-            int finer = cut.isFine || !moves ? 1 : finerParts(part);
+            int finer = moves ? Math.min(cut.again, finerParts(part)) : 1;
             if (finer > 1) {
-                at = inParts(at, surroundings, influences, new Cut(finer, later, true), part);
+                at = inParts(at, surroundings, influences, new Cut(finer, later, 1), part);
             } else if (moves) {
                 at = end(at, surroundings, influences, part);
             } else {
