@@ -181,6 +181,12 @@ public final class BodyTable {
         return portal.aperture().outside(x, y) < reachMetres(body);
     }
 
+    /** Whether all moments of inertia are equal: then no turn changes the energy of a spin. */
+    boolean isEven(int body) {
+        double x = inverseInertia(body, 0);
+        return x == inverseInertia(body, 1) && x == inverseInertia(body, 2);
+    }
+
     /** The greatest extent of a body by its least. */
     double slenderness(int body) {
         double x = half[3 * body];

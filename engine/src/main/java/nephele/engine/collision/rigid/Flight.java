@@ -132,8 +132,18 @@ final class Flight {
             }
         }
         turn.begin(m, at + Bodies.ORIENTATION);
-        // Turned freely by the spin that is left keeps its energy; then what the solver turned it by beyond that.
+        if (table.isEven(body)) {
+            Spin.turnBy(m, at, motions.moved[d + 3], motions.moved[d + 4], motions.moved[d + 5]);
+        } else {
+            turnUnevenly(m, at, body, motions);
+        }
+        fitTurn(bodies, body);
+    }
+
+    /** Turned freely by the spin that is left a body keeps its energy; then by what the solver turned it beyond that. */
+    private void turnUnevenly(double[] m, int at, int body, Motions motions) {
         int w = at + Bodies.SPIN;
+        int d = 6 * body;
         double x = motions.moved[d + 3] - seconds * m[w];
         double y = motions.moved[d + 4] - seconds * m[w + 1];
         double z = motions.moved[d + 5] - seconds * m[w + 2];
@@ -143,7 +153,6 @@ final class Flight {
             Spin.turnBy(m, at, x, y, z);
             carry.end(m, at);
         }
-        fitTurn(bodies, body);
     }
 
     /**

@@ -88,19 +88,19 @@ final class StepSolver {
         sequential.bounce();
     }
 
-    /** Whether an island has what sequential impulses are slow or wrong about: unequal masses, thin bodies, one body alone. */
+    /** Whether an island has what sequential impulses are slow or wrong about: unequal masses, or thin bodies. */
     private boolean isHard(int[] order, int from, int to) {
-        boolean alone = true;
-        boolean hard = false;
-        for (int i = from; i < to && !hard; i++) {
+        for (int i = from; i < to; i++) {
             int a = rows.slotA[order[i]];
             int b = rows.slotB[order[i]];
             double ia = motions.inverseMass[a];
             double ib = motions.inverseMass[b];
-            alone &= ia == 0 || ib == 0;
-            hard = isThin(a) || isThin(b) || ia > 0 && ib > 0 && Math.max(ia, ib) > EVEN_MASSES * Math.min(ia, ib);
+            boolean uneven = ia > 0 && ib > 0 && Math.max(ia, ib) > EVEN_MASSES * Math.min(ia, ib);
+            if (uneven || isThin(a) || isThin(b)) {
+                return true;
+            }
         }
-        return hard || alone;
+        return false;
     }
 
     private boolean isThin(int slot) {
