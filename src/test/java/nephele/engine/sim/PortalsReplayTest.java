@@ -41,12 +41,12 @@ class PortalsReplayTest {
         play();
         assertEquals(
                 List.of(
-                        "600 448a712f53535be0",
-                        "1200 d648ea53c5f899fd",
-                        "1800 619a67b5e33f4657",
-                        "2400 983b5e10cc718f2e",
-                        "3000 b5ae327d5122ed67",
-                        "3434 149085138ad29518"),
+                        "600 08afb68d65713cbc",
+                        "1200 c76cff36c95387b0",
+                        "1800 7da06606b865b1b5",
+                        "2400 021090ade8b1e9fc",
+                        "3000 2bc8d55235c937f1",
+                        "3434 cfba682151536392"),
                 hashes);
     }
 
