@@ -10,6 +10,9 @@ final class BakeRation implements SkySight {
     /** One or two seconds of a core. */
     static final long MOST_BOX_TESTS = 150_000_000L;
 
+    /** As many items again make a box test as much dearer: the tree leaves the processor's caches. */
+    private static final double CACHED_ITEMS = 25_000;
+
     private static final int SAMPLES = 128;
 
     private final Occluders occluders;
@@ -37,7 +40,8 @@ final class BakeRation implements SkySight {
         for (int i = 0; i < samples; i++) {
             measure.accept((int) ((i + 0.5) * from / samples));
         }
-        double all = (double) boxTests * places / Math.max(samples, 1);
+        double dearer = 1 + occluders.items() / CACHED_ITEMS;
+        double all = dearer * boxTests * places / Math.max(samples, 1);
         if (System.getProperty("dbg") != null) System.err.println("BOXTESTS " + all / 1e6 + "M");
         int divisor = 1;
         while (all > (double) divisor * MOST_BOX_TESTS) {

@@ -13,7 +13,9 @@ import nephele.engine.math.Vec3;
 
 /**
  * The sky visibility of models, at their vertices: the hemisphere is that over the vertex's normal, so that a curved
- * surface is as smooth under the sky as it is under the sun. The result does not depend on the number of threads.
+ * surface is as smooth under the sky as it is under the sun. Where
+ * they are too many, those that are left out see what the one before them sees. The result does not depend on the number
+ * of threads.
  */
 final class ModelVisibility {
     /** Of all models together; a vertex gets its part of them, within {@link #LEAST_RAYS} and those of a texel. */
@@ -33,11 +35,13 @@ final class ModelVisibility {
     private final Occluders occluders;
     private final SkySight sight;
     private final double[] spiral;
+    private final int vertexStep;
 
-    private ModelVisibility(StaticShapes statics, Occluders occluders, SkySight sight, int rays) {
+    private ModelVisibility(StaticShapes statics, Occluders occluders, SkySight sight, int rays, int vertexStep) {
         this.statics = statics;
         this.occluders = occluders;
         this.sight = sight;
+        this.vertexStep = vertexStep;
         spiral = SkyVisibilityBake.spiral(rays);
     }
 
@@ -47,8 +51,9 @@ final class ModelVisibility {
         int vertices = Math.max(statics.models().vertexCount(), 1);
         int rays = Math.min(Math.max(LEAST_RAYS, ALL_RAYS / vertices), SkyVisibilityBake.RAYS);
         int divisor = effort == BakeEffort.RATIONED ? divisor(statics, occluders, rays) : 1;
-        return new ModelVisibility(
-                statics, occluders, occluders::isOccluded, Math.min(rays, Math.max(LEAST_RAYS, rays / divisor)));
+        int left = Math.max(LEAST_RAYS, rays / divisor);
+        int vertexStep = Math.max(1, divisor * left / rays);
+        return new ModelVisibility(statics, occluders, occluders::isOccluded, left, vertexStep);
     }
 
     private static int divisor(StaticShapes statics, Occluders occluders, int rays) {
@@ -60,7 +65,7 @@ final class ModelVisibility {
             end[i] = triangles;
         }
         BakeRation ration = new BakeRation(occluders);
-        ModelVisibility sample = new ModelVisibility(statics, occluders, ration, rays);
+        ModelVisibility sample = new ModelVisibility(statics, occluders, ration, rays, 1);
         return ration.divisor(triangles, statics.models().vertexCount(), triangle -> {
             int found = Arrays.binarySearch(end, triangle + 1);
             int model = found < 0 ? -found - 1 : found;
@@ -102,11 +107,14 @@ final class ModelVisibility {
         WorldTriangles mesh = model.triangles();
         double[] seen = new double[mesh.positions().length / 3];
         boolean[] known = new boolean[seen.length];
+        int met = 0;
+        double last = 0;
         for (int i = 0; i < 3 * mesh.count(); i++) {
             int vertex = mesh.vertices()[i];
             if (!known[vertex]) {
                 known[vertex] = true;
-                seen[vertex] = visibility(mesh, i / 3, i % 3, item);
+                last = met++ % vertexStep == 0 ? visibility(mesh, i / 3, i % 3, item) : last;
+                seen[vertex] = last;
             }
         }
         fillFromNeighbours(mesh, seen);

@@ -80,6 +80,10 @@ final class Occluders {
                 (ray, item, limit) -> answer(item != except && meets(item, o, d, limit)));
     }
 
+    int items() {
+        return index.size();
+    }
+
     /** How many boxes are tested for the answer of {@link #isOccluded}, which {@code hit} receives. */
     int boxTests(double[] o, double[] d, int except, boolean[] hit) {
         Ray ray = new Ray(o[0], o[1], o[2], d[0], d[1], d[2]);
