@@ -43,7 +43,7 @@ final class OddLevels {
     }
 
     private static List<OddLevel> all() {
-        return Stream.of(views(), shapes(), lights(), portals(), bodies(), OddModels.ALL, pictures())
+        return Stream.of(views(), shapes(), Crowds.ALL, lights(), portals(), bodies(), OddModels.ALL, pictures())
                 .flatMap(List::stream)
                 .toList();
     }

@@ -38,6 +38,17 @@ final class BadRelations {
                     "starts inside",
                     "\"player\": {\"feet\": [0, 0, 0]}, \"solids\": [{\"id\": \"a\", " + BOX + "}]"),
             level("player.feet", "starts inside", "\"player\": {\"feet\": [0, -0.5, 0]}, " + planes(tetrahedron())),
+            level(
+                    "solids[0]",
+                    "too thin for its size",
+                    planes(String.join(
+                            ",",
+                            plane(1, 0, 0, 1e-7),
+                            plane(-1, 0, 0, 1e-7),
+                            plane(0, 1, 0, 5000),
+                            plane(0, -1, 0, 5000),
+                            plane(0, 0, 1, 1e-7),
+                            plane(0, 0, -1, 1e-7)))),
             level("solids[0]", "4 to 64 planes", planes(plane(1, 0, 0, 1))),
             level(
                     "solids[0]",
@@ -181,7 +192,7 @@ final class BadRelations {
         return new BadLevel("skybox " + layout + " of " + String.join(" ", names), bad.path(), words, bad.content());
     }
 
-    private static String plane(int x, int y, int z, int distance) {
+    private static String plane(int x, int y, int z, double distance) {
         return "{\"normal\": [" + x + ", " + y + ", " + z + "], \"distanceMetres\": " + distance + "}";
     }
 

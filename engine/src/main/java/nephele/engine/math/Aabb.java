@@ -50,6 +50,16 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
         return minX <= b.maxX && b.minX <= maxX && minY <= b.maxY && b.minY <= maxY && minZ <= b.maxZ && b.minZ <= maxZ;
     }
 
+    /** Whether it overlaps or touches the box that stands in {@code bounds} from {@code at} on: three least, three greatest. */
+    public boolean overlaps(double[] bounds, int at) {
+        return bounds[at] <= maxX
+                && minX <= bounds[at + 3]
+                && bounds[at + 1] <= maxY
+                && minY <= bounds[at + 4]
+                && bounds[at + 2] <= maxZ
+                && minZ <= bounds[at + 5];
+    }
+
     public Vec3 centre() {
         return new Vec3((minX + maxX) / 2, (minY + maxY) / 2, (minZ + maxZ) / 2);
     }

@@ -12,6 +12,9 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     /** Relative to the solid's extent: corners closer than this are one corner. */
     private static final double WELD = 1e-9;
 
+    /** Of it, still above rounding: enough to see whether planes that enclose nothing would if corners were not joined. */
+    private static final double FINER = 1e-4;
+
     /** The corners of a box's faces; bits 0, 1, 2 of a corner say whether it is the greater in x, y, z. */
     private static final int[][] BOX_FACES = {
         {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}, {4, 5, 7, 6}, {1, 0, 2, 3}
@@ -97,6 +100,14 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         }
         double epsilon = WELD * extent(planes);
         List<Vec3> corners = corners(planes, epsilon);
+        List<Face> faces = faces(planes, corners, epsilon);
+        if (!isClosed(faces)) {
+            throw new IllegalArgumentException(whyOpen(planes, faces, epsilon));
+        }
+        return new ConvexPolyhedron(List.copyOf(faces), List.copyOf(corners), Aabb.of(corners));
+    }
+
+    private static List<Face> faces(List<Plane> planes, List<Vec3> corners, double epsilon) {
         List<Face> faces = new ArrayList<>();
         for (int i = 0; i < planes.size(); i++) {
             List<Vec3> polygon = polygon(planes.get(i), corners, epsilon * 4);
@@ -104,8 +115,19 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
                 faces.add(new Face(i, planes.get(i), polygon));
             }
         }
-        requireClosed(faces);
-        return new ConvexPolyhedron(List.copyOf(faces), List.copyOf(corners), Aabb.of(corners));
+        return faces;
+    }
+
+    /** Planes that do enclose something where corners are told apart more finely are too close to each other. */
+    private static String whyOpen(List<Plane> planes, List<Face> faces, double epsilon) {
+        double finer = epsilon * FINER;
+        if (isClosed(faces(planes, corners(planes, finer), finer))) {
+            return "the solid is too thin for its size and its distance from the origin: corners less than "
+                    + 8 * epsilon + " m apart are not told apart; make it thicker or shorter, or move it nearer";
+        }
+        return faces.size() < 4
+                ? "the planes enclose no volume: check that every normal points outwards"
+                : "the planes leave the solid open on one side: add the missing plane";
     }
 
     private static double extent(List<Plane> planes) {
@@ -232,7 +254,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     }
 
     /** A closed surface has area vectors that cancel; an unbounded or flat intersection has not. */
-    private static void requireClosed(List<Face> faces) {
+    private static boolean isClosed(List<Face> faces) {
         double x = 0;
         double y = 0;
         double z = 0;
@@ -244,12 +266,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
             z += area * face.plane().nz();
             total += area;
         }
-        if (faces.size() < 4) {
-            throw new IllegalArgumentException("the planes enclose no volume: check that every normal points outwards");
-        }
-        if (!(Math.sqrt(x * x + y * y + z * z) <= 1e-6 * total)) {
-            throw new IllegalArgumentException("the planes leave the solid open on one side: add the missing plane");
-        }
+        return faces.size() >= 4 && Math.sqrt(x * x + y * y + z * z) <= 1e-6 * total;
     }
 
     private static double area(Face face) {

@@ -105,7 +105,7 @@ public final class Ray {
      * @param bounds minima and maxima from {@code at} on
      * @return ray parameter at which the ray enters, 0 from inside, infinity for a miss
      */
-    double boxEntry(double[] bounds, int at, double limit) {
+    public double boxEntry(double[] bounds, int at, double limit) {
         if (!castable) {
             return Double.POSITIVE_INFINITY;
         }

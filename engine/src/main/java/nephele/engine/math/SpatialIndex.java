@@ -94,7 +94,7 @@ public final class SpatialIndex {
     }
 
     private void overlapping(int node, Aabb box, ItemVisitor found) {
-        if (!overlaps(tree.nodeBounds(), 6 * node, box)) {
+        if (!box.overlaps(tree.nodeBounds(), 6 * node)) {
             return;
         }
         int right = tree.right()[node];
@@ -108,19 +108,10 @@ public final class SpatialIndex {
 
     private void overlapping(Aabb box, int firstSlot, int endSlot, ItemVisitor found) {
         for (int slot = firstSlot; slot < endSlot; slot++) {
-            if (overlaps(tree.slotBounds(), 6 * slot, box)) {
+            if (box.overlaps(tree.slotBounds(), 6 * slot)) {
                 found.item(tree.itemAtSlot()[slot]);
             }
         }
-    }
-
-    private static boolean overlaps(double[] bounds, int at, Aabb box) {
-        return bounds[at] <= box.maxX()
-                && box.minX() <= bounds[at + 3]
-                && bounds[at + 1] <= box.maxY()
-                && box.minY() <= bounds[at + 4]
-                && bounds[at + 2] <= box.maxZ()
-                && box.minZ() <= bounds[at + 5];
     }
 
     /** Every item whose box meets the one that stands in {@code box} from {@code at} on: three least, three greatest. */

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.Level;
@@ -237,6 +238,34 @@ class PlacedModelsTest {
         }
         Assertions.assertTimeout(
                 Duration.ofSeconds(10), () -> assertProblem(problems(Map.of(), models.toString()), "models", "200000"));
+    }
+
+    /** Rays and sweeps would test all of them. */
+    @Test
+    void trianglesThatLieInEachOtherByThousandsAreRefused() {
+        String model = "{\"id\": \"a\", \"file\": \"crowd.3d\"}";
+        assertEquals(List.of(), problems(Map.of("crowd.3d", crowd(4_000, 0)), model));
+        assertEquals(List.of(), problems(Map.of("crowd.3d", crowd(4_100, 2)), model));
+        assertProblem(
+                problems(Map.of("crowd.3d", crowd(4_100, 0)), model),
+                "models",
+                "crowd.3d",
+                "meets 4100 others",
+                "split its long triangles");
+    }
+
+    /** @param step from each triangle to the next, in sides of one */
+    private static byte[] crowd(int triangles, int step) {
+        StringBuilder rows = new StringBuilder();
+        for (int i = 0; i < triangles; i++) {
+            double x = step * i * 0.01;
+            rows.append(String.format(Locale.ROOT, "%s 0 0\n%s 0 0\n%s 0.01 0\n", x, x + 0.01, x));
+        }
+        rows.append('\n');
+        for (int i = 0; i < 3 * triangles; i += 3) {
+            rows.append(i + " " + (i + 1) + " " + (i + 2) + "\n");
+        }
+        return rows.toString().getBytes(StandardCharsets.UTF_8);
     }
 
     private static List<String> told(String sections) {

@@ -2,6 +2,8 @@ package nephele.engine.level.placed;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -50,7 +52,22 @@ public record PlacedModels(List<PlacedModel> all) {
             requireNear(model);
             placed.add(model);
         }
+        requireSparse(placed);
         return new PlacedModels(List.copyOf(placed));
+    }
+
+    private static void requireSparse(List<PlacedModel> placed) {
+        long overlaps = new TriangleCrowd(placed).meanOverlaps();
+        if (overlaps > TriangleCrowd.MOST_OVERLAPS) {
+            PlacedModel most = Collections.max(
+                    placed, Comparator.comparingInt(model -> model.triangles().count()));
+            throw new AssetException(
+                    most.said().file(),
+                    "the models' triangles lie in each other: the box around one meets " + overlaps
+                            + " others on average, of " + TriangleCrowd.MOST_OVERLAPS + " that are quick enough; '"
+                            + most.said().id() + "' has the most triangles",
+                    "split its long triangles, or leave some out");
+        }
     }
 
     private static void requireFew(ModelPlacement said, long triangles) {

@@ -1,6 +1,7 @@
 package nephele.engine.scene.light;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
@@ -12,13 +13,15 @@ import nephele.engine.math.Vec3;
 
 /**
  * The sky visibility of models, at their vertices: the hemisphere is that over the vertex's normal, so that a curved
- * surface is as smooth under the sky as it is under the sun. The result does not depend on the number of threads.
+ * surface is as smooth under the sky as it is under the sun. Where
+ * they are too many, those that are left out see what the one before them sees. The result does not depend on the number
+ * of threads.
  */
 final class ModelVisibility {
     /** Of all models together; a vertex gets its part of them, within {@link #LEAST_RAYS} and those of a texel. */
     private static final int ALL_RAYS = 1 << 23;
 
-    private static final int LEAST_RAYS = 64;
+    private static final int LEAST_RAYS = 16;
 
     /** Over the thickness of anything, and over what a curve's triangles sink below it so near to a vertex. */
     private static final double LIFT_METRES = 1e-3;
@@ -30,21 +33,50 @@ final class ModelVisibility {
 
     private final StaticShapes statics;
     private final Occluders occluders;
+    private final SkySight sight;
     private final double[] spiral;
+    private final int vertexStep;
 
-    private ModelVisibility(StaticShapes statics) {
+    private ModelVisibility(StaticShapes statics, Occluders occluders, SkySight sight, int rays, int vertexStep) {
         this.statics = statics;
-        occluders = new Occluders(statics);
-        long vertices = statics.models().all().stream()
-                .mapToLong(model -> model.triangles().positions().length / 3)
-                .sum();
-        long rays = vertices == 0 ? LEAST_RAYS : Math.max(LEAST_RAYS, ALL_RAYS / vertices);
-        spiral = SkyVisibilityBake.spiral((int) Math.min(rays, SkyVisibilityBake.RAYS));
+        this.occluders = occluders;
+        this.sight = sight;
+        this.vertexStep = vertexStep;
+        spiral = SkyVisibilityBake.spiral(rays);
+    }
+
+    /** With its part of all rays, or with as many as end soon. */
+    private static ModelVisibility of(StaticShapes statics, BakeEffort effort) {
+        Occluders occluders = new Occluders(statics);
+        int vertices = Math.max(statics.models().vertexCount(), 1);
+        int rays = Math.min(Math.max(LEAST_RAYS, ALL_RAYS / vertices), SkyVisibilityBake.RAYS);
+        int divisor = effort == BakeEffort.RATIONED ? divisor(statics, occluders, rays) : 1;
+        int left = Math.max(LEAST_RAYS, rays / divisor);
+        int vertexStep = Math.max(1, divisor * left / rays);
+        return new ModelVisibility(statics, occluders, occluders::isOccluded, left, vertexStep);
+    }
+
+    private static int divisor(StaticShapes statics, Occluders occluders, int rays) {
+        List<PlacedModel> models = statics.models().all();
+        int[] end = new int[models.size()];
+        int triangles = 0;
+        for (int i = 0; i < end.length; i++) {
+            triangles += models.get(i).triangles().count();
+            end[i] = triangles;
+        }
+        BakeRation ration = new BakeRation(occluders);
+        ModelVisibility sample = new ModelVisibility(statics, occluders, ration, rays, 1);
+        return ration.divisor(triangles, statics.models().vertexCount(), triangle -> {
+            int found = Arrays.binarySearch(end, triangle + 1);
+            int model = found < 0 ? -found - 1 : found;
+            WorldTriangles mesh = models.get(model).triangles();
+            sample.visibility(mesh, triangle - end[model] + mesh.count(), 0, sample.itemOf(model));
+        });
     }
 
     /** A value, 0–65535 for 0–1, for every vertex of every model in turn. */
-    static short[] values(StaticShapes statics, DoubleConsumer progress) {
-        ModelVisibility bake = new ModelVisibility(statics);
+    static short[] values(StaticShapes statics, BakeEffort effort, DoubleConsumer progress) {
+        ModelVisibility bake = ModelVisibility.of(statics, effort);
         int count = statics.models().all().size();
         short[][] byModel = new short[count][];
         AtomicInteger done = new AtomicInteger();
@@ -75,11 +107,14 @@ final class ModelVisibility {
         WorldTriangles mesh = model.triangles();
         double[] seen = new double[mesh.positions().length / 3];
         boolean[] known = new boolean[seen.length];
+        int met = 0;
+        double last = 0;
         for (int i = 0; i < 3 * mesh.count(); i++) {
             int vertex = mesh.vertices()[i];
             if (!known[vertex]) {
                 known[vertex] = true;
-                seen[vertex] = visibility(mesh, i / 3, i % 3, item);
+                last = met++ % vertexStep == 0 ? visibility(mesh, i / 3, i % 3, item) : last;
+                seen[vertex] = last;
             }
         }
         fillFromNeighbours(mesh, seen);
@@ -108,7 +143,7 @@ final class ModelVisibility {
             d[0] = spiral[i] * s.x() + spiral[i + 1] * t.x() + spiral[i + 2] * n.x();
             d[1] = spiral[i] * s.y() + spiral[i + 1] * t.y() + spiral[i + 2] * n.y();
             d[2] = spiral[i] * s.z() + spiral[i + 1] * t.z() + spiral[i + 2] * n.z();
-            free += occluders.isOccluded(origin, d, item) ? 0 : 1;
+            free += sight.isOccluded(origin, d, item) ? 0 : 1;
         }
         return 3.0 * free / spiral.length;
     }

@@ -62,15 +62,6 @@ final class Neighbours {
     private void find(int box, int most) {
         Aabb around = boxes.get(box).grown(reachMetres);
         found.clear();
-        index.passing((bounds, at) -> found.size() <= most + 1 && overlaps(around, bounds, at), found);
-    }
-
-    private static boolean overlaps(Aabb box, double[] bounds, int at) {
-        return bounds[at] <= box.maxX()
-                && box.minX() <= bounds[at + 3]
-                && bounds[at + 1] <= box.maxY()
-                && box.minY() <= bounds[at + 4]
-                && bounds[at + 2] <= box.maxZ()
-                && box.minZ() <= bounds[at + 5];
+        index.passing((bounds, at) -> found.size() <= most + 1 && around.overlaps(bounds, at), found);
     }
 }

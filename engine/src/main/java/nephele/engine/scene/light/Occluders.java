@@ -80,6 +80,23 @@ final class Occluders {
                 (ray, item, limit) -> answer(item != except && meets(item, o, d, limit)));
     }
 
+    int items() {
+        return index.size();
+    }
+
+    /** How many boxes are tested for the answer of {@link #isOccluded}, which {@code hit} receives. */
+    int boxTests(double[] o, double[] d, int except, boolean[] hit) {
+        Ray ray = new Ray(o[0], o[1], o[2], d[0], d[1], d[2]);
+        int[] tests = new int[1];
+        index.passing(
+                (boxes, at) -> {
+                    tests[0] += hit[0] ? 0 : 1;
+                    return !hit[0] && ray.boxEntry(boxes, at, Double.MAX_VALUE) < Double.POSITIVE_INFINITY;
+                },
+                item -> hit[0] = hit[0] || item != except && meets(item, o, d, Double.MAX_VALUE));
+        return tests[0];
+    }
+
     /** For callers that keep their test: whether it hits any item up to {@code limit}. */
     boolean anyHit(Ray ray, double limit, ItemRayTest test) {
         return index.anyHit(ray, limit, test);

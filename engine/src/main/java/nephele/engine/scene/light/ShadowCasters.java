@@ -9,7 +9,6 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.Frustum;
 import nephele.engine.math.Plane;
 import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
@@ -82,16 +81,19 @@ public final class ShadowCasters {
     }
 
     private boolean isAnyOtherBelow(int brush, Plane plane) {
-        Frustum below =
-                Frustum.inFrontOnly(new Plane(-plane.nx(), -plane.ny(), -plane.nz(), TOUCH_METRES - plane.distance()));
         boolean[] found = {false};
-        index.cull(below, (first, end) -> {
-            for (int slot = first; slot < end && !found[0]; slot++) {
-                int other = index.itemAt(slot);
-                found[0] = other != brush && reachesBelow(other, plane);
-            }
-        });
+        index.passing(
+                (boxes, at) -> !found[0] && mayReachBelow(boxes, at, plane),
+                other -> found[0] |= other != brush && reachesBelow(other, plane));
         return found[0];
+    }
+
+    /** Whether the box that stands in {@code boxes} from {@code at} on has a corner under the plane. */
+    private static boolean mayReachBelow(double[] boxes, int at, Plane plane) {
+        double x = boxes[plane.nx() > 0 ? at : at + 3];
+        double y = boxes[plane.ny() > 0 ? at + 1 : at + 4];
+        double z = boxes[plane.nz() > 0 ? at + 2 : at + 5];
+        return plane.nx() * x + plane.ny() * y + plane.nz() * z < plane.distance();
     }
 
     private boolean reachesBelow(int other, Plane plane) {

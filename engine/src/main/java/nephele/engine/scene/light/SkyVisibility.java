@@ -16,13 +16,15 @@ public record SkyVisibility(LightMapLayout layout, short[] texels, short[] ofMod
 
     /** @param progress receives the done fraction, 0–1, from any thread */
     public static SkyVisibility bake(StaticShapes statics, DoubleConsumer progress) {
-        return bake(LightMapLayout.of(statics.solids()), statics, progress);
+        return bake(LightMapLayout.of(statics.solids()), statics, BakeEffort.FULL, progress);
     }
 
-    static SkyVisibility bake(LightMapLayout layout, StaticShapes statics, DoubleConsumer progress) {
+    static SkyVisibility bake(LightMapLayout layout, StaticShapes statics, BakeEffort effort, DoubleConsumer progress) {
         double ofModels = statics.models().isEmpty() ? 0 : 0.5;
-        short[] texels = SkyVisibilityBake.texels(layout, statics, done -> progress.accept(done * (1 - ofModels)));
-        short[] values = ModelVisibility.values(statics, done -> progress.accept(1 - ofModels + done * ofModels));
+        short[] texels =
+                SkyVisibilityBake.texels(layout, statics, effort, done -> progress.accept(done * (1 - ofModels)));
+        short[] values =
+                ModelVisibility.values(statics, effort, done -> progress.accept(1 - ofModels + done * ofModels));
         return new SkyVisibility(layout, texels, values);
     }
 

@@ -1,7 +1,9 @@
 package nephele.engine.scene.light;
 
+import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
+import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import nephele.engine.level.placed.StaticShapes;
 import org.joml.Vector3d;
@@ -10,6 +12,9 @@ import org.joml.Vector3d;
 public final class SkyVisibilityBake {
     /** Rays of a texel; the spiral's error is below 0.005 where the visible sky has one straight border. */
     static final int RAYS = 512;
+
+    /** Of a texel, where they are rationed. */
+    private static final int LEAST_RAYS = 16;
 
     /** Rays start this far above their face: under the thickness of anything, over the rounding of the cut. */
     private static final double LIFT_METRES = 1e-3;
@@ -25,11 +30,50 @@ public final class SkyVisibilityBake {
 
     private final LightMapLayout layout;
     private final Occluders solids;
+    private final SkySight sight;
+    private final int stride;
     private final double[] spiral = spiral(RAYS);
 
-    private SkyVisibilityBake(LightMapLayout layout, StaticShapes statics) {
+    private SkyVisibilityBake(LightMapLayout layout, Occluders solids, SkySight sight, int stride) {
         this.layout = layout;
-        this.solids = new Occluders(statics);
+        this.solids = solids;
+        this.sight = sight;
+        this.stride = stride;
+    }
+
+    /** With all rays, or with as many as end soon. */
+    private static SkyVisibilityBake of(LightMapLayout layout, StaticShapes statics, BakeEffort effort) {
+        Occluders solids = new Occluders(statics);
+        int stride = effort == BakeEffort.RATIONED ? stride(layout, solids) : 1;
+        return new SkyVisibilityBake(layout, solids, solids::isOccluded, stride);
+    }
+
+    private static int stride(LightMapLayout layout, Occluders solids) {
+        int[] end = new int[layout.charts().size()];
+        int texels = 0;
+        for (int i = 0; i < end.length; i++) {
+            LightMapChart chart = layout.charts().get(i);
+            texels += chart.columns() * chart.rows();
+            end[i] = texels;
+        }
+        int total = texels;
+        IntUnaryOperator divisor = stride -> {
+            BakeRation ration = new BakeRation(solids);
+            SkyVisibilityBake sample = new SkyVisibilityBake(layout, solids, ration, stride);
+            return ration.divisor(total, total, texel -> sample.texelOfAll(texel, end));
+        };
+        // Half of the rays go without the means, which may be most of the work.
+        int stride = divisor.applyAsInt(1) == 1 ? 1 : 2 * divisor.applyAsInt(2);
+        return Math.min(stride, RAYS / LEAST_RAYS);
+    }
+
+    /** @param end of each chart, among the texels of all */
+    private void texelOfAll(int texel, int[] end) {
+        int found = Arrays.binarySearch(end, texel + 1);
+        int index = found < 0 ? -found - 1 : found;
+        LightMapChart chart = layout.charts().get(index);
+        int at = texel - end[index] + chart.columns() * chart.rows();
+        texel(chart, at % chart.columns(), at / chart.columns(), layout.brushOf()[index]);
     }
 
     private static double[] tent(int parts) {
@@ -41,8 +85,8 @@ public final class SkyVisibilityBake {
         return middles;
     }
 
-    public static short[] texels(LightMapLayout layout, StaticShapes statics, DoubleConsumer progress) {
-        SkyVisibilityBake bake = new SkyVisibilityBake(layout, statics);
+    static short[] texels(LightMapLayout layout, StaticShapes statics, BakeEffort effort, DoubleConsumer progress) {
+        SkyVisibilityBake bake = SkyVisibilityBake.of(layout, statics, effort);
         short[] texels = new short[layout.width() * layout.height()];
         AtomicInteger done = new AtomicInteger();
         int charts = layout.charts().size();
@@ -73,11 +117,11 @@ public final class SkyVisibilityBake {
     /**
      * What is seen at the texel's centre, where that is how it is around. Beside a low kerb it is not: there it is the mean
      * over what the texel is interpolated to, weighted like it, so that a face is as bright as its places are together.
-     * NaN inside a solid.
+     * Where rays are rationed there are no means. NaN inside a solid.
      */
     private double texel(LightMapChart chart, int column, int row, int brush) {
-        double here = visibility(chart, chart.inside(column, row), brush, 0, 1);
-        if (Double.isNaN(here)) {
+        double here = visibility(chart, chart.inside(column, row), brush, 0, stride);
+        if (Double.isNaN(here) || stride > 1) {
             return here;
         }
         double near = mean(chart, column, row, brush, NEAR_TEXELS);
@@ -95,12 +139,12 @@ public final class SkyVisibilityBake {
         double weights = 0;
         int count = offsets.length * offsets.length;
         // Each place casts a share of the rays only: together they are more than leave the centre.
-        int stride = count < 16 ? 4 : 16;
+        int step = count < 16 ? 4 : 16;
         for (int i = 0; i < count; i++) {
             double x = column + offsets[i % offsets.length];
             double y = row + offsets[i / offsets.length];
             if (x > 0 && x < chart.columns() - 1 && y > 0 && y < chart.rows() - 1) {
-                double seen = visibility(chart, chart.inside(x, y), brush, i, stride);
+                double seen = visibility(chart, chart.inside(x, y), brush, i, step);
                 sum += Double.isNaN(seen) ? 0 : seen;
                 weights += Double.isNaN(seen) ? 0 : 1;
             }
@@ -109,9 +153,9 @@ public final class SkyVisibilityBake {
     }
 
     /**
-     * Cast are every {@code stride}-th ray from {@code first} on. NaN inside a solid.
+     * Cast are every {@code step}-th ray from {@code first} on. NaN inside a solid.
      */
-    private double visibility(LightMapChart chart, Vector3d p, int brush, int first, int stride) {
+    private double visibility(LightMapChart chart, Vector3d p, int brush, int first, int step) {
         p.fma(LIFT_METRES, chart.normal());
         double[] origin = {p.x, p.y, p.z};
         if (solids.isInside(origin, brush)) {
@@ -122,13 +166,13 @@ public final class SkyVisibilityBake {
         Vector3d t = chart.up();
         Vector3d n = chart.normal();
         int free = 0;
-        for (int i = 3 * (first % stride); i < spiral.length; i += 3 * stride) {
+        for (int i = 3 * (first % step); i < spiral.length; i += 3 * step) {
             direction[0] = spiral[i] * s.x + spiral[i + 1] * t.x + spiral[i + 2] * n.x;
             direction[1] = spiral[i] * s.y + spiral[i + 1] * t.y + spiral[i + 2] * n.y;
             direction[2] = spiral[i] * s.z + spiral[i + 1] * t.z + spiral[i + 2] * n.z;
-            free += solids.isOccluded(origin, direction, brush) ? 0 : 1;
+            free += sight.isOccluded(origin, direction, brush) ? 0 : 1;
         }
-        return (double) stride * free / RAYS;
+        return (double) step * free / RAYS;
     }
 
     /**

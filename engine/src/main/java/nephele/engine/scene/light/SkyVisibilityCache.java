@@ -48,7 +48,7 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
         if (known.isPresent()) {
             return known.get();
         }
-        SkyVisibility visibility = SkyVisibility.bake(layout, statics, progress);
+        SkyVisibility visibility = SkyVisibility.bake(layout, statics, BakeEffort.RATIONED, progress);
         store(name, SkyVisibilityFile.encode(visibility));
         return visibility;
     }
