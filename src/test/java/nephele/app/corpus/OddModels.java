@@ -10,7 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import nephele.engine.model.SampleMeshes;
+import nephele.engine.model.MeshTexts;
 
 /** Levels with models at the ends of what a mesh file may say. */
 final class OddModels {
@@ -40,9 +40,9 @@ final class OddModels {
     static void write(Path folder) throws IOException {
         Files.writeString(folder.resolve("l.obj"), L_SHAPE);
         Files.writeString(folder.resolve("backslash.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 \\");
-        Files.writeString(folder.resolve("polygon.obj"), SampleMeshes.polygon(4096));
-        Files.writeString(folder.resolve("line.3d"), SampleMeshes.LINE);
-        Files.writeString(folder.resolve("zero.gltf"), SampleMeshes.ZERO_GLTF);
+        Files.writeString(folder.resolve("polygon.obj"), MeshTexts.polygon(4096));
+        Files.writeString(folder.resolve("line.3d"), MeshTexts.LINE);
+        Files.writeString(folder.resolve("zero.gltf"), MeshTexts.ZERO_GLTF);
     }
 
     private static OddLevel models(String name, String models) {

@@ -98,8 +98,8 @@ class ObjFileTest {
 
     @Test
     void aPolygonMayHaveUpTo4096Corners() {
-        assertEquals(4094, read(SampleMeshes.polygon(4096)).triangleCount());
-        String twoLines = SampleMeshes.polygon(4096).replace(" 2000 ", " 2000 \\\n");
+        assertEquals(4094, read(MeshTexts.polygon(4096)).triangleCount());
+        String twoLines = MeshTexts.polygon(4096).replace(" 2000 ", " 2000 \\\n");
         assertEquals(4094, read(twoLines).triangleCount());
     }
 

@@ -12,7 +12,7 @@ import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelJson;
 import nephele.engine.level.LevelRules;
-import nephele.engine.model.SampleMeshes;
+import nephele.engine.model.MeshTexts;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -27,8 +27,8 @@ class FlatModelsTest {
             delimiter = '|',
             value = {"line.3d|", "zero.gltf|", "box_1_1.3d|{\"kind\": \"scale\", \"by\": [1e6, 1e-6, 1]}"})
     void areWarnedOfAndDrawNothing(String file, String step) throws IOException {
-        Files.writeString(folder.resolve("line.3d"), SampleMeshes.LINE);
-        Files.writeString(folder.resolve("zero.gltf"), SampleMeshes.ZERO_GLTF);
+        Files.writeString(folder.resolve("line.3d"), MeshTexts.LINE);
+        Files.writeString(folder.resolve("zero.gltf"), MeshTexts.ZERO_GLTF);
         AssetSource assets = LevelAssets.beside(folder.resolve("flat.json"));
         Level level = LevelJson.read("flat.json", level(file, step == null ? "" : step));
         var problems = LevelRules.check(level, assets);

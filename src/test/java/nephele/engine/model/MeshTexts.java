@@ -4,7 +4,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /** Texts of mesh files at the ends of what such a file may say. */
-public final class SampleMeshes {
+public final class MeshTexts {
     /** A {@code .3d} file whose one triangle is a line. */
     public static final String LINE = "0 0 0\n1 0 0\n2 0 0\n\n0 1 2\n";
 
@@ -20,7 +20,7 @@ public final class SampleMeshes {
                 "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA" }] }
             """;
 
-    private SampleMeshes() {}
+    private MeshTexts() {}
 
     /** A regular polygon around the origin, in an OBJ file. */
     public static String polygon(int corners) {
