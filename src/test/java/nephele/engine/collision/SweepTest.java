@@ -97,7 +97,7 @@ class SweepTest {
         return sweep.collider() < 0 || -sweep.normal().dot(way) < 0.02 * way.length();
     }
 
-    /** Of a floor and a wall that are touched already the first of the world stops, whichever that is. */
+    /** A floor and a wall are touched already: the first of the world stops the sweep, whichever that is. */
     @Test
     void ofSolidsTouchedAtOnceTheFirstIsTold() {
         double[] floor = {-9, -9, -9, 9, 0, 9};

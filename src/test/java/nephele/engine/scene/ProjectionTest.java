@@ -18,7 +18,7 @@ class ProjectionTest {
     private static final Vec3 AHEAD = new Vec3(0, 0, -1);
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
-    /** Of a view along −z: its axes are the world's. */
+    /** A view along −z has the world's axes. */
     private static Matrix4d clip(Projection projection) {
         return View.lookAt(Vec3.ZERO, AHEAD, UP, projection).clipFromRelative(new Matrix4d());
     }

@@ -36,7 +36,7 @@ final class EnergyLedger {
         booked = new double[table.size()];
     }
 
-    /** Of all bodies, in joules over the floor at 0. */
+    /** The energy of all bodies, in joules over the floor at 0. */
     double joules(Bodies bodies) {
         double sum = 0;
         for (int i = 0; i < bodies.size(); i++) {

@@ -14,7 +14,7 @@ public final class Recovery {
     /** Solids around a shape from which on it is lost in a crowd: to try each of their faces would take seconds. */
     private static final int CROWD = 128;
 
-    /** Of separations, for one way out by the faces: some hundredths of a second. */
+    /** Budget of separations for one way out by the faces: some hundredths of a second. */
     private static final int MOST_MEASURES = 20_000;
 
     private CollisionWorld world;

@@ -12,7 +12,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     /** Relative to the solid's extent: corners closer than this are one corner. */
     private static final double WELD = 1e-9;
 
-    /** Of it, still above rounding: enough to see whether planes that enclose nothing would if corners were not joined. */
+    /** Share of the weld distance, above rounding: shows whether planes enclose something if corners are not joined. */
     private static final double FINER = 1e-4;
 
     /** The corners of a box's faces; bits 0, 1, 2 of a corner say whether it is the greater in x, y, z. */

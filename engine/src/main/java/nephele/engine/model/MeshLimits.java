@@ -6,7 +6,7 @@ final class MeshLimits {
 
     static final int MAX_VERTICES = 1 << 22;
 
-    /** Of a polygon. */
+    /** Limit for one polygon. */
     static final int MAX_CORNERS = 4096;
 
     /** Bytes of a text file, read or written; larger ones would take seconds to read. */

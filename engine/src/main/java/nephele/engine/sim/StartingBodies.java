@@ -33,7 +33,7 @@ final class StartingBodies {
     private final SpatialIndex index;
     private final List<Collider> colliders = new ArrayList<>();
     private final RoundedHull playerShape = PlayerBody.Stance.STANDING.shape();
-    /** Of the player's shape; {@code null} in a level without a start. */
+    /** The player's shape; {@code null} in a level without a start. */
     private final Vec3 playerCentre;
 
     /** The portals that the player's start reaches into. */

@@ -96,7 +96,7 @@ class PairedTimingTest {
         }
         double middle = 10 * (machine.ran.size() - 1) / 2.0;
         for (int setting = 0; setting < SETTINGS; setting++) {
-            // Of each slice the first run does not count: on average the others come half a run later.
+            // The first run of each slice does not count: on average the others come half a run later.
             assertEquals(
                     CPU_NANOS * (setting + 1) + middle + 5, costs.get(setting).cpuNanos(), 1, "setting " + setting);
         }

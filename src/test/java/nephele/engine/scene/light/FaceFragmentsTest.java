@@ -84,7 +84,7 @@ class FaceFragmentsTest {
                 .toList();
     }
 
-    /** Of each that overlap each other; a level as full as any has a tenth of these pairs. */
+    /** A thousand boxes that all overlap exceed the bound of pairs, ten times what a full level has: the most crowded get no neighbours. */
     @Test
     void inACrowdThoseWithTheMostNeighboursStandAlone() {
         List<Aabb> crowd = new ArrayList<>();

@@ -28,7 +28,7 @@ final class TriangleCrowd {
         return model.triangles().corner(triangle, corner);
     }
 
-    /** Of a sample, and the same in every run; 0 where there are too few triangles for too many. */
+    /** How many boxes a sample's box meets on average, in every run alike; 0 where there are too few to be too many. */
     long meanOverlaps() {
         if (boxes.size() <= MOST_OVERLAPS) {
             return 0;

@@ -11,7 +11,7 @@ import nephele.engine.math.SpatialIndex;
  * neighbours are taken as standing alone.
  */
 final class Neighbours {
-    /** Of all boxes together: a second's work for those that ask for them. */
+    /** Limit for all boxes together: a second's work for those that ask for them. */
     private static final int MOST_PAIRS = 300_000;
 
     private final List<Aabb> boxes;

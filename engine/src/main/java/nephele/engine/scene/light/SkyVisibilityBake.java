@@ -13,7 +13,7 @@ public final class SkyVisibilityBake {
     /** Rays of a texel; the spiral's error is below 0.005 where the visible sky has one straight border. */
     static final int RAYS = 512;
 
-    /** Of a texel, where they are rationed. */
+    /** Rays of a texel where they are rationed. */
     private static final int LEAST_RAYS = 16;
 
     /** Rays start this far above their face: under the thickness of anything, over the rounding of the cut. */
