@@ -50,8 +50,13 @@ class RestJudgeTest {
         return this;
     }
 
-    private RestJudge judge() {
-        return new RestJudge(new BodyTable(bodies), WORLD);
+    /** Sees these states one after the other and judges the last. */
+    private boolean isAtRest(Bodies... seen) {
+        RestJudge judge = new RestJudge(new BodyTable(bodies), WORLD);
+        for (Bodies one : seen) {
+            judge.see(one);
+        }
+        return judge.isAtRest(seen[seen.length - 1]);
     }
 
     /** All of them after a second, asleep. */
@@ -68,7 +73,7 @@ class RestJudgeTest {
     }
 
     private void rests(boolean expected) {
-        assertEquals(expected, judge().isAtRest(Bodies.of(states)));
+        assertEquals(expected, isAtRest(Bodies.of(states)));
     }
 
     @Test
@@ -115,8 +120,8 @@ class RestJudgeTest {
         Bodies woken = now.with(0, now.state(0).moving(ROLL, new Vec3(0, 0, -2)))
                 .with(1, now.state(1).moving(ROLL, Vec3.ZERO));
         assertTrue(woken.isAsleep(2));
-        assertFalse(judge().isAtRest(woken));
-        assertTrue(judge().isAtRest(now));
+        assertFalse(isAtRest(woken));
+        assertTrue(isAtRest(now));
     }
 
     @Test
@@ -127,6 +132,17 @@ class RestJudgeTest {
     @Test
     void aBallThatStandsMovesNothing() {
         ball(new Vec3(0, .5, 0), Vec3.ZERO, Vec3.ZERO).cube(1.002).rests(false);
+    }
+
+    /** The cube needs half a second to fall asleep. */
+    @Test
+    void aBallHasMovedACubeAndGoneOn() {
+        rollingBall().cube(1.002);
+        Bodies touching = Bodies.of(states);
+        Bodies gone = touching.with(
+                0, new BodyState(new Vec3(-1, .5, 0), touching.state(0).orientation(), ROLL, Vec3.ZERO));
+        assertTrue(isAtRest(touching, gone));
+        assertFalse(isAtRest(gone));
     }
 
     @Test

@@ -174,6 +174,10 @@ final class SeamedWorldTest {
         assertEquals(0, seamed.active(box, new Vector3d(1.1, 1, 0.21), new Vector3d(0.16, 0, -0.1)), "going round");
         assertEquals(1, seamed.active(PLAYER, new Vector3d(0.2, 1, 0.4), new Vector3d(2, 0, -2)), "far beyond");
         assertEquals(1, seamed.active(box, new Vector3d(0, 1, 0.1), still), "a box in it");
+        RoundedHull rod = RoundedHull.box(new Vec3(-0.7, 0, 0.7), new Vec3(0, 0.01, 0), new Vec3(0.01, 0, 0.01));
+        Vector3d leans = new Vector3d(0.25, 1, 0.3);
+        assertEquals(1, seamed.active(rod, leans, still), "a rod through it");
+        assertEquals(1, seamed.active(rod, leans, new Vector3d(0.1, 0, 0)), "a rod that the rim is about to stop");
     }
 
     /** What no cave reaches is shared, and a mask has its world built once. */

@@ -25,6 +25,7 @@ final class DroppedCourse {
     private final EnergyLedger ledger;
     private final EnergyBars bars;
     private final BodyDepth depth;
+    private final RestJudge judge;
     private final Vector3d centre = new Vector3d();
     private double deepest;
     private int deepestTick;
@@ -38,6 +39,7 @@ final class DroppedCourse {
         ledger = new EnergyLedger(pile.table(), world.portals(), 1.0 / pile.ticksPerSecond());
         bars = new EnergyBars(pile.table());
         depth = new BodyDepth(pile.table(), world);
+        judge = new RestJudge(pile.table(), world.statics());
     }
 
     /**
@@ -80,6 +82,10 @@ final class DroppedCourse {
             bars.see(tick, ledger.joules(next));
             countFaults(tick, next, step);
             bodies = next;
+            if (!pile.hasPortals()
+                    && (isOver || tick > (SECONDS - RestJudge.WATCHED_SECONDS) * pile.ticksPerSecond())) {
+                judge.see(bodies);
+            }
             boolean settled = tick >= SETTLED_SECONDS * pile.ticksPerSecond();
             if (isOver || settled && tick % DEPTH_EVERY_TICKS == 0) {
                 measureDepth(tick, bodies);
@@ -109,7 +115,7 @@ final class DroppedCourse {
     }
 
     private Seen seen(Bodies end) {
-        boolean rests = pile.hasPortals() || new RestJudge(pile.table(), world.statics()).isAtRest(end);
+        boolean rests = pile.hasPortals() || judge.isAtRest(end);
         List<String> failures = new ArrayList<>();
         bars.failure().ifPresent(failure -> failures.add(pile.inWords() + ": " + failure));
         add(faults > 0, "%d faults from tick %d on", faults, faultTick, failures);

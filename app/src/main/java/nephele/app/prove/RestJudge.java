@@ -8,10 +8,13 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Whether a pile has come to rest: every body sleeps on something, or rolls or spins as a ball or capsule, or touches one
- * that does and is moved by it.
+ * Whether a pile has come to rest: every body sleeps on something, or rolls or spins as a ball or capsule, or is moved by
+ * one that does. Bodies sleep half a second after what moved them has gone, and what rolls over a groove leaves it for
+ * a moment: so the judge is shown the last {@link #WATCHED_SECONDS}.
  */
 final class RestJudge {
+    static final double WATCHED_SECONDS = .6;
+
     /** A ball or capsule that rolls or spins moves no faster where it touches its support. */
     private static final double SLIP_METRES_PER_SECOND = .05;
 
@@ -20,6 +23,12 @@ final class RestJudge {
 
     private final BodyTable table;
     private final Supports supports;
+    private final boolean[][] touching;
+    /** Whether a ball or capsule was seen to roll or spin on something. */
+    private final boolean[] rolling;
+    /** Whether it was fast enough then to move something else. */
+    private final boolean[] moving;
+
     private final Vector3d v = new Vector3d();
     private final Vector3d halfAxis = new Vector3d();
     private final Vector3d arm = new Vector3d();
@@ -29,37 +38,50 @@ final class RestJudge {
     RestJudge(BodyTable table, CollisionWorld world) {
         this.table = table;
         supports = new Supports(table, world);
+        touching = new boolean[table.size()][table.size()];
+        rolling = new boolean[table.size()];
+        moving = new boolean[table.size()];
     }
 
-    boolean isAtRest(Bodies bodies) {
-        int count = bodies.size();
-        boolean[][] touching = new boolean[count][count];
-        boolean[] settled = new boolean[count];
-        boolean[] moved = new boolean[count];
-        for (int i = 0; i < count; i++) {
-            judge(bodies, i, touching, settled);
-            moved[i] = settled[i] && speed(bodies, i) > MOVING_METRES_PER_SECOND;
+    /** Sees who touches what and who rolls, at one tick. */
+    void see(Bodies bodies) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (!bodies.isAsleep(i)) {
+                see(bodies, i);
+            }
         }
-        spread(bodies, touching, moved);
-        boolean all = true;
-        for (int i = 0; i < count; i++) {
-            all &= settled[i] || moved[i];
-        }
-        return all;
     }
 
-    private void judge(Bodies bodies, int body, boolean[][] touching, boolean[] settled) {
+    private void see(Bodies bodies, int body) {
         boolean isRound = !(table.body(body) instanceof Body.Box) && !bodies.isFrozen(body);
         supports.each(bodies, body, (other, normal) -> {
             if (other != Supports.SOLID) {
                 touching[body][other] = true;
             }
-            settled[body] |= bodies.isAsleep(body) || isRound && slip(bodies, body, normal) < SLIP_METRES_PER_SECOND;
+            rolling[body] |= isRound && slip(bodies, body, normal) < SLIP_METRES_PER_SECOND;
         });
+        moving[body] |= rolling[body] && speed(bodies, body) > MOVING_METRES_PER_SECOND;
     }
 
-    /** Marks all awake bodies that touch a marked one, and those that touch these. */
-    private static void spread(Bodies bodies, boolean[][] touching, boolean[] moved) {
+    /** Whether all have come to rest by the end of what was seen. */
+    boolean isAtRest(Bodies end) {
+        boolean[] moved = moving.clone();
+        spread(end, moved);
+        boolean all = true;
+        for (int i = 0; i < end.size(); i++) {
+            all &= rolling[i] || moved[i] || end.isAsleep(i) && isHeld(end, i);
+        }
+        return all;
+    }
+
+    private boolean isHeld(Bodies bodies, int body) {
+        boolean[] held = new boolean[1];
+        supports.each(bodies, body, (other, normal) -> held[0] = true);
+        return held[0];
+    }
+
+    /** Marks all awake bodies that touched a marked one, and those that touched these. */
+    private void spread(Bodies bodies, boolean[] moved) {
         for (int round = 0; round < moved.length; round++) {
             for (int i = 0; i < moved.length; i++) {
                 for (int j = 0; j < moved.length; j++) {

@@ -37,13 +37,15 @@ final class Neighbourhood {
         y = portal.upward(at.x(), at.y(), at.z());
         double halfX = portal.aperture().widthMetres() / 2 + MARGIN_METRES;
         double halfY = portal.aperture().heightMetres() / 2 + MARGIN_METRES;
-        return overlaps(portal.frame().right(), x, way, halfX)
-                && overlaps(portal.frame().up(), y, way, halfY)
-                && !reachesAround(height)
-                && !endsAround(height, way);
+        if (!overlaps(portal.frame().right(), x, way, halfX)
+                || !overlaps(portal.frame().up(), y, way, halfY)) {
+            return false;
+        }
+        cut(height);
+        return isBehind() ? isThrough() : !endsAround(height, way);
     }
 
-    /** The same at the way's end, when the centre is still in front there. */
+    /** Whether the way of what is still in front leads around the wall's edge, not over the centre's own plane. */
     private boolean endsAround(double height, Vector3dc way) {
         double atEnd = height + dot(portal.normal(), way);
         if (!(atEnd >= 0)) {
@@ -51,7 +53,8 @@ final class Neighbourhood {
         }
         x += dot(portal.frame().right(), way);
         y += dot(portal.frame().up(), way);
-        return reachesAround(atEnd);
+        cut(atEnd);
+        return isBehind() && !isThrough();
     }
 
     private static double dot(Vec3 axis, Vector3dc v) {
@@ -64,8 +67,20 @@ final class Neighbourhood {
                 && from + Math.max(0, along) + shape.support(1, axis) >= -half;
     }
 
-    /** Whether the part that is behind the plane got there past the wall's edge: a convex shape does not do both. */
-    private boolean reachesAround(double height) {
+    private boolean isBehind() {
+        return leastX <= mostX;
+    }
+
+    /** Whether the part behind the plane got there through the aperture, not past the wall's edge. */
+    private boolean isThrough() {
+        return leastX <= portal.aperture().widthMetres() / 2
+                && mostX >= -portal.aperture().widthMetres() / 2
+                && leastY <= portal.aperture().heightMetres() / 2
+                && mostY >= -portal.aperture().heightMetres() / 2;
+    }
+
+    /** Finds the rectangle in the portal's plane that the shape, its centre so high before it, cuts the plane in. */
+    private void cut(double height) {
         leastX = Double.POSITIVE_INFINITY;
         mostX = Double.NEGATIVE_INFINITY;
         leastY = Double.POSITIVE_INFINITY;
@@ -83,11 +98,6 @@ final class Neighbourhood {
                 }
             }
         }
-        boolean through = leastX <= portal.aperture().widthMetres() / 2
-                && mostX >= -portal.aperture().widthMetres() / 2
-                && leastY <= portal.aperture().heightMetres() / 2
-                && mostY >= -portal.aperture().heightMetres() / 2;
-        return leastX <= mostX && !through;
     }
 
     private double core(int point, Vec3 axis) {

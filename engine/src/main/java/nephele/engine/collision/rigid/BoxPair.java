@@ -25,6 +25,11 @@ final class BoxPair {
     private double dZ;
     private double edgeGap;
     private int edge;
+    private final BoxEdge onFirst = new BoxEdge();
+    private final BoxEdge onSecond = new BoxEdge();
+    /** Metres from the middle of the second box's edge. */
+    private double onSecondEdge;
+
     private double tolerance;
 
     BoxPair(FaceClip clip) {
@@ -50,8 +55,8 @@ final class BoxPair {
         if (!edgesWithin(reach)) {
             return;
         }
-        if (edgeGap > gap[face] + tolerance) {
-            edgePoint(out);
+        if (edgeGap > gap[face] + FaceClip.edgeMargin(least)) {
+            edgePoints(reach, out);
             return;
         }
         for (int attempt = 0; attempt < 3 && gap[face] > Double.NEGATIVE_INFINITY; attempt++) {
@@ -206,7 +211,11 @@ final class BoxPair {
         }
     }
 
-    private void edgePoint(Manifold out) {
+    /**
+     * Where the edges cross that are deepest, and where their parallel neighbours do if these are near too: faces that lie
+     * across each other are held by all corners of what they share.
+     */
+    private void edgePoints(double reach, Manifold out) {
         int i = edge / 3;
         int j = edge % 3;
         double[] x = poses.axes;
@@ -218,49 +227,54 @@ final class BoxPair {
         double length = Math.sqrt(nX * nX + nY * nY + nZ * nZ);
         // From the first box to the second.
         length = nX * dX + nY * dY + nZ * dZ < 0 ? -length : length;
-        nX /= length;
-        nY /= length;
-        nZ /= length;
-        double[] onA = edgeMiddle(a, i, nX, nY, nZ, onFirst);
-        double[] onB = edgeMiddle(b, j, -nX, -nY, -nZ, onSecond);
-        double wX = onB[0] + dX - onA[0];
-        double wY = onB[1] + dY - onA[1];
-        double wZ = onB[2] + dZ - onA[2];
-        double dot = dots[edge];
-        double wa = wX * x[p] + wY * x[p + 1] + wZ * x[p + 2];
-        double wb = wX * x[q] + wY * x[q + 1] + wZ * x[q + 2];
-        double s = (wa - dot * wb) / (1 - dot * dot);
-        double limit = poses.half[3 * a + i];
-        s = Math.max(-limit, Math.min(limit, s));
-        double half = edgeGap / 2;
-        out.normal(-nX, -nY, -nZ);
+        out.normal(-nX / length, -nY / length, -nZ / length);
         out.code = 12 + edge;
-        out.add(
-                onA[0] + s * x[p] + half * nX,
-                onA[1] + s * x[p + 1] + half * nY,
-                onA[2] + s * x[p + 2] + half * nZ,
-                edgeGap,
-                0);
+        onFirst.take(poses, a, i, out, -1);
+        onSecond.take(poses, b, j, out, 1);
+        for (int k = 0; k < 4; k++) {
+            double gap = edgeGap + (k % 2 == 0 ? 0 : onFirst.rise) + (k < 2 ? 0 : onSecond.rise);
+            double s = crossing(k);
+            if (k == 0) {
+                double limit = poses.half[3 * a + i];
+                addCrossing(0, Math.max(-limit, Math.min(limit, s)), gap, out);
+            } else if (gap < reach && isOnBoth(s)) {
+                addCrossing(k, s, gap, out);
+            }
+        }
     }
 
-    private final double[] onFirst = new double[3];
-    private final double[] onSecond = new double[3];
-
-    /** The middle of the edge along an axis that lies farthest along n, relative to the box's centre. */
-    private double[] edgeMiddle(int box, int axis, double nX, double nY, double nZ, double[] into) {
-        double[] x = poses.axes;
-        into[0] = 0;
-        into[1] = 0;
-        into[2] = 0;
-        for (int k = 1; k < 3; k++) {
-            int other = (axis + k) % 3;
-            int at = 9 * box + 3 * other;
-            double h = poses.half[3 * box + other];
-            h = x[at] * nX + x[at + 1] * nY + x[at + 2] * nZ < 0 ? -h : h;
-            into[0] += h * x[at];
-            into[1] += h * x[at + 1];
-            into[2] += h * x[at + 2];
+    /**
+     * Where on the first box's edge, from its middle, the second's crosses; sets where that is on the second's.
+     *
+     * @param which 1 for the other edge of the first, 2 of the second, 3 of both
+     */
+    private double crossing(int which) {
+        double dot = dots[edge];
+        double wa = 0;
+        double wb = 0;
+        for (int c = 0; c < 3; c++) {
+            double to = c == 0 ? dX : c == 1 ? dY : dZ;
+            double w = to + onSecond.middle(which >= 2, c) - onFirst.middle(which % 2 == 1, c);
+            wa += w * onFirst.along(c);
+            wb += w * onSecond.along(c);
         }
-        return into;
+        double s = (wa - dot * wb) / (1 - dot * dot);
+        onSecondEdge = dot * s - wb;
+        return s;
+    }
+
+    private boolean isOnBoth(double s) {
+        return Math.abs(s) < poses.half[3 * a + edge / 3] && Math.abs(onSecondEdge) < poses.half[3 * b + edge % 3];
+    }
+
+    private void addCrossing(int which, double s, double gap, Manifold out) {
+        double half = gap / 2;
+        boolean other = which % 2 == 1;
+        out.add(
+                onFirst.middle(other, 0) + s * onFirst.along(0) - half * out.nX,
+                onFirst.middle(other, 1) + s * onFirst.along(1) - half * out.nY,
+                onFirst.middle(other, 2) + s * onFirst.along(2) - half * out.nZ,
+                gap,
+                onFirst.side(other) + 4 * onSecond.side(which >= 2));
     }
 }

@@ -7,6 +7,11 @@ package nephele.engine.collision.rigid;
 final class FaceClip {
     private static final int CAPACITY = 160;
 
+    private static final double EDGE_METRES = 1e-3;
+
+    /** Of half the thickness of the thinner shape. */
+    private static final double EDGE_SHARE = 0.6;
+
     private double[] p = new double[3 * CAPACITY];
     private double[] spare = new double[3 * CAPACITY];
     private int[] id = new int[CAPACITY];
@@ -15,6 +20,14 @@ final class FaceClip {
     private int count;
     private double tolerance;
     private boolean sliver;
+
+    /**
+     * By how much less two edges must overlap than faces do for them to be what touches. What lies across a thin shape is
+     * held by all of the crossing's corners; by the deepest edge alone, a different one each tick, it would rock for ever.
+     */
+    static double edgeMargin(double leastHalfMetres) {
+        return Math.min(EDGE_METRES, EDGE_SHARE * leastHalfMetres);
+    }
 
     /** @param metres by which a corner may lie outside and still count as inside: keeps features of flush faces steady */
     void start(double metres) {

@@ -236,9 +236,7 @@ final class Flight {
                 break;
             }
             if (!bodies.enter(body, crossing.portal())) {
-                // What hovers at the plane of a portal passes it ever faster and ever less far: nothing of note is
-                // lost.
-                bodies.cutShort += velocity.length() * left > LOST_METRES ? 1 : 0;
+                bodies.cutShort += slide(bodies, body, left) > LOST_METRES ? 1 : 0;
                 break;
             }
             velocity.fma(t, pull);
@@ -250,6 +248,20 @@ final class Flight {
         m[at] = place.x;
         m[at + 1] = place.y;
         m[at + 2] = place.z;
+    }
+
+    /**
+     * Moves what hovers at the plane of a portal, and passes it ever faster and ever less far, along the plane.
+     *
+     * @return metres across the plane that are lost
+     */
+    private double slide(TickBodies bodies, int body, double left) {
+        Vec3 n = portals.portal(crossing.portal()).normal();
+        double across = left * (velocity.x * n.x() + velocity.y * n.y() + velocity.z * n.z());
+        velocity.mul(left, way).sub(across * n.x(), across * n.y(), across * n.z());
+        boolean isFar = way.lengthSquared() > farMetres(body) * farMetres(body);
+        place.fma(isFar ? freeShare(bodies, body) : 1, way);
+        return Math.abs(across);
     }
 
     private void advance(double t) {

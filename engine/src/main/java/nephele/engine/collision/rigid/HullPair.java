@@ -9,6 +9,8 @@ import nephele.engine.math.Vec3;
  */
 final class HullPair {
     private static final double PARALLEL_SQUARE = 1e-6;
+    /** Corners that differ by less along an edge's normal are both on the edge. */
+    private static final double EDGE_METRES = 1e-7;
 
     private final FaceClip clip;
     private final double[] faceGap = new double[512];
@@ -29,6 +31,13 @@ final class HullPair {
     private int edgeOfHull;
     private double least;
     private double greatest;
+    private int hullCorner;
+    /** Ends of the solid's edge, metres from its corner. */
+    private double hullFrom;
+
+    private double hullTo;
+    /** Metres from the middle of the box's edge. */
+    private double onBox;
 
     HullPair(FaceClip clip) {
         this.clip = clip;
@@ -52,8 +61,8 @@ final class HullPair {
         if (!edgesWithin(reach)) {
             return;
         }
-        if (edgeGap > faceGap[face] + tolerance) {
-            edgePoint(out);
+        if (edgeGap > faceGap[face] + FaceClip.edgeMargin(poses.leastHalf(box))) {
+            edgePoints(reach, out);
             return;
         }
         for (int attempt = 0; attempt < 3 && faceGap[face] > Double.NEGATIVE_INFINITY; attempt++) {
@@ -257,55 +266,88 @@ final class HullPair {
         }
     }
 
-    /** The middle of the box's edge that lies deepest; exact along the normal, which is what counts. */
-    private void edgePoint(Manifold out) {
-        double pX = 0;
-        double pY = 0;
-        double pZ = 0;
-        for (int k = 1; k < 3; k++) {
-            int other = (edgeOfBox + k) % 3;
-            double h = poses.half[3 * box + other];
-            h = axis(other, 0) * edgeX + axis(other, 1) * edgeY + axis(other, 2) * edgeZ > 0 ? -h : h;
-            pX += h * axis(other, 0);
-            pY += h * axis(other, 1);
-            pZ += h * axis(other, 2);
-        }
-        double s = alongBoxEdge(pX, pY, pZ);
-        double half = edgeGap / 2;
+    /**
+     * Where the deepest edge of the box crosses the solid's, and where its parallel neighbour does if that is near too: a
+     * face that lies on an edge is held by both ends of what they share.
+     */
+    private void edgePoints(double reach, Manifold out) {
         out.normal(edgeX, edgeY, edgeZ);
         out.code = 166 + (3 * edgeOfHull + edgeOfBox) % 90;
-        out.add(
-                pX + s * axis(edgeOfBox, 0) - half * edgeX,
-                pY + s * axis(edgeOfBox, 1) - half * edgeY,
-                pZ + s * axis(edgeOfBox, 2) - half * edgeZ,
-                edgeGap,
-                0);
+        int first = (edgeOfBox + 1) % 3;
+        int second = (edgeOfBox + 2) % 3;
+        double rise1 = rise(first);
+        double rise2 = rise(second);
+        double h1 = rise1 > 0 ? -poses.half[3 * box + first] : poses.half[3 * box + first];
+        double h2 = rise2 > 0 ? -poses.half[3 * box + second] : poses.half[3 * box + second];
+        findHullEdge();
+        addCrossing(first, h1, second, h2, edgeGap, out);
+        boolean isFirst = Math.abs(rise1) < Math.abs(rise2);
+        double gap = edgeGap + 2 * Math.min(Math.abs(rise1), Math.abs(rise2));
+        if (gap < reach && findCrossing(first, isFirst ? -h1 : h1, second, isFirst ? h2 : -h2)) {
+            addCrossing(first, isFirst ? -h1 : h1, second, isFirst ? h2 : -h2, gap, out);
+        }
     }
 
-    /** Where on the box's edge, from its middle, the solid's nearest edge crosses. */
-    private double alongBoxEdge(double pX, double pY, double pZ) {
-        int corner = 0;
+    /** How far half of the box reaches along the normal by one of its axes, with its sign. */
+    private double rise(int axis) {
+        return poses.half[3 * box + axis] * (axis(axis, 0) * edgeX + axis(axis, 1) * edgeY + axis(axis, 2) * edgeZ);
+    }
+
+    /** Finds the corners of the solid that lie farthest along the normal: its edge. */
+    private void findHullEdge() {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < hull.corners(); i++) {
-            double dot = hull.corner(i, 0) * edgeX + hull.corner(i, 1) * edgeY + hull.corner(i, 2) * edgeZ;
+            double dot = along(i);
             if (dot > most) {
                 most = dot;
-                corner = i;
+                hullCorner = i;
             }
         }
-        double wX = hull.corner(corner, 0) - x - pX;
-        double wY = hull.corner(corner, 1) - y - pY;
-        double wZ = hull.corner(corner, 2) - z - pZ;
-        double dot = 0;
-        double onBox = 0;
-        double onHull = 0;
-        for (int c = 0; c < 3; c++) {
-            double w = c == 0 ? wX : c == 1 ? wY : wZ;
-            dot += axis(edgeOfBox, c) * hull.edge(edgeOfHull, c);
-            onBox += w * axis(edgeOfBox, c);
-            onHull += w * hull.edge(edgeOfHull, c);
+        hullFrom = 0;
+        hullTo = 0;
+        for (int i = 0; i < hull.corners(); i++) {
+            if (along(i) > most - EDGE_METRES) {
+                double at = 0;
+                for (int c = 0; c < 3; c++) {
+                    at += (hull.corner(i, c) - hull.corner(hullCorner, c)) * hull.edge(edgeOfHull, c);
+                }
+                hullFrom = Math.min(hullFrom, at);
+                hullTo = Math.max(hullTo, at);
+            }
         }
+    }
+
+    private double along(int corner) {
+        return hull.corner(corner, 0) * edgeX + hull.corner(corner, 1) * edgeY + hull.corner(corner, 2) * edgeZ;
+    }
+
+    private void addCrossing(int first, double h1, int second, double h2, double gap, Manifold out) {
+        findCrossing(first, h1, second, h2);
         double limit = poses.half[3 * box + edgeOfBox];
-        return Math.max(-limit, Math.min(limit, (onBox - dot * onHull) / (1 - dot * dot)));
+        double s = Math.max(-limit, Math.min(limit, onBox));
+        double half = gap / 2;
+        out.add(
+                h1 * axis(first, 0) + h2 * axis(second, 0) + s * axis(edgeOfBox, 0) - half * edgeX,
+                h1 * axis(first, 1) + h2 * axis(second, 1) + s * axis(edgeOfBox, 1) - half * edgeY,
+                h1 * axis(first, 2) + h2 * axis(second, 2) + s * axis(edgeOfBox, 2) - half * edgeZ,
+                gap,
+                (h1 > 0 ? 1 : 0) + (h2 > 0 ? 2 : 0));
+    }
+
+    /** Finds where on the box's edge, from its middle, the solid's crosses; true where both reach so far. */
+    private boolean findCrossing(int first, double h1, int second, double h2) {
+        double dot = 0;
+        double wBox = 0;
+        double wHull = 0;
+        for (int c = 0; c < 3; c++) {
+            double to = c == 0 ? x : c == 1 ? y : z;
+            double w = hull.corner(hullCorner, c) - to - h1 * axis(first, c) - h2 * axis(second, c);
+            dot += axis(edgeOfBox, c) * hull.edge(edgeOfHull, c);
+            wBox += w * axis(edgeOfBox, c);
+            wHull += w * hull.edge(edgeOfHull, c);
+        }
+        onBox = (wBox - dot * wHull) / (1 - dot * dot);
+        double onHull = dot * onBox - wHull;
+        return Math.abs(onBox) < poses.half[3 * box + edgeOfBox] && onHull > hullFrom && onHull < hullTo;
     }
 }

@@ -22,8 +22,11 @@ final class IslandSolver {
     /** What may be lost of a gap by going by the mean of two speeds. */
     private static final double SMOOTH_METRES = 2e-5;
 
-    private static final double PUSH_PER_SECOND = 40;
-    private static final double MOST_PUSH_SHARE = 0.5;
+    /** Of an overlap, in a part of any length: what bends makes a part shallower than the part before lasts nowhere. */
+    private static final double PUSH_SHARE = 1 / 3.0;
+
+    /** Taking back an overlap moves no body so many times as far: a body stuck in two solids would be thrown away. */
+    private static final double MOST_LEVER = 4;
 
     private final ContactRows contacts;
     private final Motions motions;
@@ -123,8 +126,30 @@ final class IslandSolver {
         if (overlapping) {
             aim(seconds, true);
             minimise();
-            write(motions.moved, seconds);
+            takePushedWay(seconds);
             markPushed();
+        }
+    }
+
+    /** Moves by what the push has left of the velocities; less far where overlaps contradict each other. */
+    private void takePushedWay(double seconds) {
+        double greatest = 0;
+        for (int c = 0; c < rows.manifolds; c++) {
+            for (int row = rows.firstRow[c]; row < rows.firstRow[c] + rows.points(c); row++) {
+                greatest = Math.max(greatest, rows.target[row]);
+            }
+        }
+        double fastest = 0;
+        for (int node = 0; node < system.nodes; node++) {
+            fastest = Math.max(fastest, system.speedBeyond(node, motions.moved, 1 / seconds));
+        }
+        double share = Math.min(1, MOST_LEVER * greatest / fastest);
+        for (int node = 0; node < system.nodes; node++) {
+            int at = 6 * system.slot[node];
+            for (int i = 0; i < 6; i++) {
+                double pushed = seconds * system.velocity[6 * node + i];
+                motions.moved[at + i] += share * (pushed - motions.moved[at + i]);
+            }
         }
     }
 
@@ -167,7 +192,6 @@ final class IslandSolver {
     /** Sets the rows' targets; returns whether a surface overlaps by more than may be. */
     private boolean aim(double seconds, boolean push) {
         boolean overlapping = false;
-        double share = Math.min(MOST_PUSH_SHARE, PUSH_PER_SECOND * seconds);
         for (int c = 0; c < rows.manifolds; c++) {
             int m = rows.manifold[c];
             double slop = contacts.head[ContactRows.HEAD * m + ContactRows.SLOP];
@@ -175,7 +199,7 @@ final class IslandSolver {
                 double gap = contacts.rows[ContactRows.ROW * (contacts.first[m] + i) + ContactRows.GAP];
                 double over = Math.max(0, -gap - slop);
                 overlapping |= over > 0;
-                double pushed = push ? Math.min(share * over / seconds, PUSH_METRES_PER_SECOND) : 0;
+                double pushed = push ? Math.min(PUSH_SHARE * over / seconds, PUSH_METRES_PER_SECOND) : 0;
                 rows.target[rows.firstRow[c] + i] = gap > 0 ? -gap / seconds : pushed;
             }
         }

@@ -149,6 +149,20 @@ final class IslandSystem {
         out[at + 5] = inertia[at + 2] * x + inertia[at + 4] * y + inertia[at + 5] * z;
     }
 
+    /** The speed of a body, turn and all, that its velocity has beyond another one: sqrt(Δvᵀ M Δv / m), m/s. */
+    double speedBeyond(int node, double[] other, double factor) {
+        for (int i = 0; i < 6; i++) {
+            zero[6 * node + i] = factor * other[6 * slot[node] + i];
+        }
+        momentum(node, velocity, zero, stepMomentum);
+        double square = 0;
+        for (int i = 6 * node; i < 6 * node + 6; i++) {
+            square += stepMomentum[i] * (velocity[i] - zero[i]);
+            zero[i] = 0;
+        }
+        return Math.sqrt(square / mass[node]);
+    }
+
     /** Fills the matrix with the second derivative at the rows' present speeds. */
     void assemble() {
         matrix.clear();
