@@ -37,18 +37,29 @@ final class CodeRules {
                     .as("a pass uses no other pass"),
             noClasses()
                     .that()
-                    .resideInAnyPackage("nephele.engine..", "nephele.editor..")
+                    .resideInAnyPackage("nephele.engine..", "nephele.lab..", "nephele.editor..")
                     .should()
                     .dependOnClassesThat()
                     .resideInAPackage("nephele.app..")
                     .as("nobody uses app"),
             noClasses()
                     .that()
-                    .resideInAPackage("nephele.engine..")
+                    .resideInAnyPackage("nephele.engine..", "nephele.lab..")
                     .should()
                     .dependOnClassesThat()
                     .resideInAPackage("nephele.editor..")
-                    .as("the engine does not use the editor"),
+                    .as("neither engine nor lab uses the editor"),
+            noClasses()
+                    .that()
+                    .resideInAPackage("nephele.engine..")
+                    .or()
+                    .resideInAPackage("nephele.app..")
+                    .and()
+                    .resideOutsideOfPackage("nephele.app.command..")
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAPackage("nephele.lab..")
+                    .as("of engine and app only commands use the lab"),
             slices().assignedFrom(PackageTable.slices())
                     .should()
                     .beFreeOfCycles()

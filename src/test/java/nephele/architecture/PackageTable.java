@@ -39,6 +39,10 @@ final class PackageTable {
         USES.put("render.frame", with("render.gl", HEADLESS));
         USES.put("render.pass", List.of("render.frame"));
         USES.put("render", with("render.pass", HEADLESS));
+        USES.put("terminal", List.of());
+        USES.put("named", List.of("terminal", "scene", "sim"));
+        USES.put("walk", List.of("named"));
+        USES.put("draw", List.of("render", "named"));
     }
 
     private PackageTable() {}

@@ -6,7 +6,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import nephele.app.command.CommandLineFront;
-import nephele.app.terminal.Terminal;
+import nephele.engine.terminal.Terminal;
 
 /** The front of the jar. */
 public final class Main {

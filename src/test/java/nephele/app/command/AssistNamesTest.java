@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import nephele.app.terminal.CommandFailure;
 import nephele.engine.sim.Assist;
+import nephele.engine.terminal.CommandFailure;
 import org.junit.jupiter.api.Test;
 
 final class AssistNamesTest {

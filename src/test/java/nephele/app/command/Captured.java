@@ -3,7 +3,7 @@ package nephele.app.command;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import nephele.app.terminal.Terminal;
+import nephele.engine.terminal.Terminal;
 
 /** A command run in this process, with what it printed. */
 record Captured(int exitCode, String out, String err) {

@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.util.List;
-import nephele.app.terminal.ExitCode;
+import nephele.engine.terminal.ExitCode;
 import org.junit.jupiter.api.Test;
 
 class ExplanationTest {

@@ -12,8 +12,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import nephele.app.command.CommandLineFront;
-import nephele.app.terminal.ExitCode;
-import nephele.app.terminal.Terminal;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
 
 /** Checks level files and shows those that are accepted; a process of its own, to bound its memory. */
 final class CorpusRun {

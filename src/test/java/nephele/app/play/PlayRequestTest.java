@@ -3,7 +3,7 @@ package nephele.app.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
-import nephele.app.levels.LevelName;
+import nephele.engine.named.LevelName;
 import nephele.engine.sim.Replay;
 import nephele.engine.sim.SimSettings;
 import org.junit.jupiter.api.Test;

@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
-import nephele.app.terminal.CommandFailure;
-import nephele.app.terminal.ExitCode;
 import nephele.engine.sim.Replay;
+import nephele.engine.terminal.CommandFailure;
+import nephele.engine.terminal.ExitCode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

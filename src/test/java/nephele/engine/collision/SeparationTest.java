@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
-import nephele.app.prove.BruteForce;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
+import nephele.lab.prove.BruteForce;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
-import nephele.app.prove.BruteForce;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
+import nephele.lab.prove.BruteForce;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

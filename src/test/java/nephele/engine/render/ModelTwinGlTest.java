@@ -2,7 +2,6 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import nephele.app.draw.ReferenceEye;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -16,6 +15,7 @@ import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
+import nephele.lab.oracle.ReferenceEye;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

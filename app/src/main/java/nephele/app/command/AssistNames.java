@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
-import nephele.app.terminal.CommandFailure;
 import nephele.engine.sim.Assist;
+import nephele.engine.terminal.CommandFailure;
 
 /** The assists that a person names on the command line. */
 final class AssistNames {

@@ -4,14 +4,14 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
-import nephele.app.terminal.ExitCode;
-import nephele.app.terminal.Terminal;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelFormatException;
 import nephele.engine.level.Problem;
 import nephele.engine.sim.WorldRules;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 

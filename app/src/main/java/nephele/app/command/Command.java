@@ -1,7 +1,7 @@
 package nephele.app.command;
 
-import nephele.app.terminal.ExitCode;
-import nephele.app.terminal.Terminal;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
 
 /** One command of the jar; picocli fills its annotated fields before it runs. */
 public interface Command {

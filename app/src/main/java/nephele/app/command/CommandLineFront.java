@@ -2,12 +2,12 @@ package nephele.app.command;
 
 import java.util.Arrays;
 import java.util.List;
-import nephele.app.terminal.ExitCode;
-import nephele.app.terminal.Terminal;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.fixed.LightTerm;
 import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.frame.Output;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;

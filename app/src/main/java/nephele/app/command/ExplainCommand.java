@@ -1,10 +1,10 @@
 package nephele.app.command;
 
-import nephele.app.draw.Outputs;
-import nephele.app.levels.LevelName;
-import nephele.app.terminal.ExitCode;
-import nephele.app.terminal.Terminal;
+import nephele.engine.draw.Outputs;
+import nephele.engine.named.LevelName;
 import nephele.engine.render.FramePlan;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 

@@ -5,16 +5,16 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.time.Instant;
 import java.util.List;
-import nephele.app.prove.Proof;
-import nephele.app.terminal.CommandFailure;
-import nephele.app.terminal.CrashReport;
-import nephele.app.terminal.ExitCode;
-import nephele.app.terminal.Terminal;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.WholeFile;
 import nephele.engine.level.LevelFormatException;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.render.gl.GlUnavailableException;
+import nephele.engine.terminal.CommandFailure;
+import nephele.engine.terminal.CrashReport;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
+import nephele.lab.prove.Proof;
 
 /** A failure in plain words: the only place that decides what an exception means to a user. */
 record Explanation(ExitCode exitCode, String message, Throwable failure) {

@@ -1,7 +1,6 @@
 package nephele.app.command;
 
-import nephele.app.draw.QualityChoice;
-import nephele.app.levels.PrintedProgress;
+import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.LevelFile;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
@@ -9,6 +8,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
+import nephele.engine.terminal.PrintedProgress;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 

@@ -2,7 +2,7 @@ package nephele.app.command;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import nephele.app.draw.QualityChoice;
+import nephele.engine.draw.QualityChoice;
 import picocli.CommandLine.Option;
 
 /** How well a picture is drawn: the options that all drawing commands share. */

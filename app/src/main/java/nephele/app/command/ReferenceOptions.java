@@ -1,18 +1,18 @@
 package nephele.app.command;
 
-import nephele.app.draw.ReferenceEye;
-import nephele.app.levels.AssetComplaint;
-import nephele.app.levels.PrintedProgress;
-import nephele.app.terminal.CommandFailure;
-import nephele.app.terminal.Terminal;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.appearance.Decoding;
+import nephele.engine.named.AssetComplaint;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
+import nephele.engine.terminal.CommandFailure;
+import nephele.engine.terminal.PrintedProgress;
+import nephele.engine.terminal.Terminal;
+import nephele.lab.oracle.ReferenceEye;
 import picocli.CommandLine.Option;
 
 /** Whether the exact twin takes the picture: rays on all cores instead of OpenGL. */

@@ -1,9 +1,9 @@
 package nephele.app.command;
 
 import java.util.List;
-import nephele.app.terminal.CommandFailure;
-import nephele.app.terminal.ExitCode;
-import nephele.app.terminal.Terminal;
+import nephele.engine.terminal.CommandFailure;
+import nephele.engine.terminal.ExitCode;
+import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Unmatched;
 

@@ -1,7 +1,7 @@
 package nephele.app.command;
 
-import nephele.app.terminal.CommandFailure;
 import nephele.engine.sim.SimSettings;
+import nephele.engine.terminal.CommandFailure;
 
 /** The rate of {@code --upright-rate}. */
 final class UprightRate {

@@ -3,8 +3,8 @@ package nephele.app.command;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import nephele.app.terminal.CommandFailure;
 import nephele.engine.asset.WholeFile;
+import nephele.engine.terminal.CommandFailure;
 
 /** Files that a user asked for; their folder is made when it is missing. */
 final class WrittenFile {

@@ -1,8 +1,8 @@
 package nephele.app.play;
 
-import nephele.app.terminal.CommandFailure;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.SimSettings;
+import nephele.engine.terminal.CommandFailure;
 
 /** The level being played, if there is one yet, with its figures and what is recorded of it. */
 final class CurrentLevel implements AutoCloseable {

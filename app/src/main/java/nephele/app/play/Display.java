@@ -1,10 +1,10 @@
 package nephele.app.play;
 
-import nephele.app.draw.Screenshots;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Hud;
 import nephele.app.play.hud.HudContent;
 import nephele.app.window.GameWindow;
+import nephele.app.window.Screenshots;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;

@@ -1,11 +1,12 @@
 package nephele.app.play;
 
 import java.util.List;
-import nephele.app.bench.StepTimer;
 import nephele.app.play.hud.HudContent;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.Renderer.StepListener;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.timing.StepTimer;
+import nephele.engine.walk.Walk;
 
 /** The F3 panel: nothing is timed while it is closed. */
 final class FiguresControl implements AutoCloseable {

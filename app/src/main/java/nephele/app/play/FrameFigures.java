@@ -3,10 +3,11 @@ package nephele.app.play;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import nephele.app.bench.StepTimer;
-import nephele.app.bench.Stopwatch;
 import nephele.app.play.hud.HudContent.Figure;
+import nephele.engine.measure.Stopwatch;
 import nephele.engine.render.Renderer;
+import nephele.engine.render.timing.StepTimer;
+import nephele.engine.walk.Walk;
 
 /** What the F3 panel says, averaged over a quarter of a second so that it can be read. */
 final class FrameFigures implements AutoCloseable {

@@ -1,6 +1,5 @@
 package nephele.app.play;
 
-import nephele.app.draw.Screenshots;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
@@ -8,6 +7,7 @@ import nephele.app.play.hud.SettingsPage;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
+import nephele.app.window.Screenshots;
 import nephele.engine.render.gl.GlContext;
 
 /** The game from its first level to its end: what happens in a frame, and how one stage leads to the next. */
@@ -220,12 +220,13 @@ public final class GameLoop implements AutoCloseable {
         if (session == null || !window.isDrawable()) {
             return;
         }
+        var area = display.area();
         var content = new HudContent(
                 menu.page(),
                 page,
                 current.figures().lines(),
                 message.text(),
-                session.walk().sights(display.area()));
+                session.walk().sights(area.width(), area.height()));
         var saved = display.draw(session, content, current.figures().frameBegins(), shot);
         shot = Display.Shot.NONE;
         if (saved != null) {

@@ -5,6 +5,7 @@ import nephele.app.window.Input;
 import nephele.engine.sim.Action;
 import nephele.engine.sim.MouseLook;
 import nephele.engine.sim.PlayerInput;
+import nephele.engine.walk.TickInput;
 
 /** Keyboard and mouse as whole numbers for a tick. All motion since the last tick belongs to the next one. */
 final class LiveInput implements TickInput {

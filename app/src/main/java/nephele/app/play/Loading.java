@@ -3,6 +3,7 @@ package nephele.app.play;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
 import nephele.app.window.Input;
+import nephele.engine.draw.Preparation;
 import nephele.engine.render.gl.GlContext;
 
 /** A level on its way to be played: prepared on a thread of its own, then made a session where OpenGL is. */

@@ -1,11 +1,11 @@
 package nephele.app.play;
 
-import nephele.app.levels.LevelShelf;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.MenuPanel;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
+import nephele.engine.named.LevelShelf;
 
 /** Turns keys and pointer into what the player chooses in the menu; pages lead to each other here. */
 final class MenuControl {

@@ -4,11 +4,11 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Locale;
-import nephele.app.bench.FrameTimes;
-import nephele.app.bench.Stopwatch;
-import nephele.app.levels.AssetComplaint;
-import nephele.app.levels.PrintedProgress;
+import nephele.engine.draw.Preparation;
 import nephele.engine.level.Level;
+import nephele.engine.measure.FrameTimes;
+import nephele.engine.measure.Stopwatch;
+import nephele.engine.named.AssetComplaint;
 import nephele.engine.render.Capture;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
@@ -16,6 +16,9 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.thing.FigurePresence;
 import nephele.engine.sim.Replay;
+import nephele.engine.terminal.PrintedProgress;
+import nephele.engine.walk.ReplayInput;
+import nephele.engine.walk.Walk;
 
 /** What `play` does without a display: the recorded walk drawn offscreen, three pictures and figures. */
 public final class OffscreenWalk {

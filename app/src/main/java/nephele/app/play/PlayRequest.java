@@ -1,9 +1,9 @@
 package nephele.app.play;
 
 import java.nio.file.Path;
-import nephele.app.draw.QualityChoice;
-import nephele.app.levels.LevelName;
+import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.named.LevelName;
 import nephele.engine.sim.Replay;
 import nephele.engine.sim.SimSettings;
 

@@ -5,9 +5,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
-import nephele.app.terminal.CommandFailure;
 import nephele.engine.asset.WholeFile;
 import nephele.engine.sim.Replay;
+import nephele.engine.terminal.CommandFailure;
 
 /**
  * The replays of one game on disk. Every level played and every restart is a recording of its own: the first goes to

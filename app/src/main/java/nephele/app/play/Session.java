@@ -1,14 +1,17 @@
 package nephele.app.play;
 
 import java.util.Optional;
-import nephele.app.levels.AssetComplaint;
 import nephele.app.window.Input;
+import nephele.engine.draw.Preparation;
 import nephele.engine.level.LevelFile;
+import nephele.engine.named.AssetComplaint;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.thing.FigurePresence;
 import nephele.engine.sim.Replay;
 import nephele.engine.sim.SimSettings;
+import nephele.engine.walk.ReplayInput;
+import nephele.engine.walk.Walk;
 
 /** One level being played: what is drawn and what is simulated. */
 final class Session implements AutoCloseable {

@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
-import nephele.app.terminal.CommandFailure;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
@@ -17,6 +16,7 @@ import nephele.engine.render.fixed.FixedSceneDrawing.Source;
 import nephele.engine.render.fixed.FixedSceneDrawing.Sources;
 import nephele.engine.render.fixed.SceneFiles;
 import nephele.engine.render.fixed.SceneFolder;
+import nephele.engine.terminal.CommandFailure;
 import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.XmlScene;
 

@@ -1,7 +1,7 @@
 package nephele.app.view;
 
-import nephele.app.draw.Screenshots;
 import nephele.app.window.GameWindow;
+import nephele.app.window.Screenshots;
 import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;

@@ -1,10 +1,11 @@
 package nephele.app.play.hud;
 
-import nephele.app.play.hud.Sights.Half;
-import nephele.app.play.hud.Sights.Portal;
-import nephele.app.play.hud.Sights.Shot;
 import nephele.engine.render.pass.overlay.Colour;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
+import nephele.engine.walk.Sights;
+import nephele.engine.walk.Sights.Half;
+import nephele.engine.walk.Sights.Portal;
+import nephele.engine.walk.Sights.Shot;
 
 /**
  * Where one points: four short bars, or with a portal gun a half ring for each shot, left and right as the mouse buttons

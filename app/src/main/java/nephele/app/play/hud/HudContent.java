@@ -1,6 +1,7 @@
 package nephele.app.play.hud;
 
 import java.util.List;
+import nephele.engine.walk.Sights;
 
 /**
  * Everything that lies over the picture, as a value.

@@ -2,7 +2,7 @@ package nephele.app.play.hud;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.app.levels.LevelName;
+import nephele.engine.named.LevelName;
 
 /**
  * One page of the menu as a value: entries, and the one that is selected. Keys move the selection around the ends, the

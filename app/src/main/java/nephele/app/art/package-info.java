@@ -1,2 +1,0 @@
-/** Everything that is drawn, painted by code: textures, skies, and the levels that are generated. */
-package nephele.app.art;

@@ -1,2 +1,0 @@
-/** Measures frames: process CPU, wall time, draws, triangles and allocation. */
-package nephele.app.bench;

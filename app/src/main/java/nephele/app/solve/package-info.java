@@ -1,2 +1,0 @@
-/** Solutions of the game's levels, played by code and kept as replays beside the levels. */
-package nephele.app.solve;

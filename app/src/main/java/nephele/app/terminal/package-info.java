@@ -1,2 +1,0 @@
-/** What a command tells its user: text, exit codes, failures in plain words and crash reports. */
-package nephele.app.terminal;

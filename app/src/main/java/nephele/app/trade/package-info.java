@@ -1,2 +1,0 @@
-/** The speed/accuracy report: what each knob of the engine costs, how wrong each of its settings is, and which to choose. */
-package nephele.app.trade;

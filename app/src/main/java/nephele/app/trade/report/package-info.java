@@ -1,2 +1,0 @@
-/** What was found, as files: CSV, plots, pictures and one page that needs no other file. */
-package nephele.app.trade.report;

@@ -1,2 +1,0 @@
-/** Runs subjects, keeps what was learnt, and knows all of them. */
-package nephele.app.trade.run;

@@ -1,0 +1,40 @@
+package nephele.app.window;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDateTime;
+import java.time.format.DateTimeFormatter;
+import nephele.engine.render.Capture;
+import nephele.engine.render.gl.RenderTarget;
+
+/** Pictures that a player takes: in the folder for pictures, else in a checkout's build folder, else here. */
+public final class Screenshots {
+    private static final DateTimeFormatter STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS");
+
+    private final Path folder;
+
+    public Screenshots(Path folder) {
+        this.folder = folder;
+    }
+
+    public static Screenshots inUsualFolder() {
+        var pictures = Path.of(System.getProperty("user.home", "."), "Pictures");
+        if (Files.isDirectory(pictures)) {
+            return new Screenshots(pictures.resolve("Nephele"));
+        }
+        var build = Path.of("build");
+        return new Screenshots(Files.isDirectory(build) ? build.resolve("pictures") : Path.of("pictures"));
+    }
+
+    /** Saves what the target shows; returns what to tell the player. */
+    public String take(RenderTarget picture) {
+        var file = folder.resolve("nephele-" + STAMP.format(LocalDateTime.now()) + ".png");
+        try {
+            Capture.png(picture, file);
+            return "Saved " + file;
+        } catch (IOException failure) {
+            return failure.getMessage();
+        }
+    }
+}

@@ -1,0 +1,127 @@
+package nephele.engine.draw;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import nephele.engine.level.Body;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Material;
+import nephele.engine.level.ModelPlacement;
+import nephele.engine.level.Solid;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.math.Vec3;
+
+/** `--set debug=ids`: the same level with every solid, then every body, then every model in a flat colour of its own, for output plain. */
+public final class IdLevel {
+    /** Odd, so that no two of 2²⁴ numbers get the same colour; large, so that neighbours differ. */
+    private static final int SPREAD = 0x9e3779;
+
+    /** SPREAD times this is 1 modulo 2²⁴. */
+    private static final int UNSPREAD = 0xb382c9;
+
+    private static final Vec3 ONE = new Vec3(1, 1, 1);
+
+    private IdLevel() {}
+
+    public static Level of(Level level) {
+        var materials = new ArrayList<Material>();
+        var solids = new ArrayList<Solid>();
+        for (var solid : level.solids()) {
+            var material = flat("id-" + solids.size(), colour(solids.size()));
+            materials.add(material);
+            solids.add(painted(solid, material.id()));
+        }
+        var bodies = new ArrayList<Body>();
+        for (var body : level.bodies()) {
+            var material = flat("id-" + materials.size(), colour(materials.size()));
+            materials.add(material);
+            bodies.add(painted(body, material.id()));
+        }
+        var models = new ArrayList<ModelPlacement>();
+        for (var model : level.models()) {
+            var material = flat("id-" + materials.size(), colour(materials.size()));
+            materials.add(material);
+            models.add(new ModelPlacement(
+                    model.id(), model.file(), model.parent(), model.transform(), material.id(), model.portalable()));
+        }
+        var flatLight = new Environment(null, null, ONE, 0, ToneCurve.CLIP, null, List.of());
+        return level.with(flatLight, List.of()).with(materials, solids, bodies, models);
+    }
+
+    /**
+     * The 8-bit colour of a surface, 0xRRGGBB; black is nothing.
+     *
+     * @param index of a solid, or the number of solids plus the index of a body, or the number of both plus that of a model
+     */
+    public static int colour(int index) {
+        return (index + 1) * SPREAD & 0xffffff;
+    }
+
+    /** The surface of a colour; no surface of a level where nothing has that colour. */
+    public static int surface(int colour) {
+        return (colour * UNSPREAD & 0xffffff) - 1;
+    }
+
+    private static Material flat(String id, int rgb) {
+        var colour = new Vec3((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
+        return new Material(id, colour, null, null, null, null, Vec3.ZERO, 1);
+    }
+
+    private static Body painted(Body body, String material) {
+        double mass = body.massKilograms();
+        double friction = body.friction();
+        double bounce = body.restitution();
+        if (body instanceof Body.Box box) {
+            return new Body.Box(box.id(), box.centre(), box.size(), mass, material, friction, bounce);
+        }
+        if (body instanceof Body.Sphere sphere) {
+            return new Body.Sphere(
+                    sphere.id(), sphere.centre(), sphere.radiusMetres(), mass, material, friction, bounce);
+        }
+        var capsule = (Body.Capsule) body;
+        return new Body.Capsule(
+                capsule.id(),
+                capsule.centre(),
+                capsule.radiusMetres(),
+                capsule.heightMetres(),
+                mass,
+                material,
+                friction,
+                bounce);
+    }
+
+    private static Solid painted(Solid solid, String material) {
+        if (solid instanceof Solid.Box box) {
+            return new Solid.Box(box.id(), material, false, box.textureMapping(), box.centre(), box.size(), Map.of());
+        }
+        if (solid instanceof Solid.Wedge wedge) {
+            return new Solid.Wedge(
+                    wedge.id(),
+                    material,
+                    false,
+                    wedge.textureMapping(),
+                    wedge.centre(),
+                    wedge.size(),
+                    wedge.rising(),
+                    Map.of());
+        }
+        if (solid instanceof Solid.Prism prism) {
+            return new Solid.Prism(
+                    prism.id(),
+                    material,
+                    false,
+                    prism.textureMapping(),
+                    prism.centre(),
+                    prism.radiusMetres(),
+                    prism.heightMetres(),
+                    prism.sides());
+        }
+        var planes = (Solid.Planes) solid;
+        var bare = planes.planes().stream()
+                .map(plane -> new Solid.PlaneFace(plane.normal(), plane.distanceMetres(), null, null))
+                .collect(Collectors.toList());
+        return new Solid.Planes(planes.id(), material, false, planes.textureMapping(), bare);
+    }
+}

@@ -1,0 +1,47 @@
+package nephele.engine.measure;
+
+import java.util.Arrays;
+import java.util.Locale;
+
+/**
+ * What a bench found.
+ *
+ * @param cpuMsMean process CPU a frame, every thread of the JVM and of the OpenGL driver counted
+ * @param wallMsP50 from the frame's start to the return of {@code glFinish}
+ */
+public record FrameTimes(
+        long frames,
+        double cpuMsMean,
+        double wallMsP50,
+        double wallMsP95,
+        double draws,
+        double triangles,
+        double allocatedBytesPerFrame) {
+    public static final String HEADER = "frames,cpuMsMean,wallMsP50,wallMsP95,draws,triangles,allocatedBytesPerFrame";
+
+    /** One line under {@link #HEADER}. */
+    public String csv() {
+        return String.format(
+                Locale.ROOT,
+                "%d,%.3f,%.3f,%.3f,%s,%s,%.0f",
+                frames,
+                cpuMsMean,
+                wallMsP50,
+                wallMsP95,
+                counted(draws),
+                counted(triangles),
+                allocatedBytesPerFrame);
+    }
+
+    private static String counted(double mean) {
+        return String.format(Locale.ROOT, mean == Math.rint(mean) ? "%.0f" : "%.1f", mean);
+    }
+
+    /** Nearest-rank percentile of the first {@code count} values, in milliseconds. */
+    public static double percentileMs(long[] nanos, int count, double share) {
+        var sorted = Arrays.copyOf(nanos, count);
+        Arrays.sort(sorted);
+        int rank = (int) Math.ceil(share * count);
+        return sorted[Math.max(0, rank - 1)] / 1e6;
+    }
+}

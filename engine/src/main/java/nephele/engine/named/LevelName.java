@@ -1,0 +1,80 @@
+package nephele.engine.named;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.ResourceAssets;
+import nephele.engine.asset.WholeFile;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.LevelFormatException;
+import nephele.engine.sim.Replay;
+import nephele.engine.sim.WorldRules;
+import nephele.engine.terminal.CommandFailure;
+
+/** A level as a user names it: a file, or one of the jar's. */
+public record LevelName(String typed) {
+    /** A level without a recorded walk stands at its start for this long. */
+    private static final int STANDING_TICKS = 300;
+
+    private static final int LARGEST_REPLAY_BYTES = 64 << 20;
+
+    /** The file's name without folder, number and ending: "01-first-light.json" is "First light". */
+    public String title() {
+        String words = fileName()
+                .replaceFirst("\\.json$", "")
+                .replaceFirst("^[0-9]+-", "")
+                .replace('-', ' ');
+        return words.isEmpty() ? fileName() : Character.toUpperCase(words.charAt(0)) + words.substring(1);
+    }
+
+    /** The level, checked by every rule that reads no picture. */
+    public LevelFile.Opened open() throws LevelFormatException {
+        var opened = LevelFile.open(typed);
+        var errors = WorldRules.errorsBeforeUse(opened.level(), opened.assets());
+        if (!errors.isEmpty()) {
+            throw new LevelFormatException(opened.file(), errors);
+        }
+        return opened;
+    }
+
+    /** The level's recorded walk: that of {@code d/x.json} is {@code d/replays/x.json}. */
+    public Replay recordedWalk() {
+        Path beside = Path.of(typed).toAbsolutePath().resolveSibling("replays").resolve(fileName());
+        if (Files.isRegularFile(beside)) {
+            return replay(beside.toString());
+        }
+        return Files.exists(Path.of(typed)) ? standing() : walkInJar().orElseGet(this::standing);
+    }
+
+    /** Reads a replay that a user named. */
+    public static Replay replay(String file) {
+        try {
+            byte[] bytes = WholeFile.read(Path.of(file), LARGEST_REPLAY_BYTES);
+            if (bytes.length > LARGEST_REPLAY_BYTES) {
+                throw CommandFailure.input(file + ": is larger than " + (LARGEST_REPLAY_BYTES >> 20) + " MiB");
+            }
+            return Replay.read(file, bytes);
+        } catch (IOException | IllegalArgumentException unreadable) {
+            throw CommandFailure.input(file + ": cannot be read: name a replay file");
+        }
+    }
+
+    public String fileName() {
+        return typed.substring(Math.max(typed.lastIndexOf('/'), typed.lastIndexOf('\\')) + 1);
+    }
+
+    private Replay standing() {
+        return Replay.standing(fileName(), STANDING_TICKS);
+    }
+
+    private Optional<Replay> walkInJar() {
+        String inLevels = typed.replace('\\', '/').replaceFirst("^(\\./)?levels/", "");
+        String resource = inLevels.substring(0, inLevels.lastIndexOf('/') + 1) + "replays/" + fileName();
+        var jar = new ResourceAssets(LevelAssets.JAR_LEVELS);
+        return jar.exists(resource)
+                ? Optional.of(Replay.read("levels/" + resource, jar.bytes(resource)))
+                : Optional.empty();
+    }
+}

@@ -1,0 +1,33 @@
+package nephele.engine.named;
+
+import java.io.PrintStream;
+import java.util.List;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.LevelFormatException;
+import nephele.engine.level.LevelJson;
+import nephele.engine.level.Problem;
+import nephele.engine.sim.Replay;
+
+/** Compares the level that a replay says it was recorded in with the one that it is played in. */
+public final class ReplayOrigin {
+    private ReplayOrigin() {}
+
+    /**
+     * @param file how messages call the replay
+     * @param warnings told when the level has changed since
+     * @throws LevelFormatException when the replay names another level
+     */
+    public static void require(LevelFile.Opened opened, String file, Replay replay, PrintStream warnings) {
+        String name = opened.level().name();
+        if (replay.levelName() != null && !replay.levelName().equals(name)) {
+            String message = "was recorded in the level '" + replay.levelName() + "', and " + opened.file() + " is '"
+                    + name + "': play it in its own level";
+            throw new LevelFormatException(file, List.of(Problem.error("levelName", message)));
+        }
+        String sha256 = replay.levelSha256();
+        if (sha256 != null && !sha256.equalsIgnoreCase(LevelJson.sha256(opened.level()))) {
+            String message = opened.file() + " has changed since this was recorded: it may go another way";
+            warnings.println(Problem.warning("levelSha256", message).line(file));
+        }
+    }
+}

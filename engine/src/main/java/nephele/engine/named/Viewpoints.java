@@ -1,0 +1,96 @@
+package nephele.engine.named;
+
+import java.util.stream.Collectors;
+import nephele.engine.level.Camera;
+import nephele.engine.level.Level;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import nephele.engine.scene.Projection;
+import nephele.engine.scene.View;
+import nephele.engine.terminal.CommandFailure;
+
+/** From where a picture is taken. */
+public final class Viewpoints {
+    /** The player sees this much from top to bottom, whatever the shape of the window. */
+    private static final double PLAYER_FOV_DEGREES = 60;
+
+    private static final double NEAR_METRES = 0.05;
+    private static final double EYE_METRES = 1.65;
+
+    private Viewpoints() {}
+
+    /** The picture of one frame, by its number on a camera's path. */
+    @FunctionalInterface
+    public interface OfFrame {
+        View view(int frame);
+    }
+
+    /** The first camera, else the player's start. */
+    public static OfFrame standard(Level level, String file, double aspect) {
+        if (!level.cameras().isEmpty()) {
+            return ofCamera(level.cameras().get(0), aspect);
+        }
+        if (level.player() == null) {
+            throw CommandFailure.input(file + ": cameras: the level has neither a camera nor a player;"
+                    + " add one, or say --eye x,y,z --target x,y,z");
+        }
+        var view = ofPlayer(level.player(), aspect);
+        return frame -> view;
+    }
+
+    /** A camera by its id. */
+    public static OfFrame named(Level level, String file, String id, double aspect) {
+        return level.cameras().stream()
+                .filter(camera -> id.equals(camera.id()))
+                .findFirst()
+                .map(camera -> ofCamera(camera, aspect))
+                .orElseThrow(() -> CommandFailure.input(
+                        file + ": cameras: there is no camera `" + id + "`; there are: " + ids(level)));
+    }
+
+    /** @param horizontalFovDegrees null for the player's field of view */
+    public static View between(Vec3 eye, Vec3 target, Double horizontalFovDegrees, double aspect) {
+        if (eye.equals(target)) {
+            throw CommandFailure.usage("--eye and --target are the same point");
+        }
+        double verticalFovRadians = horizontalFovDegrees == null
+                ? Math.toRadians(PLAYER_FOV_DEGREES)
+                : 2 * Math.atan(Math.tan(Math.toRadians(horizontalFovDegrees) / 2) / aspect);
+        return View.lookAt(eye, target, new Vec3(0, 1, 0), projection(verticalFovRadians, aspect));
+    }
+
+    /** What a player sees whose eye is there. */
+    public static View ofEye(Vec3 eye, Basis basis, double aspect) {
+        return new View(
+                View.MAIN,
+                eye,
+                basis.right(),
+                basis.up(),
+                basis.back(),
+                projection(Math.toRadians(PLAYER_FOV_DEGREES), aspect));
+    }
+
+    private static View ofPlayer(PlayerStart start, double aspect) {
+        var eye = new Vec3(
+                start.feet().x(), start.feet().y() + EYE_METRES, start.feet().z());
+        return ofEye(
+                eye,
+                Basis.ofYawPitch(Math.toRadians(start.yawDegrees()), Math.toRadians(start.pitchDegrees())),
+                aspect);
+    }
+
+    private static OfFrame ofCamera(Camera camera, double aspect) {
+        return frame -> View.ofCamera(camera, frame, aspect);
+    }
+
+    private static Projection projection(double verticalFovRadians, double aspect) {
+        return new Projection(verticalFovRadians, aspect, NEAR_METRES, Double.POSITIVE_INFINITY);
+    }
+
+    private static String ids(Level level) {
+        return level.cameras().isEmpty()
+                ? "none"
+                : level.cameras().stream().map(Camera::id).collect(Collectors.joining(", "));
+    }
+}

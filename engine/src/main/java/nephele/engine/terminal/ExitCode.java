@@ -1,0 +1,21 @@
+package nephele.engine.terminal;
+
+/** What the process says when it ends. */
+public enum ExitCode {
+    DONE(0),
+    /** The input has errors; the message names file and path. A crash, which is reported to a file, ends so too. */
+    INPUT(1),
+    USAGE(2),
+    /** The environment lacks something; the message says what and how to get it. */
+    ENVIRONMENT(3);
+
+    private final int number;
+
+    ExitCode(int number) {
+        this.number = number;
+    }
+
+    public int number() {
+        return number;
+    }
+}

@@ -1,0 +1,38 @@
+package nephele.engine.terminal;
+
+import java.io.PrintStream;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.DoubleConsumer;
+
+/** Tells a terminal how far a long work is, in steps of ten per cent. Silent when there is nothing to do. */
+public final class PrintedProgress implements DoubleConsumer {
+    private static final int STEP_PERCENT = 10;
+
+    private final PrintStream to;
+    private final String work;
+    private final AtomicInteger printedSteps = new AtomicInteger();
+
+    private PrintedProgress(PrintStream to, String work) {
+        this.to = to;
+        this.work = work;
+    }
+
+    /** Of the light of a level, which is baked where it is not known yet. */
+    public static PrintedProgress ofBake(PrintStream to) {
+        return new PrintedProgress(to, "baking the level's light");
+    }
+
+    /** Of a reference picture. */
+    public static PrintedProgress ofTrace(PrintStream to) {
+        return new PrintedProgress(to, "tracing the reference");
+    }
+
+    @Override
+    public void accept(double share) {
+        int step = (int) (share * 100 / STEP_PERCENT);
+        int before = printedSteps.getAndUpdate(printed -> Math.max(printed, step));
+        if (step > before) {
+            to.println(work + ": " + step * STEP_PERCENT + " %");
+        }
+    }
+}

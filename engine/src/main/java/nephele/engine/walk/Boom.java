@@ -1,0 +1,135 @@
+package nephele.engine.walk;
+
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.PathTrace;
+import nephele.engine.portal.Portals;
+import nephele.engine.sim.PlayerPose;
+import nephele.engine.sim.SimState;
+import org.joml.Vector3d;
+
+/**
+ * The camera of the third person: behind and above the right shoulder, on a spring, through portals, before whatever is
+ * in the way. It moves with the ticks, so that no frame rate changes it; a frame sees it between two of them.
+ */
+final class Boom {
+    private static final double RIGHT_METRES = 0.5;
+    private static final double UP_METRES = 0.3;
+    private static final double BACK_METRES = 2.6;
+    /** However hard a landing, the camera does not lag farther. */
+    private static final double MOST_LAG_METRES = 0.5;
+
+    private static final double FARTHEST_METRES = 500;
+
+    private final double secondsPerTick;
+    private final BoomReach reach;
+    private final Vector3d way = new Vector3d();
+    private boolean wanted;
+    private BoomState before = BoomState.FOLDED;
+    private BoomState after = BoomState.FOLDED;
+
+    Boom(CollisionWorld statics, double secondsPerTick) {
+        this.secondsPerTick = secondsPerTick;
+        reach = new BoomReach(statics);
+    }
+
+    /** From first to third person or back: the camera glides. */
+    void toggle() {
+        wanted = !wanted;
+    }
+
+    boolean isOut() {
+        return wanted || after.extent() > 0 || before.extent() > 0;
+    }
+
+    /** A tick has led from one state to the other. */
+    void tick(SimState earlier, SimState later) {
+        before = after;
+        if (isOut()) {
+            PlayerPose pose = PlayerPose.between(earlier, later, 1);
+            BoomState there = entering(earlier, later).after(secondsPerTick, wanted ? 1 : 0);
+            double free = reach.free(portals(later), pose.eye().toVector(), way(pose, there));
+            after = there.notBeyond(free);
+        }
+    }
+
+    /** Nothing led from one place to the other: the camera follows at once. */
+    void cut() {
+        after = new BoomState(CameraSpring.AT_REST, Vec3.ZERO, after.extent());
+        before = after;
+    }
+
+    /**
+     * The camera at a share of the tick between two states.
+     *
+     * @param aimed a point that the eye looks at; becomes what the camera sees it as
+     */
+    PlayerPose camera(SimState earlier, SimState later, double share, Vector3d aimed) {
+        PlayerPose pose = PlayerPose.between(earlier, later, share);
+        stretch(pose, earlier, later, share);
+        PathTrace trace = reach.trace(portals(later));
+        trace.walk(pose.eye().toVector(), way);
+        trace.carryPoint(aimed);
+        return new PlayerPose(
+                Vec3.of(trace.place()), carried(pose.view(), trace, portals(later)), pose.body(), pose.later());
+    }
+
+    /** From eye to camera at a share of the tick, as the eye sees it: to its right, up and back. */
+    Vec3 arm(SimState earlier, SimState later, double share) {
+        PlayerPose pose = PlayerPose.between(earlier, later, share);
+        stretch(pose, earlier, later, share);
+        return new Vec3(
+                way.dot(pose.view().right().toVector()),
+                way.dot(pose.view().up().toVector()),
+                way.dot(pose.view().back().toVector()));
+    }
+
+    private void stretch(PlayerPose pose, SimState earlier, SimState later, double share) {
+        BoomState there = entering(earlier, later).after(share * secondsPerTick, wanted ? 1 : 0);
+        way(pose, there);
+        way.mul(Math.min(there.extent(), reach.free(portals(later), pose.eye().toVector(), way)));
+    }
+
+    /** What a straight line from the eye meets first. */
+    Vector3d aimedAt(PlayerPose pose) {
+        Vector3d eye = pose.eye().toVector();
+        Vector3d line = pose.view().back().toVector().mul(-FARTHEST_METRES);
+        return eye.fma(reach.freeOfSolids(eye, line), line);
+    }
+
+    private static Basis carried(Basis view, PathTrace trace, Portals portals) {
+        Basis moved = view;
+        for (int i = 0; i < trace.crossings(); i++) {
+            moved = portals.passage(trace.entered(i)).basis(moved);
+        }
+        return moved;
+    }
+
+    private static Portals portals(SimState state) {
+        return state.around().portals();
+    }
+
+    /** The state before the tick, as the later space has it, with the tick's velocity. */
+    private BoomState entering(SimState earlier, SimState later) {
+        CrossingWord crossed = later.around().trace().playerCrossed();
+        Portals portals = portals(later);
+        Vec3 from = earlier.player().eye();
+        for (int i = 0; i < crossed.length(); i++) {
+            from = portals.passage(crossed.entry(i)).point(from);
+        }
+        Vector3d velocity = later.player().eye().toVector().sub(from.toVector()).div(secondsPerTick);
+        return before.through(crossed, portals).restingAt(Vec3.of(velocity));
+    }
+
+    /** From the eye to the camera, in the eye's space, were nothing in the way. */
+    private Vector3d way(PlayerPose pose, BoomState state) {
+        Vector3d lag = pose.fromLater(state.spring().lag().toVector());
+        lag.div(Math.sqrt(1 + lag.lengthSquared() / (MOST_LAG_METRES * MOST_LAG_METRES)));
+        return way.set(lag)
+                .fma(RIGHT_METRES, pose.view().right().toVector())
+                .fma(UP_METRES, pose.view().up().toVector())
+                .fma(BACK_METRES, pose.view().back().toVector());
+    }
+}

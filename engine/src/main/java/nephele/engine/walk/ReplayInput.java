@@ -1,0 +1,34 @@
+package nephele.engine.walk;
+
+import nephele.engine.sim.PlayerInput;
+import nephele.engine.sim.Replay;
+
+/** A replay, tick by tick; afterwards the player stands still. */
+public final class ReplayInput implements TickInput {
+    private final Replay replay;
+    private int run;
+    private int tickOfRun;
+
+    public ReplayInput(Replay replay) {
+        this.replay = replay;
+    }
+
+    @Override
+    public PlayerInput next() {
+        if (isFinished()) {
+            return PlayerInput.NONE;
+        }
+        var current = replay.inputs().get(run);
+        tickOfRun++;
+        if (tickOfRun >= current.ticks()) {
+            tickOfRun = 0;
+            run++;
+        }
+        return current.input();
+    }
+
+    @Override
+    public boolean isFinished() {
+        return run >= replay.inputs().size();
+    }
+}

@@ -1,0 +1,239 @@
+package nephele.engine.walk;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Vec3;
+import nephele.engine.named.Viewpoints;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portals;
+import nephele.engine.scene.Moment;
+import nephele.engine.scene.View;
+import nephele.engine.sim.FaultLog;
+import nephele.engine.sim.FixedStep;
+import nephele.engine.sim.PlayerPose;
+import nephele.engine.sim.PlayerState;
+import nephele.engine.sim.ReplayRecorder;
+import nephele.engine.sim.Shots;
+import nephele.engine.sim.SimLevel;
+import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.SimState;
+import nephele.engine.sim.Simulation;
+import nephele.engine.sim.TickEvent;
+import org.joml.Vector3d;
+
+/** The simulated part of a game: two states to draw between, the clock that makes ticks and the record of all input. */
+public final class Walk {
+    /** A way longer than the velocities of its ends account for, and this, is no way: the player began again. */
+    private static final double LEAP_METRES = 1;
+
+    private static final double LEAST_DEPTH_METRES = 0.1;
+
+    /** In which what is held becomes see-through, and solid again when the camera leaves the eye. */
+    private static final double CLEARING_SECONDS = 0.2;
+
+    private final Simulation simulation;
+    private final double secondsPerTick;
+    private final TickInput input;
+    private final ReplayRecorder recorder;
+    private final FixedStep clock;
+    private final List<TickEvent> news = new ArrayList<>();
+    private final PortalAges ages;
+    private final LiveMoment live;
+    private final Boom boom;
+    private final Aiming aiming;
+    private SimState before;
+    private SimState after;
+    private Seen seen;
+    private Vec3 heldFromEye;
+    private double heldClarity;
+    private boolean isCut = true;
+    private Limbs limbsBefore = Limbs.STANDING;
+    private Limbs limbsAfter = Limbs.STANDING;
+
+    /**
+     * Where a walk begins and what its recording is called.
+     *
+     * @param from null: where the level starts
+     */
+    public record Beginning(String levelFile, SimSettings settings, PlayerStart from) {}
+
+    /** Through a level that was read. */
+    public Walk(LevelFile.Opened opened, Beginning beginning, TickInput input) {
+        this(opened.level(), SimLevel.of(opened.level(), opened.assets()), beginning, input);
+    }
+
+    /** Through a level without models. */
+    public Walk(Level level, Beginning beginning, TickInput input) {
+        this(level, SimLevel.of(level), beginning, input);
+    }
+
+    private Walk(Level level, SimLevel simLevel, Beginning beginning, TickInput input) {
+        this.input = input;
+        simulation = new Simulation(simLevel, beginning.settings, FaultLog.SILENT);
+        SimState start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);
+        secondsPerTick = 1.0 / beginning.settings.ticksPerSecond();
+        recorder = new ReplayRecorder(beginning.levelFile, beginning.settings, beginning.from);
+        clock = new FixedStep(beginning.settings.ticksPerSecond());
+        before = start;
+        after = start;
+        ages = new PortalAges(start, secondsPerTick);
+        live = new LiveMoment(level);
+        boom = new Boom(simLevel.statics(), secondsPerTick);
+        aiming = new Aiming(simulation);
+    }
+
+    /** Simulates the ticks that are due after a frame of this length. */
+    public void advance(long elapsedNanos) {
+        int due = clock.advance(elapsedNanos);
+        for (int i = 0; i < due; i++) {
+            tick();
+        }
+    }
+
+    /** One tick. */
+    public void tick() {
+        var done = input.next();
+        recorder.record(done);
+        before = after;
+        after = simulation.step(after, done);
+        news.addAll(after.around().trace().events());
+        ages.after(after);
+        aiming.after(after);
+        fadeHeld(PlayerPose.heldFromEye(after));
+        limbsBefore = limbsAfter;
+        limbsAfter = limbsAfter.next(after, secondsPerTick);
+        if (isLeap()) {
+            before = after;
+            limbsBefore = limbsAfter;
+            boom.cut();
+            isCut = true;
+        } else {
+            boom.tick(before, after);
+        }
+    }
+
+    private boolean isLeap() {
+        PlayerState from = before.player();
+        PlayerState to = after.player();
+        CrossingWord crossed = after.around().trace().playerCrossed();
+        Portals portals = after.around().portals();
+        Vec3 place = from.centre();
+        for (int i = 0; i < crossed.length(); i++) {
+            place = portals.passage(crossed.entry(i)).point(place);
+        }
+        double metres = to.centre().toVector().distance(place.toVector());
+        double speed =
+                from.velocity().toVector().length() + to.velocity().toVector().length();
+        return metres > LEAP_METRES + speed * secondsPerTick;
+    }
+
+    /** What happened since the last call. */
+    public List<TickEvent> takeNews() {
+        List<TickEvent> taken = List.copyOf(news);
+        news.clear();
+        return taken;
+    }
+
+    /** Whether the view has nothing to do with the one before: at first, and after the player began again. Tells it once. */
+    public boolean takeCut() {
+        boolean was = isCut;
+        isCut = false;
+        return was;
+    }
+
+    public boolean isFinished() {
+        return input.isFinished();
+    }
+
+    public SimState state() {
+        return after;
+    }
+
+    public ReplayRecorder recorder() {
+        return recorder;
+    }
+
+    /** From the first to the third person or back. */
+    public void changePerson() {
+        boom.toggle();
+    }
+
+    /** The player's view between the last two ticks: from the eye, or along the boom. */
+    public View view(double aspect) {
+        PlayerPose camera = seen().camera();
+        return Viewpoints.ofEye(camera.eye(), camera.view(), aspect);
+    }
+
+    /** The crosshair of the last view, in a picture of this size. */
+    public Sights sights(double widthPoints, double heightPoints) {
+        Seen now = seen();
+        View view = view(widthPoints / heightPoints);
+        Vector3d way = now.aimed().toVector().sub(view.eye().toVector());
+        double depth = Math.max(-way.dot(view.back().toVector()), LEAST_DEPTH_METRES);
+        double pointsPerUnit =
+                now.isFirstPerson() ? 0 : heightPoints / 2 / (view.projection().tanHalfHeight() * depth);
+        return new Sights(
+                toHalves(way.dot(view.right().toVector()) * pointsPerUnit),
+                toHalves(-way.dot(view.up().toVector()) * pointsPerUnit),
+                aiming.half(after, Shots.Colour.FIRST),
+                aiming.half(after, Shots.Colour.SECOND));
+    }
+
+    /** The overlay is made anew when it changes: not for what nobody sees. */
+    private static double toHalves(double points) {
+        return Math.rint(2 * points) / 2 + 0.0;
+    }
+
+    /** What is to be seen between the last two ticks; the same object every time. */
+    public Moment moment() {
+        double share = clock.share();
+        double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
+        live.moment().ghosts(aiming.ghosts(after));
+        live.world(before, after, share, ages);
+        live.held(after, heldFromCamera(share), heldClarity);
+        live.figure(seen().player(), limbsBefore.towards(limbsAfter, share), seconds);
+        return live.moment();
+    }
+
+    /** @param fromEye of what is held, {@code null} for nothing, which is never see-through */
+    private void fadeHeld(Vec3 fromEye) {
+        double step = (boom.isOut() ? -1 : 1) * secondsPerTick / CLEARING_SECONDS;
+        heldFromEye = fromEye;
+        heldClarity = fromEye == null ? 0 : Math.max(0, Math.min(1, heldClarity + step));
+    }
+
+    /** While the camera glides away the eye's sight of it fades. */
+    private Vec3 heldFromCamera(double share) {
+        if (heldClarity == 0 || !boom.isOut()) {
+            return heldFromEye;
+        }
+        return Vec3.of(heldFromEye.toVector().sub(boom.arm(before, after, share).toVector()));
+    }
+
+    /**
+     * Where the picture is taken from, and what a shot from the eye would hit.
+     *
+     * @param aimed as the camera sees it
+     */
+    private record Seen(SimState after, double share, PlayerPose player, PlayerPose camera, Vec3 aimed) {
+        boolean isFirstPerson() {
+            return camera == player;
+        }
+    }
+
+    /** View, moment and crosshair of one frame share it. */
+    private Seen seen() {
+        double share = clock.share();
+        if (seen == null || seen.after != after || seen.share != share || seen.isFirstPerson() == boom.isOut()) {
+            PlayerPose player = PlayerPose.between(before, after, share);
+            boolean isOut = boom.isOut();
+            Vector3d aimed = isOut ? boom.aimedAt(player) : new Vector3d();
+            PlayerPose camera = isOut ? boom.camera(before, after, share, aimed) : player;
+            seen = new Seen(after, share, player, camera, Vec3.of(aimed));
+        }
+        return seen;
+    }
+}

@@ -1,0 +1,54 @@
+package nephele.lab.art;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelJson;
+
+/** Regenerates the pictures and meshes below {@code assets/} and the bench levels: {@code gradle textures}. */
+public final class ArtFiles {
+    private ArtFiles() {}
+
+    /** @param arguments the checkout's root, default the working directory */
+    public static void main(String[] arguments) throws IOException {
+        Path root = Path.of(arguments.length > 0 ? arguments[0] : "");
+        for (Map.Entry<String, Level> level : BenchLevels.all().entrySet()) {
+            Path file = root.resolve("levels/bench").resolve(level.getKey());
+            Files.writeString(file, LevelJson.write(level.getValue()));
+        }
+        Path assets = root.resolve("assets");
+        for (Map.Entry<String, BufferedImage> picture : benchPictures().entrySet()) {
+            PictureFile.write(assets.resolve(picture.getKey()), picture.getValue());
+        }
+        for (TextureRecipe recipe : Textures.ALL) {
+            Surface surface = recipe.paint();
+            PictureFile.write(assets.resolve(recipe.colourFile()), surface.colourPicture());
+            PictureFile.write(assets.resolve(recipe.normalFile()), surface.normalPicture());
+        }
+        for (PictureRecipe recipe : ScenePictures.ALL) {
+            PictureFile.write(assets.resolve(recipe.file()), recipe.painter().get());
+        }
+        for (int face = 0; face < 6; face++) {
+            PictureFile.write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
+        }
+        PictureFile.write(assets.resolve(SkyPainter.CROSS_FILE), new SkyPainter().cross());
+        PictureFile.write(assets.resolve(SignPainter.FILE), SignPainter.paint());
+        for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
+            Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
+        }
+    }
+
+    /** By asset id. */
+    static Map<String, BufferedImage> benchPictures() {
+        Map<String, BufferedImage> pictures = new LinkedHashMap<>();
+        pictures.put("textures/bench/box.png", BenchPixels.box());
+        for (int face = 0; face < 6; face++) {
+            pictures.put(BenchLevels.skyFiles().get(face), BenchPixels.sky(face));
+        }
+        return pictures;
+    }
+}

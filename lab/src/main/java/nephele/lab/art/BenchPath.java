@@ -1,0 +1,52 @@
+package nephele.lab.art;
+
+import nephele.engine.level.Camera;
+import nephele.engine.math.Vec3;
+
+/**
+ * Camera paths of the benchmark scenes, one round in {@value #FRAMES} frames. Positions and directions are rounded to
+ * float where the peers round them, so that all engines see the same views.
+ */
+final class BenchPath {
+    static final int FRAMES = 60;
+
+    private BenchPath() {}
+
+    /** Side of the square grid that holds {@code count} things. */
+    static int side(int count) {
+        return (int) Math.ceil(Math.sqrt(count));
+    }
+
+    static Camera.Waypoint clear(int frame) {
+        return waypoint(Vec3.ZERO, swayRadians(frame), 0);
+    }
+
+    /** Once round, looking up and down. */
+    static Camera.Waypoint skybox(int frame) {
+        return waypoint(Vec3.ZERO, phase(frame), (float) (0.35 * StrictMath.sin(phase(frame))));
+    }
+
+    /** A quarter in from the near edge of the grid, sliding sideways. */
+    static Camera.Waypoint boxes(int count, int frame) {
+        float extent = side(count) * 2f;
+        float x = (float) (0.05 * extent * StrictMath.sin(phase(frame)));
+        return waypoint(new Vec3(x, 3 + 0.02f * extent, 0.25f * extent), swayRadians(frame), -0.15f);
+    }
+
+    private static double phase(int frame) {
+        return 2 * Math.PI * frame / FRAMES;
+    }
+
+    private static double swayRadians(int frame) {
+        return StrictMath.toRadians(15) * StrictMath.sin(phase(frame));
+    }
+
+    /** @param yawRadians 0 looks along −z, positive to the right */
+    private static Camera.Waypoint waypoint(Vec3 eye, double yawRadians, float rise) {
+        float x = (float) StrictMath.sin(yawRadians);
+        float z = (float) -StrictMath.cos(yawRadians);
+        float length = (float) StrictMath.sqrt(x * x + rise * rise + z * z);
+        Vec3 target = new Vec3(eye.x() + x / length, eye.y() + rise / length, eye.z() + z / length);
+        return new Camera.Waypoint(eye, target);
+    }
+}

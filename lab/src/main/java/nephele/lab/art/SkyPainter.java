@@ -1,0 +1,163 @@
+package nephele.lab.art;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+
+/** A mild forenoon over a bay: haze at the horizon, fair-weather clouds, hills on three sides and the sea. */
+final class SkyPainter {
+    static final int SIDE = 512;
+    /** Where the sun stands in this sky; a level that uses it gives its sun the same direction. */
+    static final Vec3 SUN_DIRECTION = new Vec3(0.62, 0.66, 0.42);
+
+    static final String CROSS_FILE = "textures/sky-bay-cross.png";
+    private static final List<String> FACES = List.of("px", "nx", "py", "ny", "pz", "nz");
+
+    private static final Colour ZENITH = Colour.of(0x3468B4);
+    private static final Colour UPPER = Colour.of(0x629DDB);
+    private static final Colour LOWER = Colour.of(0xA0C8E8);
+    private static final Colour HAZE = Colour.of(0xE4E7E2);
+    private static final Colour SUNLIT = Colour.of(0xFFF3DC);
+    private static final Colour BRIGHT = Colour.of(0xFFFFFF);
+    private static final Colour CLOUD_SHADE = Colour.of(0xB4C2D3);
+    private static final Colour SEA_NEAR = Colour.of(0x2C5F7C);
+    /** Dry sunlit land below the eye, away from the bay: it lights from below as a bright floor would. */
+    private static final Colour SAND = Colour.of(0xD8C7A6);
+
+    private static final Colour SEA_FAR = Colour.of(0x9FBCCB);
+    private static final Colour[] HILLS = {Colour.of(0xA7B9C4), Colour.of(0x869F9F), Colour.of(0x66806C)};
+
+    private final Vector3d sunDirection = SUN_DIRECTION.toVector().normalize();
+
+    static List<String> files() {
+        return FACES.stream().map(face -> "textures/sky-bay-" + face + ".png").toList();
+    }
+
+    /** @param face index in the order +x, −x, +y, −y, +z, −z */
+    BufferedImage face(int face) {
+        BufferedImage picture = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_RGB);
+        paint(picture, face, 0, 0, SIDE);
+        return picture;
+    }
+
+    /** The whole sky unfolded: four columns and three rows, −x −z +x +z in the middle row. */
+    BufferedImage cross() {
+        int side = SIDE / 2;
+        BufferedImage picture = new BufferedImage(4 * side, 3 * side, BufferedImage.TYPE_INT_RGB);
+        int[][] cells = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {3, 1}, {1, 1}};
+        for (int face = 0; face < cells.length; face++) {
+            paint(picture, face, cells[face][0] * side, cells[face][1] * side, side);
+        }
+        return picture;
+    }
+
+    private void paint(BufferedImage picture, int face, int left, int top, int side) {
+        for (int row = 0; row < side; row++) {
+            for (int column = 0; column < side; column++) {
+                double right = 2 * (column + 0.5) / side - 1;
+                double up = 1 - 2 * (row + 0.5) / side;
+                Colour colour = colour(direction(face, right, up).normalize());
+                picture.setRGB(left + column, top + row, colour.rgb());
+            }
+        }
+    }
+
+    /** Each face as an eye in the middle sees it; +y has its bottom edge and −y its top edge at −z. */
+    private static Vector3d direction(int face, double right, double up) {
+        return switch (face) {
+            case 0 -> new Vector3d(1, up, right);
+            case 1 -> new Vector3d(-1, up, -right);
+            case 2 -> new Vector3d(right, 1, up);
+            case 3 -> new Vector3d(right, -1, -up);
+            case 4 -> new Vector3d(-right, up, 1);
+            default -> new Vector3d(right, up, -1);
+        };
+    }
+
+    private Colour colour(Vector3d direction) {
+        double hazeline = 1 - Shapes.ramp(0, 0.12, Math.abs(direction.y));
+        Colour colour = direction.y > 0 ? clouds(direction, air(direction)) : sea(direction);
+        for (int layer = 0; layer < HILLS.length; layer++) {
+            double crest = crest(direction, layer);
+            double inside = 1 - Shapes.ramp(crest - 0.0015, crest + 0.0015, direction.y);
+            double onLand = inside * Shapes.ramp(-0.006, -0.003, direction.y) * (crest > 0 ? 1 : 0);
+            double fold = relief(direction, layer);
+            Colour slope = HILLS[layer].times(1 + 0.10 * fold).mix(HAZE, 0.35 * Shapes.ramp(0.03, 0, direction.y));
+            colour = colour.mix(slope, onLand);
+        }
+        return colour.mix(HAZE, 0.12 * hazeline);
+    }
+
+    private Colour air(Vector3d direction) {
+        double up = Math.max(0, direction.y);
+        Colour air = HAZE.mix(LOWER, Shapes.ramp(-0.06, 0.22, up));
+        air = air.mix(UPPER, Shapes.ramp(0.08, 0.55, up)).mix(ZENITH, 0.9 * Shapes.ramp(0.35, 1, up));
+        double towardsSun = Math.max(0, direction.dot(sunDirection));
+        double glow = 0.28 * power(towardsSun, 3) + 0.35 * power(towardsSun, 6) + 0.6 * power(towardsSun, 10);
+        return air.mix(SUNLIT, Math.min(1, 0.75 * glow));
+    }
+
+    /** {@code base} squared {@code doublings} times. */
+    private static double power(double base, int doublings) {
+        double result = base;
+        for (int i = 0; i < doublings; i++) {
+            result *= result;
+        }
+        return result;
+    }
+
+    /** Fair-weather clouds on a flat layer, thinner towards the sun's side of each heap. */
+    private Colour clouds(Vector3d direction, Colour air) {
+        double reach = 1 / (direction.y + 0.09);
+        double x = direction.x * reach / 48 + 0.5;
+        double z = direction.z * reach / 48 + 0.5;
+        double density = density(x, z);
+        if (density <= 0) {
+            return air;
+        }
+        double step = 0.006;
+        double sunward = density(x + step * sunDirection.x, z + step * sunDirection.z);
+        double lit = Math.max(0, Math.min(1, 0.86 + 1.3 * (density - sunward) - 0.3 * density));
+        Colour cloud = CLOUD_SHADE.mix(SUNLIT.mix(BRIGHT, 0.6), lit);
+        double cover = Shapes.ramp(0, 0.55, density) * Shapes.ramp(0.02, 0.2, direction.y);
+        return air.mix(cloud.mix(air, 0.3 * Shapes.ramp(0.3, 0.05, direction.y)), 0.92 * cover)
+                .mix(BRIGHT, 0.6 * cover * power(Math.max(0, direction.dot(sunDirection)), 4));
+    }
+
+    private static double density(double x, double z) {
+        TileNoise noise = new TileNoise(307);
+        double field = noise.cloud(x, z, 33, 6) + 0.35 * new TileNoise(311).cloud(x, z, 11, 2);
+        return Math.max(0, field - 0.03) * 1.5;
+    }
+
+    private Colour sea(Vector3d direction) {
+        double down = Math.min(1, -direction.y);
+        double reach = 1 / (down + 0.03);
+        double swell = new TileNoise(313)
+                .stretched(direction.x * reach / 128 + 0.5, direction.z * reach / 128 + 0.5, 256, 256, 3);
+        Colour water =
+                SEA_FAR.mix(SEA_NEAR, Shapes.ramp(0, 0.2, down)).times(1 + 0.05 * swell * Shapes.ramp(0, 0.1, down));
+        double land = Shapes.ramp(0.1, 0.25, Math.abs(turn(direction) - 0.47)) * Shapes.ramp(0.004, 0.05, down);
+        return water.mix(SAND, Math.max(land, Shapes.ramp(0.45, 0.8, down)));
+    }
+
+    /** Sine of the altitude of a ridge; negative where there is only sea. */
+    private static double crest(Vector3d direction, int layer) {
+        double turn = turn(direction);
+        TileNoise noise = new TileNoise(331 + 7 * layer);
+        double ridge = 0.5 + 0.5 * noise.cloud(turn, 0.3, 6 + 4 * layer, 6);
+        double bay = Shapes.ramp(0.04 + 0.05 * layer, 0.16 + 0.06 * layer, Math.abs(turn - 0.47));
+        return bay * ridge * (0.27 - 0.075 * layer) - 0.004;
+    }
+
+    /** Azimuth as a share of a whole turn, 0.5 at −z. */
+    private static double turn(Vector3d direction) {
+        return StrictMath.atan2(direction.x, -direction.z) / (2 * Math.PI) + 0.5;
+    }
+
+    private static double relief(Vector3d direction, int layer) {
+        double turn = turn(direction);
+        return new TileNoise(349 + layer).cloud(turn, direction.y * 0.6 + 0.5, 48, 4);
+    }
+}

@@ -1,0 +1,45 @@
+package nephele.lab.oracle;
+
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetId;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.LevelJson;
+import nephele.engine.math.BitHash;
+
+/** What a level is made of: its text and the content of the assets that it names. */
+public final class LevelState {
+    private static final Pattern STRING = Pattern.compile("\"([^\"\\\\]+)\"");
+
+    private LevelState() {}
+
+    /** Equal for equal levels with equal assets. An asset that is missing or no file counts as empty. */
+    public static String key(LevelFile.Opened opened) {
+        Level level = opened.level();
+        long hash = BitHash.of(LevelJson.write(level));
+        // Solids name materials, never assets, and there may be a hundred thousand of them.
+        String naming = LevelJson.write(level.with(level.materials(), List.of()));
+        var ids = STRING.matcher(naming)
+                .results()
+                .map((MatchResult string) -> string.group(1))
+                .filter(id -> AssetId.objection(id) == null && opened.assets().exists(id))
+                .distinct()
+                .toList();
+        for (String id : ids) {
+            hash = BitHash.join(hash, BitHash.of(content(id, opened.assets())));
+        }
+        return Long.toHexString(hash);
+    }
+
+    private static byte[] content(String id, AssetSource assets) {
+        try {
+            return assets.bytes(id);
+        } catch (AssetException unreadable) {
+            return new byte[0];
+        }
+    }
+}

@@ -1,0 +1,21 @@
+package nephele.lab.oracle;
+
+import nephele.engine.math.Basis;
+import nephele.engine.reference.Pinhole;
+import nephele.engine.scene.View;
+
+/** A view of the engine as the exact twin takes it. */
+public final class ReferenceEye {
+    private ReferenceEye() {}
+
+    public static Pinhole of(View view) {
+        var projection = view.projection();
+        return new Pinhole(
+                view.eye(),
+                new Basis(view.right(), view.up(), view.back()),
+                projection.tanHalfWidth(),
+                projection.tanHalfHeight(),
+                projection.nearMetres(),
+                projection.farMetres());
+    }
+}

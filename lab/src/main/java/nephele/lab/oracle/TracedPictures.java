@@ -1,0 +1,63 @@
+package nephele.lab.oracle;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.Supplier;
+import nephele.engine.math.BitHash;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.reference.Pinhole;
+import nephele.engine.reference.TraceSettings;
+import nephele.engine.render.Capture;
+
+/**
+ * The oracle's pictures, kept in a folder as {@link Capture#pfm} writes them: each is traced once, as long as nothing
+ * that it depends on changes.
+ *
+ * @param code stands for the code that traces
+ */
+public record TracedPictures(Path folder, String code) {
+    private static final int HEADER_LINES = 3;
+
+    /**
+     * Linear radiance, the bottom row first.
+     *
+     * @param level stands for the level and its assets: {@link nephele.lab.oracle.LevelState#key}
+     * @param trace makes the picture where none is kept
+     */
+    public LinearPicture picture(String level, Pinhole eye, TraceSettings settings, Supplier<float[]> trace) {
+        String size = settings.width() + "x" + settings.height();
+        long key = BitHash.of(
+                String.join(" ", code, level, size, settings.samples() + "/" + settings.seed(), eye.toString()));
+        Path file = folder.resolve("oracle-" + Long.toHexString(key) + ".pfm");
+        try {
+            if (!Files.exists(file)) {
+                Capture.pfm(trace.get(), settings.width(), settings.height(), file);
+            }
+            return new LinearPicture(settings.width(), settings.height(), read(file));
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    private static float[] read(Path file) throws IOException {
+        byte[] bytes = Files.readAllBytes(file);
+        int start = 0;
+        for (int line = 0; line < HEADER_LINES && start < bytes.length; start++) {
+            line += bytes[start] == '\n' ? 1 : 0;
+        }
+        if (!new String(bytes, 0, start, StandardCharsets.US_ASCII).matches("PF\n\\d+ \\d+\n-1\\.0\n")) {
+            throw new IOException(file + ": is no picture of this program's; delete it");
+        }
+        float[] rgb = new float[(bytes.length - start) / Float.BYTES];
+        ByteBuffer.wrap(bytes, start, bytes.length - start)
+                .order(ByteOrder.LITTLE_ENDIAN)
+                .asFloatBuffer()
+                .get(rgb);
+        return rgb;
+    }
+}

@@ -1,0 +1,140 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.engine.sim.FaultLog;
+import nephele.engine.sim.PlayerInput;
+import nephele.engine.sim.SimLevel;
+import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.SimState;
+import nephele.engine.sim.Simulation;
+import nephele.lab.art.BenchBodies;
+
+/**
+ * A tower and a stack of boxes stand, and moving a body allocates no more than 256 B a tick. The time that they and
+ * bodies that never rest cost is measured, not claimed.
+ */
+public final class BodiesProof implements Proof {
+    private static final double TICKS_A_SECOND = 120;
+    private static final double TOWER_METRES = 0.005;
+    private static final double TOWER_DEGREES = 0.5;
+    private static final double STACK_METRES = 0.05;
+    private static final double STACK_SECONDS = 10;
+    /** The bars speak of the first 300 steps of 1/60 s. */
+    private static final int TIMED_TICKS = 600;
+
+    private static final double MOST_BYTES = 256;
+    private static final Vec3 BESIDE_STACK = new Vec3(8, 0, 0);
+    /** On the floor slab outside the shaft's east wall. */
+    private static final Vec3 BESIDE_SHAFT = new Vec3(6.4, 0, 0);
+
+    @Override
+    public String name() {
+        return "bodies";
+    }
+
+    @Override
+    public String claim() {
+        return "A tower of ten boxes stays within 5 mm and half a degree of its place for a minute; after ten seconds"
+                + " 500 boxes lie within 5 cm of where closing their gaps downwards puts them; a body allocates at most"
+                + " 256 B a tick.";
+    }
+
+    @Override
+    public String unit() {
+        return "seconds";
+    }
+
+    @Override
+    public long fullCount() {
+        return 60;
+    }
+
+    @Override
+    public long batch() {
+        return 60;
+    }
+
+    /** The units from 0 on: the tower stands for {@code count} seconds, the stack for no more than ten. */
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        List<String> failures = new ArrayList<>();
+        List<Figure> figures = new ArrayList<>();
+        tower(count, failures, figures);
+        progress.unitsDone(count / 2);
+        stack(Math.min(STACK_SECONDS, count), failures, figures);
+        costs(count, failures, figures);
+        progress.unitsDone(count);
+        return new ProofResult(count, failures.size(), figures, failures);
+    }
+
+    private static void tower(long seconds, List<String> failures, List<Figure> figures) {
+        var bodies = BodyCourse.tower(10);
+        for (long tick = 0; tick < seconds * TICKS_A_SECOND; tick++) {
+            bodies.tick(1 / TICKS_A_SECOND);
+            if (failures.isEmpty() && !(bodies.farthestOff() <= TOWER_METRES && bodies.mostTilted() <= TOWER_DEGREES)) {
+                failures.add(String.format(
+                        Locale.ROOT,
+                        "tick %d of the tower: %.6f m and %.3f degrees off",
+                        tick,
+                        bodies.farthestOff(),
+                        bodies.mostTilted()));
+            }
+        }
+        figures.add(Figure.greatest("tower, farthest from its place", bodies.farthestOff() * 1000, "mm"));
+        figures.add(Figure.greatest("tower, most tilted", bodies.mostTilted(), "degrees"));
+    }
+
+    private static void stack(double seconds, List<String> failures, List<Figure> figures) {
+        var bodies = BodyCourse.stack();
+        for (int tick = 0; tick < seconds * TICKS_A_SECOND; tick++) {
+            bodies.tick(1 / TICKS_A_SECOND);
+        }
+        if (seconds == STACK_SECONDS && !(bodies.farthestOff() <= STACK_METRES)) {
+            failures.add(String.format(Locale.ROOT, "a box of the stack is %.6f m off", bodies.farthestOff()));
+        }
+        figures.add(Figure.greatest("stack, farthest from its place", bodies.farthestOff() * 1000, "mm"));
+    }
+
+    private static void costs(long seconds, List<String> failures, List<Figure> figures) {
+        int ticks = (int) Math.min(TIMED_TICKS, seconds * TICKS_A_SECOND);
+        var stack = BodyCost.measure(() -> moved(BodyCourse.stack()), ticks);
+        var restless = BodyCost.measure(() -> moved(BodyCourse.restless()), ticks);
+        add("stack of 500", stack, figures);
+        add("200 without rest", restless, figures);
+        add(
+                "stack of 500, whole simulation",
+                BodyCost.measure(() -> played(BenchBodies.stack(BodyCourse.DARK), BESIDE_STACK), ticks),
+                figures);
+        add(
+                "200 without rest, whole simulation",
+                BodyCost.measure(() -> played(BenchBodies.shaft(BodyCourse.DARK), BESIDE_SHAFT), ticks),
+                figures);
+        for (BodyCost cost : List.of(stack, restless)) {
+            if (!(cost.bytesPerBodyAndTick() <= MOST_BYTES)) {
+                failures.add("a body allocates " + cost.bytesPerBodyAndTick() + " B a tick");
+            }
+        }
+    }
+
+    private static BodyCost.Course moved(BodyCourse bodies) {
+        return new BodyCost.Course(bodies.size(), () -> bodies.tick(1 / TICKS_A_SECOND));
+    }
+
+    /** All that a tick of the game does, with a player who stands by. */
+    private static BodyCost.Course played(Level level, Vec3 feet) {
+        var simulation =
+                new Simulation(SimLevel.of(level), new SimSettings((int) TICKS_A_SECOND, List.of()), FaultLog.SILENT);
+        SimState start = simulation.start();
+        SimState[] state = {start.withPlayer(start.player().withFeet(feet))};
+        return new BodyCost.Course(level.bodies().size(), () -> state[0] = simulation.step(state[0], PlayerInput.NONE));
+    }
+
+    private static void add(String course, BodyCost cost, List<Figure> figures) {
+        figures.add(Figure.greatest(course + ", CPU per two ticks", cost.millisecondsPerTwoTicks(), "ms"));
+        figures.add(Figure.greatest(course + ", allocated a body and tick", cost.bytesPerBodyAndTick(), "B"));
+    }
+}

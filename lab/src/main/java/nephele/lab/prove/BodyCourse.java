@@ -1,0 +1,132 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.collision.rigid.Influences;
+import nephele.engine.collision.rigid.RigidStep;
+import nephele.engine.collision.rigid.Surroundings;
+import nephele.engine.level.Body;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
+import nephele.lab.art.BenchBodies;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/** Bodies of a level on their own, and how far they are from where they belong. */
+final class BodyCourse {
+    private static final Vec3 GRAVITY = new Vec3(0, -9.81, 0);
+    static final Environment DARK =
+            new Environment(null, new Sky.Constant(Vec3.ZERO), null, 0, ToneCurve.CLIP, null, List.of());
+
+    private final RigidStep step;
+    private final Surroundings surroundings;
+    private final Influences nobody = new Influences();
+    private final List<Vec3> places;
+    private final Vector3d centre = new Vector3d();
+    private final Quaterniond turn = new Quaterniond();
+    private Bodies bodies;
+
+    private BodyCourse(Level level, List<Vec3> places) {
+        BodyTable table = BodyTable.of(level);
+        step = new RigidStep(table, GRAVITY);
+        surroundings = Surroundings.of(SeamedWorld.of(CollisionWorld.of(level), Portals.of(level)));
+        bodies = table.start();
+        this.places = places;
+    }
+
+    /** Unit boxes on each other. */
+    static BodyCourse tower(int boxes) {
+        Level plane = BenchBodies.stack(DARK);
+        List<Body> bodies = new ArrayList<>();
+        for (int i = 0; i < boxes; i++) {
+            bodies.add(new Body.Box("t" + i, new Vec3(0, 0.5 + i, 0), new Vec3(1, 1, 1), 1, null, 0.6, 0));
+        }
+        return new BodyCourse(
+                with(plane, bodies), bodies.stream().map(Body::centre).toList());
+    }
+
+    /** The 500 boxes; they belong where their gaps are closed downwards. */
+    static BodyCourse stack() {
+        Level level = BenchBodies.stack(DARK);
+        List<Vec3> places = new ArrayList<>();
+        for (int i = 0; i < level.bodies().size(); i++) {
+            Vec3 start = level.bodies().get(i).centre();
+            places.add(new Vec3(start.x(), 0.5 + i / 25, start.z()));
+        }
+        return new BodyCourse(level, places);
+    }
+
+    /** The 200 bodies of the shaft; they belong nowhere. */
+    static BodyCourse restless() {
+        return new BodyCourse(BenchBodies.shaft(DARK), List.of());
+    }
+
+    private static Level with(Level level, List<Body> bodies) {
+        return new Level(
+                level.name(),
+                level.description(),
+                level.environment(),
+                null,
+                level.cameras(),
+                List.of(),
+                level.solids(),
+                List.of(),
+                List.of(),
+                List.of(),
+                bodies,
+                null);
+    }
+
+    int size() {
+        return bodies.size();
+    }
+
+    void tick(double seconds) {
+        bodies = step.step(bodies, surroundings, nobody, seconds);
+    }
+
+    /** Metres from a body to its place, the greatest. */
+    double farthestOff() {
+        double most = 0;
+        for (int i = 0; i < places.size(); i++) {
+            Vec3 place = places.get(i);
+            most = Math.max(most, bodies.centre(i, centre).distance(place.x(), place.y(), place.z()));
+        }
+        return most;
+    }
+
+    /** Degrees from the orientation at the start, the greatest. */
+    double mostTilted() {
+        double most = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.orientation(i, turn);
+            double sine = Math.sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
+            most = Math.max(most, 2 * Math.toDegrees(StrictMath.asin(Math.min(1, sine))));
+        }
+        return most;
+    }
+
+    int asleep() {
+        int count = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            count += bodies.isAsleep(i) ? 1 : 0;
+        }
+        return count;
+    }
+
+    long crossings() {
+        long count = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            count += bodies.crossings(i);
+        }
+        return count;
+    }
+}

@@ -1,0 +1,54 @@
+package nephele.lab.prove;
+
+import nephele.engine.collision.Recovery;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.Separation;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyTable;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/** How deep bodies reach into what is solid in the world that portals open, and into each other. */
+final class BodyDepth {
+    private static final Vector3d STILL = new Vector3d();
+
+    private final BodyTable table;
+    private final SeamedWorld world;
+    private final Recovery recovery = new Recovery();
+    private final Separation separation = new Separation();
+    private final Vector3d centre = new Vector3d();
+    private final Vector3d other = new Vector3d();
+    private final Quaterniond turn = new Quaterniond();
+
+    BodyDepth(BodyTable table, SeamedWorld world) {
+        this.table = table;
+        this.world = world;
+    }
+
+    /** Metres in the solid that the body is deepest in; 0 for none. */
+    double inSolids(Bodies bodies, int body) {
+        RoundedHull hull = table.hull(body, bodies.orientation(body, turn));
+        bodies.centre(body, centre);
+        return Math.max(0, recovery.depth(world.around(world.active(hull, centre, STILL)), hull, centre));
+    }
+
+    /** Metres in the body that this one is deepest in; 0 for none. What meets through a portal does not count. */
+    double inBodies(Bodies bodies, int body) {
+        double deepest = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            deepest = i == body ? deepest : Math.max(deepest, -gapMetres(bodies, body, i));
+        }
+        return deepest;
+    }
+
+    /** Between the surfaces of two bodies, negative where they overlap. */
+    double gapMetres(Bodies bodies, int a, int b) {
+        bodies.centre(b, other);
+        var solid = table.collider(b, other, bodies.orientation(b, turn));
+        var hull = table.hull(a, bodies.orientation(a, turn));
+        bodies.centre(a, centre);
+        separation.measure(hull, centre.x, centre.y, centre.z, solid);
+        return separation.metres();
+    }
+}

@@ -1,0 +1,160 @@
+package nephele.lab.prove;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.List;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.collision.rigid.Influences;
+import nephele.engine.collision.rigid.RigidStep;
+import nephele.engine.collision.rigid.Surroundings;
+import nephele.engine.level.Body;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+
+/** Ten seconds of a pile of boxes, and what is seen after every step. */
+final class BoxPileCourse {
+    static final int STEPS = 1200;
+    private static final double SECONDS_A_STEP = 1.0 / 120;
+    private static final double GRAVITY = 9.81;
+    private static final double MOST_ENERGY = 1.1;
+    private static final double FAST_METRES_PER_SECOND = 25;
+    private static final double REST_METRES_PER_SECOND = .02;
+    private static final double REST_RADIANS_PER_SECOND = .1;
+    private static final double SUNK_METRES = .01;
+    private static final double STANDING_METRES = .05;
+    private static final double OUTSIDE_METRES = .1;
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+    private final BoxPile pile;
+    private final BodyEnergy energy = new BodyEnergy();
+    private final Vector3d v = new Vector3d();
+    private double mostEnergy;
+    private double maxSpeed;
+    private double maxSpin;
+    private boolean gained;
+    private boolean escaped;
+    private boolean sunkAtChecks;
+    private boolean faulty;
+
+    private BoxPileCourse(BoxPile pile) {
+        this.pile = pile;
+    }
+
+    /**
+     * The columns of one pile.
+     *
+     * @param energyGain the energy was above 1.1 times the first at a step
+     * @param maxSpeed greatest of a body at a step, m/s; {@code maxSpin} likewise, rad/s
+     * @param fastAny a body was faster than 25 m/s at a step
+     * @param sunk a centre was lower than half its smallest edge less 1 cm, at the end
+     * @param sunkChecks the same at the steps 150, 503 and 1200
+     * @param through a centre was more than half the smallest edge and 1 cm under the floor, at the end
+     * @param escaped a centre was 10 cm in a wall or the ceiling or 1 m under the floor, at a step
+     * @param atRest all were under .02 m/s and .1 rad/s at the end
+     * @param stands the top box lost less than 5 cm of height
+     * @param faulty a body was frozen, or its way through portals cut short
+     * @param cpuSeconds of the steps alone, sleeping ones included
+     */
+    record Seen(
+            boolean energyGain,
+            double maxSpeed,
+            double maxSpin,
+            boolean fastAny,
+            boolean sunk,
+            boolean sunkChecks,
+            boolean through,
+            boolean escaped,
+            boolean atRest,
+            boolean stands,
+            boolean faulty,
+            double cpuSeconds) {}
+
+    static Seen run(BoxPile pile) {
+        return new BoxPileCourse(pile).run();
+    }
+
+    private Seen run() {
+        BodyTable table = new BodyTable(List.<Body>copyOf(pile.bodies()));
+        RigidStep step = new RigidStep(table, new Vec3(0, -GRAVITY, 0));
+        Surroundings room = Surroundings.of(pile.room());
+        Influences influences = Influences.none();
+        Bodies bodies = table.start();
+        mostEnergy = MOST_ENERGY * joules(bodies);
+        long nanos = 0;
+        for (int tick = 1; tick <= STEPS; tick++) {
+            long before = THREADS.getCurrentThreadCpuTime();
+            bodies = step.step(bodies, room, influences, SECONDS_A_STEP);
+            nanos += THREADS.getCurrentThreadCpuTime() - before;
+            look(bodies, step);
+            if (tick == 150 || tick == 503 || tick == STEPS) {
+                sunkAtChecks |= isAnyUnder(bodies, 1);
+            }
+        }
+        return new Seen(
+                gained,
+                maxSpeed,
+                maxSpin,
+                maxSpeed > FAST_METRES_PER_SECOND,
+                isAnyUnder(bodies, 1),
+                sunkAtChecks,
+                isAnyUnder(bodies, -1),
+                escaped,
+                isAtRest(bodies),
+                stands(bodies),
+                faulty,
+                nanos * 1e-9);
+    }
+
+    private void look(Bodies bodies, RigidStep step) {
+        gained |= !(joules(bodies) <= mostEnergy);
+        faulty |= bodies.frozen() > 0 || step.cutShort() > 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            maxSpeed = Math.max(maxSpeed, bodies.velocity(i, v).length());
+            maxSpin = Math.max(maxSpin, bodies.spin(i, v).length());
+            escaped |= !isInside(bodies.centre(i, v));
+        }
+    }
+
+    private double joules(Bodies bodies) {
+        double sum = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            Body body = pile.bodies().get(i);
+            sum += energy.kinetic(body, bodies, i) + body.massKilograms() * GRAVITY * bodies.centre(i, v).y;
+        }
+        return sum;
+    }
+
+    private boolean isInside(Vector3d centre) {
+        double wall = BoxPile.HALF_ROOM_METRES + OUTSIDE_METRES;
+        return Math.abs(centre.x) <= wall
+                && Math.abs(centre.z) <= wall
+                && centre.y >= -1
+                && centre.y <= pile.heightMetres() + OUTSIDE_METRES;
+    }
+
+    /** Whether a centre is more than 1 cm lower than so many halves of its smallest edge. */
+    private boolean isAnyUnder(Bodies bodies, int halves) {
+        boolean any = false;
+        for (int i = 0; i < bodies.size(); i++) {
+            Vec3 size = pile.bodies().get(i).size();
+            double smallest = Math.min(size.x(), Math.min(size.y(), size.z()));
+            any |= !(bodies.centre(i, v).y >= halves * smallest / 2 - SUNK_METRES);
+        }
+        return any;
+    }
+
+    private boolean isAtRest(Bodies bodies) {
+        boolean all = true;
+        for (int i = 0; i < bodies.size(); i++) {
+            all &= bodies.velocity(i, v).length() <= REST_METRES_PER_SECOND;
+            all &= bodies.spin(i, v).length() <= REST_RADIANS_PER_SECOND;
+        }
+        return all;
+    }
+
+    private boolean stands(Bodies bodies) {
+        int top = bodies.size() - 1;
+        return bodies.centre(top, v).y > pile.bodies().get(top).centre().y() - STANDING_METRES;
+    }
+}

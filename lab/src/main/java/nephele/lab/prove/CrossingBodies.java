@@ -1,0 +1,148 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.collision.Recovery;
+import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.collision.rigid.Influences;
+import nephele.engine.collision.rigid.RigidStep;
+import nephele.engine.collision.rigid.Surroundings;
+import nephele.engine.math.Rotations;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.sim.PlayerBody;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/**
+ * A box, a ball or a capsule, thrown at up to 100 m/s and spinning through one pair of portals, again and again.
+ */
+final class CrossingBodies {
+    /** What stands in a solid by less is pressed against it: a solver lets bodies sink in a little. */
+    private static final double PRESSED_METRES = 0.01;
+
+    private static final double SECONDS_BEFORE = 0.33;
+    private static final double SECONDS_AFTER = 0.25;
+    private static final Vec3 GRAVITY = new Vec3(0, -PlayerBody.GRAVITY, 0);
+
+    private final PortalRoom.Place place;
+    private final SeamedClearance clearance;
+    private final Surroundings surroundings;
+    private final BodyTable table;
+    private final RigidStep step;
+    private final List<Vector3d> points;
+    private final double seconds;
+    private final Influences influences = Influences.none();
+    private final Recovery recovery = new Recovery();
+    private final Vector3d centre = new Vector3d();
+    private final Quaterniond orientation = new Quaterniond();
+
+    CrossingBodies(PortalRoom.Place place, int ticksPerSecond, long number) {
+        this.place = place;
+        clearance = new SeamedClearance(place);
+        surroundings = Surroundings.of(SeamedWorld.of(place.world(), place.portals()));
+        seconds = 1.0 / ticksPerSecond;
+        var random = new SplittableRandom(~number);
+        ThrownBody thrown = ThrownBody.of(random);
+        table = new BodyTable(List.of(thrown.body()));
+        points = thrown.points();
+        step = new RigidStep(table, GRAVITY);
+    }
+
+    /** Draws anew until it goes through, and says whether it did. */
+    boolean cross(SplittableRandom random, String where, CrossingTally tally) {
+        for (int i = 0; i < CrossingsProof.MOST_TRIES; i++) {
+            BodyState start = start(random);
+            if (start != null && crosses(where, start, tally)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean crosses(String where, BodyState start, CrossingTally tally) {
+        Bodies bodies = Bodies.of(List.of(start));
+        int last = (int) Math.ceil(SECONDS_BEFORE / seconds);
+        boolean crossed = false;
+        for (int tick = 0; tick < last; tick++) {
+            bodies = step.step(bodies, surroundings, influences, seconds);
+            if (!crossed && bodies.crossings(0) > 0) {
+                crossed = true;
+                last = tick + 1 + (int) Math.ceil(SECONDS_AFTER / seconds);
+            }
+        }
+        if (crossed) {
+            tallyEnd(where, bodies, start, tally);
+        }
+        return crossed;
+    }
+
+    /** A blow may press it in or even through for a moment; a second later it is out again. */
+    private void tallyEnd(String where, Bodies after, BodyState start, CrossingTally tally) {
+        Bodies bodies = after;
+        for (double waited = 0; !isWell(bodies) && waited < 1; waited += seconds) {
+            bodies = step.step(bodies, surroundings, influences, seconds);
+        }
+        double depth = depth(bodies.state(0));
+        if (!isInside(bodies)) {
+            tally.escaped(where + ": out of the room: " + bodies.state(0) + of(start));
+        } else if (depth > PRESSED_METRES) {
+            tally.stuck(where + ": " + depth + " m in a solid: " + bodies.state(0) + of(start));
+        } else {
+            tally.bodyDepth(depth);
+        }
+    }
+
+    private boolean isWell(Bodies bodies) {
+        return isInside(bodies) && depth(bodies.state(0)) <= PRESSED_METRES;
+    }
+
+    private boolean isInside(Bodies bodies) {
+        return place.holds(Vec3.of(bodies.centre(0, centre))) && bodies.frozen() == 0;
+    }
+
+    private String of(BodyState start) {
+        return " of " + table.body(0) + " from " + start;
+    }
+
+    private double depth(BodyState state) {
+        List<Vector3d> turned = new ArrayList<>();
+        points.forEach(point -> turned.add(state.orientation().transform(new Vector3d(point))));
+        return clearance.depth(state.centre().toVector(), turned);
+    }
+
+    /** Before one of the portals, on its way in; {@code null} where no draw is free. */
+    private BodyState start(SplittableRandom random) {
+        for (int i = 0; i < 20; i++) {
+            Portal entry = place.portals().portal(random.nextInt(2));
+            Vec3 from = entry.world(
+                    random.nextDouble(-0.5, 0.5), random.nextDouble(-0.9, 0.9), random.nextDouble(0.01, 0.8));
+            Vec3 n = entry.normal();
+            double speed = StrictMath.pow(10, random.nextDouble(-1, 2)) + (n.y() < -0.1 ? 4 : 0);
+            Vec3 velocity = new Vec3(
+                    -n.x() * speed + random.nextDouble(-1, 1),
+                    -n.y() * speed + random.nextDouble(-1, 1),
+                    -n.z() * speed + random.nextDouble(-1, 1));
+            Vec3 axis = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+            Vec3 spin = random.nextInt(3) == 0 ? Vec3.ZERO : new Vec3(10 * axis.x(), 10 * axis.y(), 10 * axis.z());
+            orientation.set(Rotations.aroundAxis(axis, random.nextDouble(0, 3)));
+            BodyState state = new BodyState(from, new Quaterniond(orientation), velocity, spin);
+            if (place.holds(from) && isFree(state)) {
+                return state;
+            }
+        }
+        return null;
+    }
+
+    private boolean isFree(BodyState state) {
+        RoundedHull hull = table.hull(0, state.orientation());
+        centre.set(state.centre().x(), state.centre().y(), state.centre().z());
+        long active = surroundings.active(hull, centre, new Vector3d());
+        return recovery.isFree(surroundings.around(active), hull, centre) && depth(state) == 0;
+    }
+}

@@ -1,0 +1,69 @@
+package nephele.lab.prove;
+
+import java.util.SplittableRandom;
+
+/**
+ * Sends players (even units) and thrown boxes, balls and capsules (odd ones) through random portals, and looks where they
+ * get to within a quarter of a second after. A unit is a crossing: its start is drawn anew until it goes through.
+ */
+public final class CrossingsProof implements Proof {
+    /** Who has not gone through by then stands for no crossing; it is counted apart. */
+    static final int MOST_TRIES = 200;
+
+    private static final long CROSSINGS_PER_ROOM = 500;
+    private static final int[] RATES = {30, 60, 120, 120, 120, 240};
+
+    @Override
+    public String name() {
+        return "crossings";
+    }
+
+    @Override
+    public String claim() {
+        return "Whoever goes through a portal falls through no floor and ends in no solid.";
+    }
+
+    @Override
+    public String unit() {
+        return "crossings";
+    }
+
+    @Override
+    public long fullCount() {
+        return 1_000_000;
+    }
+
+    @Override
+    public long batch() {
+        return 50_000;
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        CrossingTally tally = new CrossingTally();
+        long number = -1;
+        CrossingPlayers players = null;
+        CrossingBodies bodies = null;
+        for (long unit = from; unit < from + count; unit++) {
+            if (number != unit / CROSSINGS_PER_ROOM) {
+                number = unit / CROSSINGS_PER_ROOM;
+                PortalRoom.Place place = PortalRoom.of(new SplittableRandom(number));
+                int rate = RATES[(int) (number % RATES.length)];
+                players = new CrossingPlayers(place, rate);
+                bodies = new CrossingBodies(place, rate, number);
+            }
+            var random = new SplittableRandom(unit ^ 0x5DEECE66DL);
+            String where = "crossing " + unit + " in room " + number;
+            boolean crossed = unit % 2 == 0 ? players.cross(random, where, tally) : bodies.cross(random, where, tally);
+            if (crossed) {
+                tally.through();
+            } else {
+                tally.without();
+            }
+            if (unit % 1000 == 999) {
+                progress.unitsDone(unit + 1 - from);
+            }
+        }
+        return tally.result(count);
+    }
+}

@@ -1,0 +1,59 @@
+package nephele.lab.prove;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Sun;
+import nephele.engine.math.Vec3;
+
+/**
+ * A closed room of white walls of 10 cm, with an inner wall, in full sun or beside a lamp outside: from within nothing
+ * is lit. By number.
+ */
+final class DarkRoom {
+    private static final double THICK = 0.1;
+    private static final Vec3 ONE = new Vec3(1, 1, 1);
+
+    private final WhiteBoxes boxes = new WhiteBoxes();
+    private final SplittableRandom random;
+    private final double width;
+    private final double height;
+    private final double depth;
+
+    /** @param gapMetres between the ceiling and the walls; 0 for a closed room */
+    DarkRoom(long number, double gapMetres) {
+        random = new SplittableRandom(number);
+        width = 2 + 4 * random.nextDouble();
+        height = 2 + random.nextDouble();
+        depth = 2 + 4 * random.nextDouble();
+        boxes.box(0, -THICK / 2, 0, width + 2 * THICK, THICK, depth + 2 * THICK);
+        boxes.box(0, height + THICK / 2 + gapMetres, 0, width + 2 * THICK, THICK, depth + 2 * THICK);
+        for (int side = -1; side <= 1; side += 2) {
+            boxes.box(side * (width + THICK) / 2, height / 2, 0, THICK, height, depth + 2 * THICK);
+            boxes.box(0, height / 2, side * (depth + THICK) / 2, width, height, THICK);
+        }
+        boxes.box(width / 4, height / 4, -depth / 4, THICK, height / 2, depth / 2);
+    }
+
+    Level level() {
+        double yaw = 2 * Math.PI * random.nextDouble();
+        Vec3 way = new Vec3(StrictMath.cos(yaw), 0.05 + 2 * random.nextDouble(), StrictMath.sin(yaw));
+        boolean isSunny = random.nextInt(3) > 0;
+        double away = width + depth;
+        var outside = new Vec3(away * way.x(), height * way.y(), away * way.z());
+        List<Light> lights =
+                isSunny ? List.of() : List.of(new Light.Point("lamp", outside, new Vec3(500, 500, 500), 40, true));
+        Sun sun = isSunny ? new Sun(way, ONE, true) : null;
+        return boxes.lit(sun, lights);
+    }
+
+    /** A place within, and what to look at: a corner of the room. */
+    Vec3[] camera(int number) {
+        var choice = new SplittableRandom(number);
+        var eye = new Vec3(-0.3 * width * choice.nextDouble(), height / 2, 0.3 * depth * choice.nextDouble());
+        var corner = new Vec3(
+                width * (choice.nextInt(2) - 0.5), height * choice.nextInt(2), depth * (choice.nextInt(2) - 0.5));
+        return new Vec3[] {eye, corner};
+    }
+}

@@ -1,0 +1,104 @@
+package nephele.lab.prove;
+
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.level.Level;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.RenderSettings.Decoration;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.sim.Action;
+import nephele.engine.sim.PlayerInput;
+import nephele.engine.sim.SimSettings;
+import nephele.engine.walk.TickInput;
+import nephele.engine.walk.Walk;
+import nephele.lab.prove.DoorwayRooms.Cube;
+import nephele.lab.prove.DoorwayRooms.Doors;
+import nephele.lab.prove.FrameSteps.Step;
+
+/** One walk through all doors of a row of rooms, drawn frame by frame. */
+final class DoorwayWalk implements AutoCloseable {
+    /** To 10° on either side and back, while the way stays within the doors. */
+    private static final double TURN_MILLIDEGREES = 600;
+
+    private static final double TURNS_PER_TICK = 0.06;
+
+    /** How it is seen. */
+    enum Manner {
+        EYE,
+        BOOM,
+        HELD_CUBE
+    }
+
+    private final Walk walk;
+    private final Renderer renderer;
+    private final RenderTarget picture;
+    private byte[] last;
+    private byte[] frame;
+    private Step greatestStep = Step.NONE;
+
+    DoorwayWalk(GlContext gl, RenderTarget picture, Doors doors, int count, Manner manner) {
+        this.picture = picture;
+        Cube cube = manner == Manner.HELD_CUBE ? Cube.IN_SIGHT : Cube.ASIDE;
+        Level level = DoorwayRooms.level(count, doors, cube);
+        var settings = RenderSettings.of(Output.DIRECT, Quality.LOW).with(Decoration.OFF);
+        renderer = Renderer.load(gl, level, LevelAssets.inJar(LevelAssets.JAR_LEVELS + "/doorways.json"), settings);
+        walk = new Walk(level, new Walk.Beginning("doorways.json", SimSettings.DEFAULT, null), new Steps(manner));
+        if (manner == Manner.BOOM) {
+            walk.changePerson();
+        }
+    }
+
+    /** Forward, looking to and fro. */
+    private static final class Steps implements TickInput {
+        private final Manner manner;
+        private int tick;
+
+        Steps(Manner manner) {
+            this.manner = manner;
+        }
+
+        @Override
+        public PlayerInput next() {
+            int turn = (int) Math.round(TURN_MILLIDEGREES * StrictMath.cos(TURNS_PER_TICK * tick));
+            tick++;
+            if (tick == 1 && manner == Manner.HELD_CUBE) {
+                return PlayerInput.NONE.holding(Action.CARRY);
+            }
+            return PlayerInput.FORWARD.turning(turn, turn / 3);
+        }
+
+        @Override
+        public boolean isFinished() {
+            return false;
+        }
+    }
+
+    /** Simulates for so long and draws. */
+    byte[] frame(long nanos) {
+        walk.advance(nanos);
+        renderer.draw(walk.view((double) picture.width() / picture.height()), walk.moment(), picture);
+        last = frame;
+        frame = FrameSteps.bytes(picture.readBytes());
+        if (last != null) {
+            greatestStep = greatestStep.or(FrameSteps.between(last, frame));
+        }
+        return frame;
+    }
+
+    /** The greatest difference of two successive frames. */
+    Step greatestStep() {
+        return greatestStep;
+    }
+
+    Walk walk() {
+        return walk;
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+    }
+}

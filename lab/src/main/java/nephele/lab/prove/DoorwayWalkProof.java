@@ -1,0 +1,160 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.lab.prove.DoorwayRooms.Doors;
+import nephele.lab.prove.DoorwayWalk.Manner;
+import nephele.lab.prove.FrameSteps.Step;
+
+/**
+ * Walks through 0 to 3 portals and through as many open doorways of the same shape with the same steps, by the eye, on
+ * the boom and with a cube in hand, and compares what is seen: each frame with the frame before it, which is how a pop
+ * shows, and each frame with its twin. Portals.md, section 5, rows 8 to 11 and 27.
+ */
+public final class DoorwayWalkProof implements Proof {
+    private static final int MOST_DOORS = 3;
+    private static final int FRAMES_PER_SECOND = 60;
+    private static final double METRES_PER_SECOND = 4;
+    /** By this share the step between two frames may be greater: edges beyond a portal fall on the pixel beside. */
+    private static final double STEP_SHARE = 0.01;
+
+    /** By so many codes the step that 999 of 1000 channels keep to may be greater. */
+    private static final int STEP_MOST = 2;
+
+    /**
+     * Mean codes that a frame may differ from its twin's: the edges, which fall on the pixel beside. At 160 by 90 pixels
+     * they come to 1.0; a single row of 90 that is wrong by half the range comes to 1.4 more.
+     */
+    private static final double TWIN_CODES = 2;
+    /** What sums of a few hundred steps round to is 10⁻¹³ m. */
+    private static final double APART_METRES = 1e-9;
+
+    private final int width;
+    private final int height;
+    private final List<String> failures = new ArrayList<>();
+    private double greatestTwin;
+    private double greatestExcess;
+    private long strangers;
+    private double farthestApart;
+    private long frames;
+
+    public DoorwayWalkProof(int width, int height) {
+        this.width = width;
+        this.height = height;
+    }
+
+    @Override
+    public String name() {
+        return "doorway-walk";
+    }
+
+    @Override
+    public String claim() {
+        return "Walking through portals looks as walking through doorways does, frame by frame: with the eye, on the"
+            + " boom, with a cube in hand, through none to three of them. The greatest step between two frames is at"
+            + " most 1 % (on average) and 2 codes (of 999 in 1000 channels) greater, no pixel away from edges differs"
+            + " from the doorway's by more than 2 codes, a frame by 2 codes on average, and the player by 1e-9 m.";
+    }
+
+    @Override
+    public String unit() {
+        return "walks";
+    }
+
+    @Override
+    public long fullCount() {
+        return (long) Manner.values().length * (MOST_DOORS + 1);
+    }
+
+    @Override
+    public long batch() {
+        return MOST_DOORS + 1;
+    }
+
+    /** Unit n goes through n modulo 4 doors. */
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        failures.clear();
+        greatestTwin = 0;
+        greatestExcess = Double.NEGATIVE_INFINITY;
+        strangers = 0;
+        farthestApart = 0;
+        frames = 0;
+        try (var gl = GlContext.offscreen();
+                var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height)) {
+            for (long unit = from; unit < from + count; unit++) {
+                Manner manner = Manner.values()[(int) (unit / (MOST_DOORS + 1)) % Manner.values().length];
+                walk(gl, picture, (int) (unit % (MOST_DOORS + 1)), manner);
+                progress.unitsDone(unit + 1 - from);
+            }
+        }
+        return new ProofResult(
+                count,
+                failures.size(),
+                List.of(
+                        Figure.sum("frames", frames, ""),
+                        Figure.greatest("mean difference of a frame from its twin", greatestTwin, "codes"),
+                        Figure.sum("pixels away from edges that differ from the twin's", strangers, ""),
+                        Figure.greatest("step between frames beyond the doorways'", 100 * greatestExcess, "%"),
+                        Figure.greatest("player from its twin", farthestApart, "m")),
+                failures);
+    }
+
+    private void walk(GlContext gl, RenderTarget picture, int doors, Manner manner) {
+        try (var open = new DoorwayWalk(gl, picture, Doors.OPEN, doors, manner);
+                var through = new DoorwayWalk(gl, picture, Doors.PORTALS, doors, manner)) {
+            double twin = 0;
+            long strange = 0;
+            long count = 30 + Math.round(doors * DoorwayRooms.PITCH_METRES / METRES_PER_SECOND * FRAMES_PER_SECOND);
+            for (long frame = 0; frame < count; frame++) {
+                long nanos = 1_000_000_000L / FRAMES_PER_SECOND;
+                byte[] a = open.frame(nanos);
+                byte[] b = through.frame(nanos);
+                twin = Math.max(twin, FrameSteps.between(a, b).mean());
+                strange += FrameSteps.strangers(a, b, width);
+                frames++;
+            }
+            Step doorway = open.greatestStep();
+            Step portal = through.greatestStep();
+            greatestTwin = Math.max(greatestTwin, twin);
+            greatestExcess = Math.max(greatestExcess, portal.mean() / doorway.mean() - 1);
+            strangers += strange;
+            double apart = apart(open, through, doors);
+            farthestApart = Math.max(farthestApart, apart);
+            if (portal.mean() > doorway.mean() * (1 + STEP_SHARE)
+                    || portal.most() > doorway.most() + STEP_MOST
+                    || strange > 0
+                    || !(twin <= TWIN_CODES && apart <= APART_METRES)) {
+                failures.add(String.format(
+                        Locale.ROOT,
+                        "%s through %d: steps %.3f and %d codes, doorways %.3f and %d; %d strange pixels; twin %.3f"
+                                + " codes and %.3g m apart",
+                        manner,
+                        doors,
+                        portal.mean(),
+                        portal.most(),
+                        doorway.mean(),
+                        doorway.most(),
+                        strange,
+                        twin,
+                        apart));
+            }
+        }
+    }
+
+    /** Metres between both players, each in its room's own space. */
+    private static double apart(DoorwayWalk open, DoorwayWalk through, int doors) {
+        double least = Double.POSITIVE_INFINITY;
+        Vec3 there = through.walk().state().player().feet();
+        for (int room = 0; room <= doors; room++) {
+            Vec3 twin = DoorwayRooms.twin(open.walk().state().player().feet(), room);
+            least = Math.min(least, twin.toVector().distance(there.toVector()));
+        }
+        return least;
+    }
+}

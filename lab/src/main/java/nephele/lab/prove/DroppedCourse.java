@@ -1,0 +1,143 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.Influences;
+import nephele.engine.collision.rigid.RigidStep;
+import nephele.engine.collision.rigid.Surroundings;
+import nephele.engine.math.Vec3;
+import nephele.engine.sim.PlayerBody;
+import org.joml.Vector3d;
+
+/** Ten seconds of a dropped pile, its energy at every tick and its depth in solids at every tenth from 1 s on. */
+final class DroppedCourse {
+    static final double DEEP_METRES = .01;
+    private static final double SECONDS = 10;
+    private static final double SETTLED_SECONDS = 1;
+    private static final int DEPTH_EVERY_TICKS = 10;
+    private static final Vec3 GRAVITY = new Vec3(0, -PlayerBody.GRAVITY, 0);
+
+    private final DroppedPile pile;
+    private final SeamedWorld world;
+    private final EnergyLedger ledger;
+    private final EnergyBars bars;
+    private final BodyDepth depth;
+    private final RestJudge judge;
+    private final Vector3d centre = new Vector3d();
+    private double deepest;
+    private int deepestTick;
+    private double deepestInBody;
+    private int faults;
+    private int faultTick;
+
+    private DroppedCourse(DroppedPile pile) {
+        this.pile = pile;
+        world = pile.world();
+        ledger = new EnergyLedger(pile.table(), world.portals(), 1.0 / pile.ticksPerSecond());
+        bars = new EnergyBars(pile.table());
+        depth = new BodyDepth(pile.table(), world);
+        judge = new RestJudge(pile.table(), world.statics());
+    }
+
+    /**
+     * What a pile showed.
+     *
+     * @param gains above the bar of 1 cm of the pile's height
+     * @param gainsLittle above the bar of 1 mm
+     * @param faults bodies frozen and ways cut short
+     * @param deepestMetres in a solid, or out of the room, after the first second; {@code deepestInBodyMetres} likewise
+     * @param rests only where there are no portals: whether it ended at rest
+     * @param failures in words, with tick and amount
+     */
+    record Seen(
+            boolean gains,
+            boolean gainsLittle,
+            boolean hasPortals,
+            int faults,
+            double deepestMetres,
+            double deepestInBodyMetres,
+            boolean rests,
+            long crossings,
+            List<String> failures) {}
+
+    static Seen run(DroppedPile pile) {
+        return new DroppedCourse(pile).run();
+    }
+
+    private Seen run() {
+        RigidStep step = new RigidStep(pile.table(), GRAVITY);
+        Surroundings surroundings = Surroundings.of(world);
+        Influences nobody = Influences.none();
+        Bodies bodies = Bodies.of(pile.starts());
+        bars.start(ledger.joules(bodies));
+        int last = (int) Math.round(SECONDS * pile.ticksPerSecond());
+        for (int tick = 1; tick <= last; tick++) {
+            Bodies next = step.step(bodies, surroundings, nobody, 1.0 / pile.ticksPerSecond());
+            // The same object again: all sleep, and the step depends on nothing that could change.
+            boolean isOver = next == bodies || tick == last;
+            ledger.book(bodies, next);
+            bars.see(tick, ledger.joules(next));
+            countFaults(tick, next, step);
+            bodies = next;
+            if (!pile.hasPortals()
+                    && (isOver || tick > (SECONDS - RestJudge.WATCHED_SECONDS) * pile.ticksPerSecond())) {
+                judge.see(bodies);
+            }
+            boolean settled = tick >= SETTLED_SECONDS * pile.ticksPerSecond();
+            if (isOver || settled && tick % DEPTH_EVERY_TICKS == 0) {
+                measureDepth(tick, bodies);
+            }
+            if (isOver) {
+                break;
+            }
+        }
+        return seen(bodies);
+    }
+
+    private void countFaults(int tick, Bodies bodies, RigidStep step) {
+        int now = bodies.frozen() + step.cutShort();
+        faultTick = faults == 0 && now > 0 ? tick : faultTick;
+        faults = Math.max(faults, now);
+    }
+
+    private void measureDepth(int tick, Bodies bodies) {
+        for (int i = 0; i < bodies.size(); i++) {
+            double metres = Math.max(depth.inSolids(bodies, i), pile.outsideMetres(bodies.centre(i, centre)));
+            if (!(metres <= deepest)) {
+                deepest = metres;
+                deepestTick = tick;
+            }
+            deepestInBody = Math.max(deepestInBody, depth.inBodies(bodies, i));
+        }
+    }
+
+    private Seen seen(Bodies end) {
+        boolean rests = pile.hasPortals() || judge.isAtRest(end);
+        List<String> failures = new ArrayList<>();
+        bars.failure().ifPresent(failure -> failures.add(pile.inWords() + ": " + failure));
+        add(faults > 0, "%d faults from tick %d on", faults, faultTick, failures);
+        add(!(deepest <= DEEP_METRES), "%.3f mm in a solid at tick %d", deepest * 1000, deepestTick, failures);
+        if (!rests) {
+            failures.add(pile.inWords() + ": does not rest");
+        }
+        return new Seen(
+                bars.gains(),
+                bars.gainsLittle(),
+                pile.hasPortals(),
+                faults,
+                deepest,
+                deepestInBody,
+                rests,
+                ledger.crossings(),
+                failures);
+    }
+
+    private void add(boolean fails, String format, Object amount, int tick, List<String> failures) {
+        if (fails) {
+            failures.add(pile.inWords() + ": " + String.format(Locale.ROOT, format, amount, tick));
+        }
+    }
+}

@@ -1,0 +1,111 @@
+package nephele.lab.prove;
+
+import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.portal.Crossing;
+import nephele.engine.portal.Portals;
+import nephele.engine.sim.PlayerBody;
+import org.joml.Vector3d;
+
+/**
+ * The mechanical energy of bodies, tick by tick: kinetic and m g height. Where a centre passes through a portal, the
+ * change of its height by the passage is booked, and the energy of the body is counted from a reference moved by as much.
+ */
+final class EnergyLedger {
+    /** A body that ends the tick this near to the end of its arc flew along it. */
+    private static final double ON_ARC_METRES = 1e-9;
+
+    private final BodyTable table;
+    private final Portals portals;
+    private final double seconds;
+    /** For each body the sum of the changes of height. */
+    private final double[] booked;
+
+    private final BodyEnergy energy = new BodyEnergy();
+    private final Crossing crossing = new Crossing();
+    private final Vector3d place = new Vector3d();
+    private final Vector3d way = new Vector3d();
+    private final Vector3d pull = new Vector3d();
+    private final Vector3d end = new Vector3d();
+    private long crossings;
+
+    EnergyLedger(BodyTable table, Portals portals, double seconds) {
+        this.table = table;
+        this.portals = portals;
+        this.seconds = seconds;
+        booked = new double[table.size()];
+    }
+
+    /** The energy of all bodies, in joules over the floor at 0. */
+    double joules(Bodies bodies) {
+        double sum = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            double height = bodies.centre(i, place).y - booked[i];
+            sum += energy.kinetic(table.body(i), bodies, i) + table.massKilograms(i) * PlayerBody.GRAVITY * height;
+        }
+        return sum;
+    }
+
+    /** How often a centre went through a portal so far. */
+    long crossings() {
+        return crossings;
+    }
+
+    /** Books the passages of one tick. */
+    void book(Bodies before, Bodies after) {
+        for (int i = 0; i < after.size(); i++) {
+            if (after.crossings(i) > 0) {
+                crossings += after.crossings(i);
+                booked[i] += changeOfHeight(before, after, i);
+            }
+        }
+    }
+
+    /** The solver moves a body along its arc when nothing touches it, and else along a straight way. */
+    private double changeOfHeight(Bodies before, Bodies after, int body) {
+        before.centre(body, place);
+        before.velocity(body, way);
+        double onArc = along(after, body, pull.set(0, -PlayerBody.GRAVITY, 0), seconds);
+        if (place.distance(after.centre(body, end)) < ON_ARC_METRES) {
+            return onArc;
+        }
+        unfolded(after, body).sub(before.centre(body, place), way);
+        return along(after, body, pull.zero(), 1);
+    }
+
+    /**
+     * Sum of the changes of height by the passages on a way from {@link #place} with the velocity {@link #way}; place
+     * becomes its end. A passage that rounding moves beyond the way counts at its end.
+     */
+    private double along(Bodies after, int body, Vector3d acceleration, double duration) {
+        double change = 0;
+        double left = duration;
+        for (int i = 0; i < after.crossings(body); i++) {
+            boolean found = crossing.find(portals, place, way, acceleration, left)
+                    && crossing.portal() == after.crossing(body, i);
+            double t = found ? crossing.seconds() : left;
+            advance(t, acceleration);
+            left -= t;
+            change -= place.y;
+            portals.passage(after.crossing(body, i)).point(place);
+            portals.passage(after.crossing(body, i)).direction(way);
+            change += place.y;
+        }
+        advance(left, acceleration);
+        return change;
+    }
+
+    private void advance(double t, Vector3d acceleration) {
+        place.fma(t, way).fma(t * t / 2, acceleration);
+        way.fma(t, acceleration);
+    }
+
+    /** Where the centre would be had the first space gone on beyond the portals. */
+    private Vector3d unfolded(Bodies after, int body) {
+        after.centre(body, end);
+        for (int i = after.crossings(body) - 1; i >= 0; i--) {
+            portals.passage(portals.partner(after.crossing(body, i))).point(end);
+        }
+        return end;
+    }
+}

@@ -1,0 +1,59 @@
+package nephele.lab.prove;
+
+import java.util.List;
+import nephele.engine.render.frame.PortalTechnique;
+
+/** Lets eyes pass through a portal in steps of 0.1 mm and looks for a frame in which a wall shows that must not. */
+public final class EyeCrossingsProof implements Proof {
+    @Override
+    public String name() {
+        return "eye-crossings";
+    }
+
+    @Override
+    public String claim() {
+        return "An eye that passes through a portal in steps of 0.1 mm never sees the wall that the portal lies in, nor"
+                + " nothing at all.";
+    }
+
+    @Override
+    public String unit() {
+        return "crossings";
+    }
+
+    @Override
+    public long fullCount() {
+        return 10_000;
+    }
+
+    @Override
+    public long batch() {
+        return 1_000;
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        long frames = 0;
+        long bad = 0;
+        long crossed = 0;
+        for (PortalTechnique technique : PortalTechnique.values()) {
+            try (EyeCrossings crossings = new EyeCrossings(technique)) {
+                for (long i = technique.ordinal(); i < count; i += PortalTechnique.values().length) {
+                    crossings.cross(from + i);
+                    progress.unitsDone((i + technique.ordinal() * count) / 2);
+                }
+                frames += crossings.frames();
+                bad += crossings.badFrames();
+                crossed += crossings.crossed();
+            }
+        }
+        return new ProofResult(
+                count,
+                bad + (count - crossed),
+                List.of(
+                        Figure.sum("frames", frames, ""),
+                        Figure.sum("frames that show a wall or nothing", bad, ""),
+                        Figure.sum("eyes that came through", crossed, "")),
+                List.of());
+    }
+}

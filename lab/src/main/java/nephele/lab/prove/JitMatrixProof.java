@@ -1,0 +1,124 @@
+package nephele.lab.prove;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.sim.PlayerInput;
+import nephele.engine.sim.Replay;
+import nephele.engine.sim.ReplayRecorder;
+import nephele.engine.sim.SimSettings;
+
+/**
+ * Plays replays in one process after the other: interpreted, compiled in each way, on each Java there is. Four of ten
+ * minutes on foot, and one through a hundred crossings, with a portal that is moved and a cube that is carried.
+ */
+public final class JitMatrixProof implements Proof {
+    /** Has stairs, slopes, a slot, a crate and a column. */
+    public static final String LEVEL = "levels/samples/walking.json";
+
+    public static final String PORTALS_LEVEL = "levels/samples/portals.json";
+
+    private static final Path PORTALS_REPLAY = Path.of("levels/samples/replays/portals.json");
+    private static final int WALKS = 4;
+    private static final int TICKS = 10 * 60 * 120;
+    private static final int EVERY = 60;
+
+    @Override
+    public String name() {
+        return "replay-hashes";
+    }
+
+    @Override
+    public String claim() {
+        return "A replay gives the same hashes in every process, interpreted or compiled in any way, on every Java.";
+    }
+
+    @Override
+    public String unit() {
+        return "replays";
+    }
+
+    @Override
+    public long fullCount() {
+        return WALKS + 1;
+    }
+
+    @Override
+    public long batch() {
+        return 1;
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) throws Exception {
+        List<String> failures = new ArrayList<>();
+        List<JvmVariant> variants = JvmVariant.all();
+        Path file = Files.createTempFile("nephele-replay", ".json");
+        long ticks = 0;
+        try {
+            for (long unit = from; unit < from + count; unit++) {
+                Replay replay = unit < WALKS ? wandering(unit, TICKS) : throughPortals();
+                Files.writeString(file, replay.write());
+                compare(unit, file, replay.ticks(), variants, failures);
+                ticks += replay.ticks();
+                progress.unitsDone(unit + 1 - from);
+            }
+        } finally {
+            Files.delete(file);
+        }
+        List<Figure> figures = List.of(
+                Figure.greatest("kinds of process", variants.size(), ""),
+                Figure.sum("ticks in each", (double) ticks, ""));
+        return new ProofResult(count, failures.size(), figures, failures);
+    }
+
+    /** The recorded one. */
+    public static Replay throughPortals() throws IOException {
+        return Replay.read(PORTALS_REPLAY.toString(), Files.readAllBytes(PORTALS_REPLAY));
+    }
+
+    private static void compare(long unit, Path file, long ticks, List<JvmVariant> variants, List<String> failures)
+            throws IOException, InterruptedException {
+        String level = unit < WALKS ? LEVEL : PORTALS_LEVEL;
+        long linesDue = (ticks + EVERY - 1) / EVERY;
+        List<String> expected = null;
+        for (JvmVariant variant : variants) {
+            List<String> lines = new ReplayProcess(variant, level, file, EVERY).lines();
+            expected = expected == null ? lines : expected;
+            if (lines.size() != linesDue || !lines.equals(expected)) {
+                failures.add("replay " + unit + ", " + variant + ": differs at line " + difference(expected, lines));
+            }
+        }
+    }
+
+    private static int difference(List<String> a, List<String> b) {
+        int line = 0;
+        while (line < Math.min(a.size(), b.size()) && a.get(line).equals(b.get(line))) {
+            line++;
+        }
+        return line + 1;
+    }
+
+    /** Someone who walks, runs, jumps, crouches and looks about at random, mouse and keys changing like a player's. */
+    public static Replay wandering(long seed, int ticks) {
+        var random = new SplittableRandom(seed);
+        var recorder = new ReplayRecorder("walking.json", SimSettings.DEFAULT, null);
+        for (int done = 0; done < ticks; ) {
+            int stretch = Math.min(ticks - done, random.nextInt(1, 90));
+            PlayerInput held = new PlayerInput(
+                    random.nextInt(4) > 0 ? 100 : random.nextInt(-100, 101),
+                    random.nextInt(-1, 2) * 100,
+                    0,
+                    0,
+                    random.nextInt(3) > 0 ? random.nextInt(2) : random.nextInt(8));
+            boolean looks = random.nextBoolean();
+            for (int i = 0; i < stretch; i++) {
+                recorder.record(looks ? held.turning(random.nextInt(-3000, 3001), random.nextInt(-900, 901)) : held);
+            }
+            done += stretch;
+        }
+        return recorder.replay();
+    }
+}

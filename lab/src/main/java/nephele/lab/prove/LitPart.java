@@ -1,0 +1,99 @@
+package nephele.lab.prove;
+
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.math.ConvexPolyhedron.Face;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+
+/**
+ * The part of a face that a light reaches, as the light sees it: where it is narrower than a texel's diagonal it may fall
+ * between the texels.
+ *
+ * @param brushes all that may shade, and the face's own
+ * @param place on the face
+ * @param normal of the face
+ * @param way to the light, of unit length
+ * @param reachMetres how far to look for what shades
+ */
+record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double reachMetres) {
+    private static final double TOUCH_METRES = 1e-6;
+    private static final int DIRECTIONS = 24;
+    private static final int STEPS = 12;
+
+    /** Of the face at a place. */
+    static LitPart at(List<Brush> brushes, Vec3 place, Vec3 way, double reachMetres) {
+        Vec3 normal = brushes.stream()
+                .filter(brush -> isWithin(brush, place))
+                .flatMap(brush -> brush.shape().faces().stream())
+                .filter(face -> Math.abs(face.plane().signedDistance(place)) < TOUCH_METRES)
+                .map(face -> face.plane().normal())
+                .filter(n -> Directions.dot(n, way) > 0)
+                .findFirst()
+                .orElse(way);
+        return new LitPart(brushes, place, normal, way, reachMetres);
+    }
+
+    /** Whether some way across it, through the place, is shorter than this; never where no light arrives. */
+    boolean isNarrowerThan(double metres) {
+        if (!isLit(place)) {
+            return false;
+        }
+        Vec3 across = Directions.perpendicular(way);
+        Vec3 up = Directions.cross(way, across);
+        for (int i = 0; i < DIRECTIONS; i++) {
+            double x = StrictMath.cos(Math.PI * i / DIRECTIONS);
+            double y = StrictMath.sin(Math.PI * i / DIRECTIONS);
+            Vec3 direction = onFace(sum(across, x, up, y));
+            if (litMetres(direction, metres) + litMetres(sum(direction, -1, direction, 0), metres) < metres) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The step on the face that the light sees as one across its rays. */
+    private Vec3 onFace(Vec3 step) {
+        return sum(step, 1, way, -Directions.dot(normal, step) / Directions.dot(normal, way));
+    }
+
+    private double litMetres(Vec3 direction, double most) {
+        for (int i = 1; i <= STEPS; i++) {
+            if (!isLit(sum(place, 1, direction, most * i / STEPS))) {
+                return most * (i - 1) / STEPS;
+            }
+        }
+        return most;
+    }
+
+    /** On the face's plane: on some solid there, and nothing on the way. */
+    private boolean isLit(Vec3 point) {
+        return brushes.stream().anyMatch(brush -> isWithin(brush, point))
+                && brushes.stream().noneMatch(brush -> shades(brush, point));
+    }
+
+    private boolean shades(Brush brush, Vec3 point) {
+        double enter = TOUCH_METRES;
+        double leave = reachMetres;
+        for (Face face : brush.shape().faces()) {
+            double distance = face.plane().signedDistance(point);
+            double speed = Directions.dot(face.plane().normal(), way);
+            if (speed < 0) {
+                enter = Math.max(enter, -distance / speed);
+            } else if (speed > 0) {
+                leave = Math.min(leave, -distance / speed);
+            } else if (distance > 0) {
+                return false;
+            }
+        }
+        return leave - enter > TOUCH_METRES;
+    }
+
+    private static boolean isWithin(Brush brush, Vec3 point) {
+        return brush.shape().faces().stream().allMatch(face -> face.plane().signedDistance(point) < TOUCH_METRES);
+    }
+
+    private static Vec3 sum(Vec3 a, double s, Vec3 b, double t) {
+        return new Vec3(s * a.x() + t * b.x(), s * a.y() + t * b.y(), s * a.z() + t * b.z());
+    }
+}

@@ -1,0 +1,101 @@
+package nephele.lab.prove;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * What the lit pictures of one level by one technique add up to, so far.
+ *
+ * @param flips of the pictures as they are judged, {@code averagedFlips} of the same ones drawn larger and averaged
+ * @param drawn sum of all values, {@code traced} likewise
+ * @param worst the greatest mean FLIP of a picture, and where that is
+ */
+record LitSums(
+        double pictures,
+        double flips,
+        double averagedFlips,
+        double drawn,
+        double traced,
+        double worst,
+        String whereWorst) {
+    /** Pixels averaged for each compared one along each side, to tell how much of what is off is aliasing. */
+    static final int FINER = 2;
+
+    private static final String PICTURES = ": pictures";
+    private static final String FLIPS = ": sum of their mean FLIP";
+    private static final String AVERAGED = ": sum of their mean FLIP, averaged";
+    private static final String DRAWN = ": radiance drawn";
+    private static final String TRACED = ": radiance traced";
+    private static final String WORST = ": greatest mean FLIP";
+
+    /** What {@link #figures} of all batches were joined to; empty where no picture of the series was seen. */
+    static Optional<LitSums> of(ProofResult result, String series) {
+        return result.figure(series + WORST)
+                .map(worst -> new LitSums(
+                        value(result, series + PICTURES),
+                        value(result, series + FLIPS),
+                        value(result, series + AVERAGED),
+                        value(result, series + DRAWN),
+                        value(result, series + TRACED),
+                        worst.value(),
+                        worst.unit()));
+    }
+
+    private static double value(ProofResult result, String name) {
+        return result.figure(name).orElseThrow().value();
+    }
+
+    List<Figure> figures(String series) {
+        return List.of(
+                Figure.sum(series + PICTURES, pictures, ""),
+                Figure.sum(series + FLIPS, flips, ""),
+                Figure.sum(series + AVERAGED, averagedFlips, ""),
+                Figure.sum(series + DRAWN, drawn, ""),
+                Figure.sum(series + TRACED, traced, ""),
+                Figure.greatest(series + WORST, worst, whereWorst));
+    }
+
+    double flip() {
+        return flips / pictures;
+    }
+
+    double averagedFlip() {
+        return averagedFlips / pictures;
+    }
+
+    /** Where nothing shines both are dark. */
+    double bias() {
+        return traced == 0 ? drawn : drawn / traced - 1;
+    }
+
+    /** What a reader wants to know, to be joined with the same of other series. */
+    List<Figure> summary(String series) {
+        return List.of(
+                Figure.sum("pictures", pictures, ""),
+                Figure.sum("sum of their mean FLIP", flips, ""),
+                Figure.sum("the same, drawn " + FINER + " times as large and averaged", averagedFlips, ""),
+                Figure.greatest("greatest mean FLIP of a level", flip(), "(" + series + ")"),
+                Figure.greatest(
+                        "greatest of a level " + FINER + " times as large, averaged",
+                        averagedFlip(),
+                        "(" + series + ")"),
+                Figure.greatest("greatest bias of a level", 100 * Math.abs(bias()), "% (" + series + ")"),
+                Figure.greatest("greatest mean FLIP of a picture", worst, whereWorst));
+    }
+
+    String inWords(String series) {
+        return String.format(
+                Locale.ROOT,
+                "%s: mean FLIP %.4f (%.4f drawn %d times as large and averaged), bias %+.2f %%, %.0f pictures; worst"
+                        + " %.4f %s",
+                series,
+                flip(),
+                averagedFlip(),
+                FINER,
+                100 * bias(),
+                pictures,
+                worst,
+                whereWorst);
+    }
+}

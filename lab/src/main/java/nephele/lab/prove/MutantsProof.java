@@ -1,0 +1,74 @@
+package nephele.lab.prove;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Plants faults in copies of sources and shaders, and looks whether a test fails. Sources and tests are not in the jar,
+ * so this calls the front door of the checkout, which calls Gradle.
+ */
+public final class MutantsProof implements Proof {
+    private static final Path FRONT_DOOR = Path.of("nephele");
+
+    @Override
+    public String name() {
+        return "mutants";
+    }
+
+    @Override
+    public String claim() {
+        return "Every fault planted in culling, depth, blending, shadow, sRGB, light, collision, placement,"
+                + " simulation, level and model code makes a test fail.";
+    }
+
+    @Override
+    public String unit() {
+        return "mutants";
+    }
+
+    @Override
+    public long fullCount() {
+        return 65;
+    }
+
+    @Override
+    public long batch() {
+        return 13;
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) throws Exception {
+        if (!Files.isRegularFile(FRONT_DOOR) || !Files.isDirectory(Path.of("src", "test"))) {
+            throw new UnavailableException(
+                    "the proof `mutants` changes copies of the sources: run it in a checkout, with ./nephele prove"
+                            + " mutants");
+        }
+        Process process = new ProcessBuilder("sh", FRONT_DOOR.toString(), "mutants", "-Pmutants=" + from + "," + count)
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        List<String> survivors = new ArrayList<>();
+        long judged = judge(process.inputReader(), survivors, progress);
+        if (process.waitFor() != 0 || judged != count) {
+            throw new IOException("Gradle judged " + judged + " of " + count + " mutants; its message stands above");
+        }
+        Figure killed = Figure.sum("killed", judged - survivors.size(), "");
+        return new ProofResult(judged, survivors.size(), List.of(killed), survivors);
+    }
+
+    private static long judge(BufferedReader lines, List<String> survivors, Progress progress) throws IOException {
+        long judged = 0;
+        for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+            if (line.startsWith("SURVIVED | ")) {
+                survivors.add(line);
+            }
+            if (line.startsWith("SURVIVED | ") || line.startsWith("killed | ")) {
+                progress.unitsDone(++judged);
+            }
+        }
+        return judged;
+    }
+}

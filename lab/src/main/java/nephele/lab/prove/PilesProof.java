@@ -1,0 +1,155 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * The piles of boxes that other engines were measured on, 600 a family, each for ten seconds at 120 ticks a second. The
+ * figures bear the names of that table's columns. One thread: CPU time is one of them.
+ */
+public final class PilesProof implements Proof {
+    private static final BoxPile.Family[] FAMILIES = BoxPile.Family.values();
+    private static final long PILES_A_FAMILY = 600;
+    /** So many of the piles may stay awake, or fall where they could stand. */
+    private static final double MOST_UNSETTLED = .01;
+
+    private final int warmPiles;
+    private boolean warm;
+
+    /** @param warmPiles run before the first batch, for the compiler's sake: CPU time is compared with other engines' */
+    public PilesProof(int warmPiles) {
+        this.warmPiles = warmPiles;
+    }
+
+    @Override
+    public String name() {
+        return "piles";
+    }
+
+    @Override
+    public String claim() {
+        return "Piles of boxes of 1 mm to 2.5 m and 1 g to 1 t gain no energy, sink into nothing, pass through nothing"
+            + " and stay in their room; of each family 99 of 100 come to rest, and 99 of 100 towers and loaded small"
+            + " cubes stand.";
+    }
+
+    @Override
+    public String unit() {
+        return "piles";
+    }
+
+    @Override
+    public long fullCount() {
+        return PILES_A_FAMILY * FAMILIES.length;
+    }
+
+    @Override
+    public long batch() {
+        return 300;
+    }
+
+    /** A unit is a pile; the families take turns. */
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        warm();
+        ProofResult result = ProofResult.NOTHING;
+        for (long unit = from; unit < from + count; unit++) {
+            BoxPile.Family family = FAMILIES[(int) (unit % FAMILIES.length)];
+            result = result.and(seen(BoxPile.of(family, (int) (unit / FAMILIES.length)), family));
+            progress.unitsDone(unit + 1 - from);
+        }
+        return result;
+    }
+
+    private void warm() {
+        for (int i = 0; i < warmPiles && !warm; i++) {
+            BoxPileCourse.run(BoxPile.of(FAMILIES[i % FAMILIES.length], i));
+        }
+        warm = true;
+    }
+
+    private static ProofResult seen(BoxPile pile, BoxPile.Family family) {
+        BoxPileCourse.Seen seen = BoxPileCourse.run(pile);
+        String of = word(family) + " ";
+        List<String> failures = new ArrayList<>();
+        addIf(seen.energyGain(), pile, "gains energy", failures);
+        addIf(seen.sunk(), pile, "sinks", failures);
+        addIf(seen.through(), pile, "goes through the floor", failures);
+        addIf(seen.escaped(), pile, "escapes", failures);
+        addIf(seen.faulty(), pile, "has a fault", failures);
+        List<Figure> figures = new ArrayList<>(List.of(
+                Figure.sum(of + "piles", 1, ""),
+                share(of + "energy_gain", seen.energyGain()),
+                Figure.greatest(of + "max_speed", seen.maxSpeed(), "m/s in " + pile.name()),
+                Figure.greatest(of + "max_spin", seen.maxSpin(), "rad/s in " + pile.name()),
+                share(of + "fast_any", seen.fastAny()),
+                share(of + "sunk", seen.sunk()),
+                share(of + "sunk_checks", seen.sunkChecks()),
+                share(of + "through", seen.through()),
+                share(of + "escaped", seen.escaped()),
+                share(of + "at_rest", seen.atRest()),
+                Figure.sum(of + "cpu", seen.cpuSeconds(), "s")));
+        if (family != BoxPile.Family.DROP) {
+            figures.add(share(of + "stands", seen.stands()));
+        }
+        return new ProofResult(1, failures.isEmpty() ? 0 : 1, figures, failures);
+    }
+
+    private static void addIf(boolean fails, BoxPile pile, String what, List<String> failures) {
+        if (fails) {
+            failures.add(pile.name() + " " + what);
+        }
+    }
+
+    private static Figure share(String name, boolean is) {
+        return Figure.sum(name, is ? 1 : 0, "");
+    }
+
+    private static String word(BoxPile.Family family) {
+        return family.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** Sums become shares of the piles and CPU time a step; rest and standing are judged by the share. */
+    @Override
+    public ProofResult judged(ProofResult soFar) {
+        List<Figure> figures = new ArrayList<>();
+        List<String> failures = new ArrayList<>(soFar.examples());
+        long unsettled = 0;
+        for (BoxPile.Family family : FAMILIES) {
+            String of = word(family) + " ";
+            double piles = value(soFar, of + "piles");
+            for (Figure figure : soFar.figures()) {
+                if (figure.name().startsWith(of)) {
+                    figures.add(shown(figure, piles));
+                }
+            }
+            unsettled += judge(soFar, of + "at_rest", piles, failures);
+            unsettled += family == BoxPile.Family.DROP ? 0 : judge(soFar, of + "stands", piles, failures);
+        }
+        return new ProofResult(soFar.units(), soFar.failures() + unsettled, figures, failures);
+    }
+
+    private static Figure shown(Figure figure, double piles) {
+        if (figure.name().endsWith(" cpu")) {
+            double microseconds = 1e6 * figure.value() / (piles * BoxPileCourse.STEPS);
+            return Figure.sum(figure.name() + "_us_per_step", microseconds, "µs");
+        }
+        boolean isShare = figure.join() == Figure.Join.SUM && !figure.name().endsWith(" piles");
+        return isShare ? Figure.sum(figure.name(), figure.value() / piles, "") : figure;
+    }
+
+    /** The piles without the property, when they are too many. */
+    private static long judge(ProofResult result, String property, double piles, List<String> failures) {
+        double without = piles - value(result, property);
+        if (without <= MOST_UNSETTLED * piles) {
+            return 0;
+        }
+        failures.add(String.format(Locale.ROOT, "%s: not %.0f of %.0f", property, without, piles));
+        return (long) without;
+    }
+
+    private static double value(ProofResult result, String name) {
+        return result.figure(name).map(Figure::value).orElse(0.0);
+    }
+}

@@ -1,0 +1,78 @@
+package nephele.lab.prove;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.portal.placement.Placed;
+
+/** Shoots portals at made-up walls and looks for better answers by clipping areas. */
+public final class PlacementProof implements Proof {
+    @Override
+    public String name() {
+        return "placement";
+    }
+
+    @Override
+    public String claim() {
+        return "On any wall a portal lies wholly on it, at the nearest place where it can, or is refused because there"
+                + " is none; the reason given is the right one.";
+    }
+
+    @Override
+    public String unit() {
+        return "shots";
+    }
+
+    @Override
+    public long fullCount() {
+        return 100_000;
+    }
+
+    @Override
+    public long batch() {
+        return 10_000;
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        List<String> failures = new ArrayList<>();
+        FourLinesTally fourLines = new FourLinesTally();
+        long[] nanoseconds = new long[(int) count];
+        ThreadMXBean clock = ManagementFactory.getThreadMXBean();
+        int placed = 0;
+        int slid = 0;
+        for (long unit = from; unit < from + count; unit++) {
+            var random = new SplittableRandom(unit);
+            WallShot shot = new WallShot(RandomWall.of(random), random);
+            long start = clock.getCurrentThreadCpuTime();
+            Placed answer = shot.placed(shot.gun, shot.others);
+            nanoseconds[(int) (unit - from)] = clock.getCurrentThreadCpuTime() - start;
+            String objection = new WallJudge(shot, random).objection(answer);
+            if (objection != null) {
+                failures.add("shot " + unit + " " + objection);
+            }
+            fourLines.judge(shot);
+            placed += answer instanceof Placed.Fits ? 1 : 0;
+            slid += answer instanceof Placed.Fits fits && fits.slideMetres() > 0 ? 1 : 0;
+            if (unit % 1000 == 999) {
+                progress.unitsDone(unit + 1 - from);
+            }
+        }
+        Arrays.sort(nanoseconds);
+        List<Figure> figures = new ArrayList<>(List.of(
+                Figure.sum("portals", placed, ""),
+                Figure.sum("of them slid", slid, ""),
+                Figure.greatest("median query of a batch", nanoseconds[nanoseconds.length / 2] / 1e6, "ms"),
+                Figure.greatest(
+                        "999 of 1000 queries of a batch", nanoseconds[nanoseconds.length * 999 / 1000] / 1e6, "ms"),
+                Figure.greatest(
+                        "longest query, compilation and collection included",
+                        nanoseconds[nanoseconds.length - 1] / 1e6,
+                        "ms")));
+        figures.addAll(fourLines.figures());
+        return new ProofResult(count, failures.size(), figures, failures);
+    }
+}

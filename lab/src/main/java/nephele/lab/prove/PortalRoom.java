@@ -1,0 +1,227 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.collision.Collider;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.level.PortalShape;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+
+/**
+ * A room with one pair of portals, somewhere on its walls, floor, ceiling or on a slanted block; those on walls stand on
+ * the floor as often as not. Walls are 2 cm to 1 m thick, there is furniture, and one room in four lies far out.
+ */
+final class PortalRoom {
+    private static final Vec3 UP = new Vec3(0, 1, 0);
+    private static final double HALF = 5;
+    private static final double HIGH = 4;
+    private static final double ROUNDING = 1e-9;
+    private static final int DRAWS = 200;
+    /** A portal off the ramp has so much room before it. */
+    private static final double RAMP_METRES = 0.7;
+
+    private static final PortalShape[] SHAPES = PortalShape.values();
+
+    private final SplittableRandom random;
+    private final Vec3 origin;
+    private final List<Collider> solids = new ArrayList<>();
+
+    private PortalRoom(SplittableRandom random) {
+        this.random = random;
+        double out = random.nextInt(4) == 0 ? 10_000 : 0;
+        origin = new Vec3(out, out / 8, -out);
+    }
+
+    /** What a room is made of. */
+    record Place(CollisionWorld world, Portals portals, Vec3 origin) {
+        /** Whether a point is within the room's walls, or on one: in a portal. */
+        boolean holds(Vec3 p) {
+            return Math.abs(p.x() - origin.x()) < HALF + ROUNDING
+                    && Math.abs(p.z() - origin.z()) < HALF + ROUNDING
+                    && p.y() > origin.y() - ROUNDING
+                    && p.y() < origin.y() + HIGH + ROUNDING;
+        }
+    }
+
+    static Place of(SplittableRandom random) {
+        return new PortalRoom(random).build();
+    }
+
+    private Place build() {
+        double thick = StrictMath.pow(10, -1.7 + 1.7 * random.nextDouble());
+        slab(-HALF - thick, -thick, -HALF - thick, HALF + thick, 0, HALF + thick);
+        slab(-HALF - thick, HIGH, -HALF - thick, HALF + thick, HIGH + thick, HALF + thick);
+        slab(-HALF - thick, 0, -HALF - thick, -HALF, HIGH, HALF + thick);
+        slab(HALF, 0, -HALF - thick, HALF + thick, HIGH, HALF + thick);
+        slab(-HALF, 0, -HALF - thick, HALF, HIGH, -HALF);
+        slab(-HALF, 0, HALF, HALF, HIGH, HALF + thick);
+        Portal ramp = ramp();
+        Aperture aperture = Aperture.of(SHAPES[random.nextInt(SHAPES.length)], 1.2, 2.1);
+        List<Portal> ends = ends(aperture, ramp);
+        furniture(ends);
+        return new Place(new CollisionWorld(solids), new Portals(ends, List.of(1, 0)), origin);
+    }
+
+    private void slab(double x0, double y0, double z0, double x1, double y1, double z1) {
+        Aabb box = new Aabb(
+                origin.x() + x0, origin.y() + y0, origin.z() + z0, origin.x() + x1, origin.y() + y1, origin.z() + z1);
+        solids.add(new Collider("slab" + solids.size(), ConvexPolyhedron.box(box)));
+    }
+
+    private Vec3 at(double x, double y, double z) {
+        return new Vec3(origin.x() + x, origin.y() + y, origin.z() + z);
+    }
+
+    /** A block in the south-east corner with a slanted face, and the frame in the middle of that face. */
+    private Portal ramp() {
+        double lean = Math.toRadians(random.nextInt(15, 75));
+        double turn = Math.toRadians(random.nextInt(150, 210));
+        Vec3 n = new Vec3(
+                StrictMath.cos(lean) * StrictMath.sin(turn),
+                StrictMath.sin(lean),
+                StrictMath.cos(lean) * StrictMath.cos(turn));
+        Portal frame =
+                new Portal("ramp", at(2.5, 1.1, 2.5), Portal.facing(n, UP), Aperture.of(PortalShape.ARCH, 1.2, 2.1));
+        solids.add(new Collider(
+                "ramp",
+                ConvexPolyhedron.fromPlanes(List.of(
+                        through(frame.normal(), frame.centre()),
+                        through(frame.frame().right(), frame.world(1.2, 0, 0)),
+                        through(opposite(frame.frame().right()), frame.world(-1.2, 0, 0)),
+                        through(frame.frame().up(), frame.world(0, 1.3, 0)),
+                        through(new Vec3(0, -1, 0), origin),
+                        through(opposite(frame.normal()), frame.world(0, 0, -2.2))))));
+        return frame;
+    }
+
+    private static Vec3 opposite(Vec3 v) {
+        return new Vec3(-v.x(), -v.y(), -v.z());
+    }
+
+    private static Plane through(Vec3 n, Vec3 p) {
+        return new Plane(n.x(), n.y(), n.z(), n.x() * p.x() + n.y() * p.y() + n.z() * p.z());
+    }
+
+    private List<Portal> ends(Aperture aperture, Portal ramp) {
+        int kind = random.nextInt(10);
+        if (kind < 2) {
+            return adjoining(aperture, kind == 0);
+        }
+        for (int i = 0; i < DRAWS; i++) {
+            Portal a = end("a", random.nextInt(7), aperture, ramp);
+            Portal b = end("b", random.nextInt(7), aperture, ramp);
+            if (apart(a, b) && isOffRamp(a, ramp) && isOffRamp(b, ramp)) {
+                return List.of(a, b);
+            }
+        }
+        throw new IllegalStateException("no two portals apart in " + DRAWS + " draws");
+    }
+
+    /** Two that share an edge: in a corner of the room, or side by side in a wall. */
+    private List<Portal> adjoining(Aperture aperture, boolean inCorner) {
+        double half = aperture.widthMetres() / 2;
+        double sill = aperture.heightMetres() / 2 + (random.nextBoolean() ? 0 : random.nextDouble());
+        Vec3 south = new Vec3(0, 0, 1);
+        Portal a = portal("a", at(-HALF + half, sill, -HALF), south, UP, aperture);
+        Portal b = inCorner
+                ? portal("b", at(-HALF, sill, -HALF + half), new Vec3(1, 0, 0), UP, aperture)
+                : portal("b", at(-HALF + 3 * half, sill, -HALF), south, UP, aperture);
+        return List.of(a, b);
+    }
+
+    private Portal end(String id, int face, Aperture aperture, Portal ramp) {
+        double half = aperture.widthMetres() / 2;
+        double tall = aperture.heightMetres() / 2;
+        double along = random.nextInt(6) == 0 ? HALF - half : random.nextDouble(-HALF + half, HALF - half);
+        double sill = random.nextBoolean() ? tall : random.nextDouble(tall, HIGH - tall);
+        double turn = random.nextInt(4) * Math.PI / 2 + (random.nextBoolean() ? 0 : random.nextDouble());
+        Vec3 lying = new Vec3(StrictMath.sin(turn), 0, StrictMath.cos(turn));
+        double x = random.nextDouble(-HALF + 1.3, HALF - 1.3);
+        double z = random.nextDouble(-HALF + 1.3, 0);
+        return switch (face) {
+            case 0 -> portal(id, at(along, sill, -HALF), new Vec3(0, 0, 1), UP, aperture);
+            case 1 -> portal(id, at(-HALF, sill, along), new Vec3(1, 0, 0), UP, aperture);
+            case 2 -> portal(id, at(along, sill, HALF), new Vec3(0, 0, -1), UP, aperture);
+            case 3 -> portal(id, at(HALF, sill, along), new Vec3(-1, 0, 0), UP, aperture);
+            case 4 -> portal(id, at(x, 0, z), UP, lying, aperture);
+            case 5 -> portal(id, at(x, HIGH, z), new Vec3(0, -1, 0), lying, aperture);
+            default -> new Portal(id, ramp.centre(), ramp.frame(), aperture);
+        };
+    }
+
+    private static Portal portal(String id, Vec3 centre, Vec3 normal, Vec3 up, Aperture aperture) {
+        return new Portal(id, centre, Portal.facing(normal, up), aperture);
+    }
+
+    /** Whether the apertures share no more than an edge: their spheres or one's plane or side keeps them apart. */
+    private static boolean apart(Portal a, Portal b) {
+        boolean coplanar =
+                Math.abs(a.inFront(b.centre().x(), b.centre().y(), b.centre().z())) < 1e-6
+                        && a.normal().x() * b.normal().x()
+                                        + a.normal().y() * b.normal().y()
+                                        + a.normal().z() * b.normal().z()
+                                > 0.99;
+        double across =
+                Math.abs(a.across(b.centre().x(), b.centre().y(), b.centre().z()));
+        double upward =
+                Math.abs(a.upward(b.centre().x(), b.centre().y(), b.centre().z()));
+        double side = a.aperture().widthMetres();
+        double tall = a.aperture().heightMetres();
+        boolean lying = Math.abs(a.normal().y()) > 0.99;
+        boolean beside = lying ? Math.hypot(across, upward) > Math.hypot(side, tall) : across >= side || upward >= tall;
+        return !coplanar || beside;
+    }
+
+    /** Whether it is the ramp's own or has room before it. */
+    private boolean isOffRamp(Portal end, Portal ramp) {
+        if (end.frame().equals(ramp.frame())) {
+            return true;
+        }
+        Aabb block = solids.get(solids.size() - 1).bounds();
+        return !reaches(
+                end,
+                RAMP_METRES,
+                new Aabb(
+                        block.minX() - origin.x(),
+                        block.minY() - origin.y(),
+                        block.minZ() - origin.z(),
+                        block.maxX() - origin.x(),
+                        block.maxY() - origin.y(),
+                        block.maxZ() - origin.z()));
+    }
+
+    /** Boxes on the floor, some just before an exit but none in it. */
+    private void furniture(List<Portal> ends) {
+        double before = random.nextDouble(0.01, 0.7);
+        for (int i = random.nextInt(9); i > 0; i--) {
+            double x = random.nextDouble(-HALF, HALF);
+            double z = random.nextDouble(-HALF, HALF);
+            double size = random.nextDouble(0.1, 0.9);
+            double high = random.nextDouble(0.05, 1.2);
+            Aabb box = new Aabb(x - size, 0, z - size, x + size, high, z + size);
+            boolean free = ends.stream().noneMatch(end -> reaches(end, before, box));
+            if (free) {
+                slab(box.minX(), 0, box.minZ(), box.maxX(), high, box.maxZ());
+            }
+        }
+    }
+
+    /** Whether a box is nearer to an aperture than asked. */
+    private boolean reaches(Portal end, double least, Aabb box) {
+        List<Vec3> corners = new ArrayList<>();
+        for (int i = 0; i < end.aperture().corners(); i++) {
+            for (double before : new double[] {0, least}) {
+                Vec3 p = end.world(end.aperture().cornerX(i), end.aperture().cornerY(i), before);
+                corners.add(new Vec3(p.x() - origin.x(), p.y() - origin.y(), p.z() - origin.z()));
+            }
+        }
+        return Aabb.of(corners).overlaps(box);
+    }
+}

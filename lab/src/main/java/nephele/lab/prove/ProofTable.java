@@ -1,0 +1,95 @@
+package nephele.lab.prove;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import nephele.engine.asset.WholeFile;
+
+/** docs/proofs.md: one row a proof, in the order of {@link Proofs#ALL}; a new figure replaces the old row. */
+public final class ProofTable {
+    private static final String HEAD =
+            """
+            # Proofs
+
+            Written by `nephele prove`; every row is the last run of one proof, a full one unless it says of how many. `nephele prove NAME` repeats it.
+
+            | proof | claim | count | failures | figures | date | commit | machine |
+            |---|---|---|---|---|---|---|---|
+            """;
+
+    private final Path file;
+
+    public ProofTable(Path file) {
+        this.file = file;
+    }
+
+    /** Where and when a result was found. */
+    public record Circumstances(String date, String commit, String machine) {}
+
+    /** Puts the result into the table, over the row that this proof had. */
+    public void write(Proof proof, ProofResult result, Circumstances found)
+            throws IOException, Proof.UnavailableException {
+        var rows = rows();
+        rows.removeIf(row -> nameOf(row).equals(proof.name()));
+        rows.add(row(proof, result, found));
+        var order = Proofs.ALL.stream().map(Proof::name).collect(Collectors.toList());
+        rows.sort((a, b) -> Integer.compare(order.indexOf(nameOf(a)), order.indexOf(nameOf(b))));
+        WholeFile.write(file, (HEAD + String.join("\n", rows) + "\n").getBytes(StandardCharsets.UTF_8));
+    }
+
+    private List<String> rows() throws IOException {
+        if (!Files.exists(file)) {
+            return new ArrayList<>();
+        }
+        return Files.readAllLines(file).stream()
+                .filter(line -> line.startsWith("| ") && !line.startsWith("| proof |"))
+                .collect(Collectors.toCollection(ArrayList::new));
+    }
+
+    private static String nameOf(String row) {
+        return row.split("\\|")[1].strip();
+    }
+
+    private static String row(Proof proof, ProofResult result, Circumstances found) throws Proof.UnavailableException {
+        var figures = result.figures().stream().map(ProofTable::text).collect(Collectors.joining("; "));
+        return "| "
+                + String.join(
+                        " | ",
+                        proof.name(),
+                        proof.claim(),
+                        count(proof, result),
+                        Long.toString(result.failures()),
+                        figures,
+                        found.date(),
+                        found.commit(),
+                        found.machine())
+                + " |";
+    }
+
+    private static String count(Proof proof, ProofResult result) throws Proof.UnavailableException {
+        String of = result.units() < proof.fullCount() ? String.format(Locale.ROOT, " of %,d", proof.fullCount()) : "";
+        return String.format(Locale.ROOT, "%,d%s %s", result.units(), of, proof.unit());
+    }
+
+    /** The result for the terminal: verdict, count, figures and the first failures. */
+    public static String summary(Proof proof, ProofResult result) throws Proof.UnavailableException {
+        var verdict = result.holds() ? "holds" : "FAILS (" + result.failures() + " failures)";
+        var text = new StringBuilder(
+                String.format(Locale.ROOT, "%s: %s after %s", proof.name(), verdict, count(proof, result)));
+        result.figures().forEach(figure -> text.append("\n  ").append(text(figure)));
+        result.examples().forEach(example -> text.append("\n  failed: ").append(example));
+        return text.toString();
+    }
+
+    /** A figure as a reader wants it: whole numbers whole, others with five digits. */
+    static String text(Figure figure) {
+        boolean whole = figure.value() == Math.rint(figure.value()) && Math.abs(figure.value()) < 1e15;
+        String number = String.format(Locale.ROOT, whole ? "%,.0f" : "%.5g", figure.value());
+        return (figure.name() + " " + number + " " + figure.unit()).strip();
+    }
+}

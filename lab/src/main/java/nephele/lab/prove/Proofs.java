@@ -1,0 +1,34 @@
+package nephele.lab.prove;
+
+import java.util.List;
+
+/** Every proof, in the order in which `prove` without a name runs them; the only registration. */
+public final class Proofs {
+    public static final List<Proof> ALL = List.of(
+            new ClosedRoomProof(),
+            new TraversalsProof(),
+            new CrossingsProof(),
+            new FallsProof(),
+            new SkinProof(),
+            new JitMatrixProof(),
+            new SaveKillProof(),
+            new MutantsProof(),
+            new PortalIdsProof(),
+            new PortalLightProof(),
+            new ShadowEdgesProof(),
+            new SceneCullingProof(),
+            new RayProof(),
+            new RotationProof(),
+            new PlacementProof(),
+            new RetriangulationProof(),
+            new SeparationProof(),
+            new BodiesProof(),
+            new PilesProof(40),
+            new EnergyProof(),
+            new MassRatiosProof(10),
+            new DoorwayWalkProof(320, 180),
+            new EyeCrossingsProof(),
+            new SoakProof());
+
+    private Proofs() {}
+}

@@ -1,0 +1,197 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.level.PortalShape;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
+import nephele.engine.portal.placement.Aim;
+import nephele.engine.portal.placement.Gun;
+import nephele.engine.portal.placement.MovingSurfaces;
+import nephele.engine.portal.placement.Placed;
+import nephele.engine.portal.placement.Placement;
+import nephele.engine.portal.placement.Refusal;
+import nephele.engine.portal.placement.Surfaces;
+
+/**
+ * Cuts the same wall into other triangles, tilts it by up to 0.1°, adds noise, and shoots at it as before.
+ *
+ * <p>Two kinds of shots are left out and counted, since two walls that differ by what this proof allows may answer them
+ * differently and both be right. Without noise only cutting differs: left out is where the answer changes its kind or
+ * reason when the aperture grows or shrinks by a micrometre, the rounding of wall coordinates many times over. With
+ * noise each edge is somewhere within 10 µm in each direction, and the tilt makes 8 m longer by 12 µm, so that an
+ * aperture that is {@link #MARGIN} larger or smaller is another wall's right answer: left out is where its kind or
+ * reason differs or where its place moves more than the bar allows noise to move it (in a narrow corner a nearest
+ * point moves many times what an edge does).
+ */
+public final class RetriangulationProof implements Proof {
+    private static final double MARGIN = 3e-5;
+    private static final double MARGIN_WITHOUT_NOISE = 1e-6;
+    private static final double MOST_AMPLIFIED = 2 * 5e-5;
+    private static final double MOST_METRES = 5e-5;
+    private static final double MOST_METRES_WITHOUT_NOISE = 1e-5;
+    private static final double TILT = Math.toRadians(0.1);
+
+    private double farthest;
+    private double farthestWithoutNoise;
+    private int shots;
+    private int compared;
+    private int comparedWithoutNoise;
+    private int placed;
+
+    @Override
+    public String name() {
+        return "retriangulations";
+    }
+
+    @Override
+    public String claim() {
+        return "However a wall is cut into triangles, slivers among them, and with noise of 10 µm, a portal comes to"
+                + " within 50 µm of the same place, 10 µm without noise, or is refused for the same reason.";
+    }
+
+    @Override
+    public String unit() {
+        return "triangulations";
+    }
+
+    @Override
+    public long fullCount() {
+        return 10_000;
+    }
+
+    @Override
+    public long batch() {
+        return 2_000;
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        List<String> failures = new ArrayList<>();
+        farthest = 0;
+        farthestWithoutNoise = 0;
+        shots = 0;
+        compared = 0;
+        comparedWithoutNoise = 0;
+        placed = 0;
+        for (long unit = from; unit < from + count; unit++) {
+            cut(unit, new SplittableRandom(unit), failures);
+            progress.unitsDone(unit + 1 - from);
+        }
+        return new ProofResult(
+                count,
+                failures.size(),
+                List.of(
+                        Figure.sum("shots compared", compared, ""),
+                        Figure.sum("portals among them", placed, ""),
+                        Figure.sum("shots left out of these", shots - compared, ""),
+                        Figure.sum("shots compared without noise", comparedWithoutNoise, ""),
+                        Figure.sum("shots left out of these, without noise", shots - comparedWithoutNoise, ""),
+                        Figure.greatest("greatest share left out of a batch", 100.0 * (shots - compared) / shots, "%"),
+                        Figure.greatest("farthest from the same place", farthest, "m"),
+                        Figure.greatest("farthest without noise", farthestWithoutNoise, "m")),
+                failures);
+    }
+
+    private void cut(long unit, SplittableRandom random, List<String> failures) {
+        CutWall wall = new CutWall(random);
+        WallPlace straight = new WallPlace(
+                new Vec3(random.nextDouble(-50, 50), random.nextDouble(-50, 50), random.nextDouble(-50, 50)),
+                new Vec3(1, 0, 0),
+                new Vec3(0, 1, 0),
+                new Vec3(0, 0, 1));
+        WallPlace tilted = tilted(straight, random.nextDouble(-TILT, TILT), random.nextDouble(-TILT, TILT));
+        List<double[]> triangles = wall.cut(random);
+        Surfaces before = wall.plain(straight);
+        Surfaces clean = CutWall.surfaces(straight, triangles, null);
+        Surfaces noisy = CutWall.surfaces(tilted, triangles, random);
+        for (int i = 0; i < 5; i++) {
+            double x = random.nextDouble(0, wall.wide());
+            double y = random.nextDouble(0, wall.high());
+            if (wall.holds(x, y)) {
+                Shot shot = new Shot(x, y, random.nextDouble(-2, 2), random.nextDouble(-2, 2), random.nextInt(3));
+                shots++;
+                compareClean(unit, shot, straight, List.of(before, clean), failures);
+                compareNoisy(unit, shot, List.of(straight, tilted), List.of(before, noisy), failures);
+            }
+        }
+    }
+
+    private static WallPlace tilted(WallPlace wall, double aroundX, double aroundY) {
+        Vec3 normal = Directions.unit(Math.tan(aroundY), Math.tan(aroundX), 1);
+        Vec3 right = Directions.cross(new Vec3(0, 1, 0), normal);
+        Vec3 unit = Directions.unit(right.x(), right.y(), right.z());
+        return new WallPlace(wall.origin(), unit, Directions.cross(normal, unit), normal);
+    }
+
+    private record Shot(double x, double y, double eyeX, double eyeY, int shape) {
+        Placed at(Surfaces surfaces, WallPlace place, double grownMetres) {
+            Aperture aperture = Aperture.of(PortalShape.values()[shape], 1.2 + 2 * grownMetres, 2.1 + 2 * grownMetres);
+            Vec3 eye = place.world(x + eyeX, y + eyeY, 4);
+            Vec3 target = place.world(x, y, 0);
+            Vec3 way = Directions.unit(target.x() - eye.x(), target.y() - eye.y(), target.z() - eye.z());
+            return new Placement(surfaces, new Gun(aperture, 100, 0.75))
+                    .place("p", new Aim(eye, WallPlace.looking(way, 0)), List.of(), MovingSurfaces.NONE);
+        }
+    }
+
+    private void compareClean(long unit, Shot shot, WallPlace place, List<Surfaces> surfaces, List<String> failures) {
+        Placed smaller = shot.at(surfaces.get(0), place, -MARGIN_WITHOUT_NOISE);
+        Placed larger = shot.at(surfaces.get(0), place, MARGIN_WITHOUT_NOISE);
+        if (reason(smaller) != reason(larger)) {
+            return;
+        }
+        comparedWithoutNoise++;
+        Placed expected = shot.at(surfaces.get(0), place, 0);
+        Placed clean = shot.at(surfaces.get(1), place, 0);
+        double off = off(expected, place, clean, place);
+        farthestWithoutNoise = Math.max(farthestWithoutNoise, off);
+        if (!(off <= MOST_METRES_WITHOUT_NOISE)) {
+            failures.add(failure(unit, shot, off, List.of(expected, clean)) + " without noise");
+        }
+    }
+
+    private void compareNoisy(
+            long unit, Shot shot, List<WallPlace> places, List<Surfaces> surfaces, List<String> failures) {
+        WallPlace straight = places.get(0);
+        Placed smaller = shot.at(surfaces.get(0), straight, -MARGIN);
+        Placed larger = shot.at(surfaces.get(0), straight, MARGIN);
+        if (!(off(smaller, straight, larger, straight) <= MOST_AMPLIFIED)) {
+            return;
+        }
+        compared++;
+        Placed expected = shot.at(surfaces.get(0), straight, 0);
+        Placed noisy = shot.at(surfaces.get(1), places.get(1), 0);
+        placed += expected instanceof Placed.Fits ? 1 : 0;
+        double off = off(expected, straight, noisy, places.get(1));
+        farthest = Math.max(farthest, off);
+        if (!(off <= MOST_METRES)) {
+            failures.add(failure(unit, shot, off, List.of(expected, noisy)));
+        }
+    }
+
+    private static String failure(long unit, Shot shot, double off, List<Placed> answers) {
+        return "triangulation " + unit + " at " + shot.x() + ", " + shot.y() + ": off by " + off + " m: "
+                + reason(answers.get(0)) + " and " + reason(answers.get(1));
+    }
+
+    /** Infinite for answers of different kinds. */
+    private static double off(Placed a, WallPlace placeOfA, Placed b, WallPlace placeOfB) {
+        if (reason(a) != reason(b)) {
+            return Double.POSITIVE_INFINITY;
+        } else if (reason(a) != null) {
+            return 0;
+        }
+        Vec3 p = ((Placed.Fits) a).portal().centre();
+        Vec3 q = ((Placed.Fits) b).portal().centre();
+        double dx = placeOfA.x(p) - placeOfB.x(q);
+        double dy = placeOfA.y(p) - placeOfB.y(q);
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
+    private static Refusal reason(Placed placed) {
+        return placed instanceof Placed.Refused refused ? refused.reason() : null;
+    }
+}

@@ -1,0 +1,124 @@
+package nephele.lab.prove;
+
+import java.util.List;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Obstacles;
+import nephele.engine.portal.PathTrace;
+import nephele.engine.sim.PlayerBody;
+import nephele.engine.sim.PlayerState;
+import org.joml.Vector3d;
+
+/**
+ * Whether a player or body near portals is in a solid, judged without the seamed world: from its centre straight ways
+ * lead to points of its surface, through whatever aperture is on them; where each ends, and half-way, nothing is solid.
+ */
+final class SeamedClearance {
+    /** Deeper than this is in a solid: a point of the surface, reckoned with rounding 10 km out. */
+    private static final double TOLERANCE_METRES = 1e-6;
+
+    private static final int AROUND = 6;
+
+    private final CollisionWorld world;
+    private final PathTrace trace;
+    private final Vector3d way = new Vector3d();
+
+    SeamedClearance(PortalRoom.Place place) {
+        world = place.world();
+        trace = new PathTrace(place.portals(), Obstacles.NONE);
+    }
+
+    /** Metres by which the deepest of the points lies in a solid; 0 for none. */
+    double depth(PlayerState player) {
+        Vec3 up = player.tilt().up();
+        Vec3 side = perpendicular(up);
+        Vec3 other = cross(up, side);
+        double half = player.stance().heightMetres() / 2;
+        double straight = half - PlayerBody.RADIUS;
+        Vector3d centre = player.centre().toVector();
+        double deepest = Math.max(depthAt(centre, up, half), depthAt(centre, up, -half));
+        for (int i = 0; i < AROUND; i++) {
+            double angle = 2 * Math.PI * i / AROUND;
+            double a = PlayerBody.RADIUS * StrictMath.cos(angle);
+            double b = PlayerBody.RADIUS * StrictMath.sin(angle);
+            Vec3 out =
+                    new Vec3(a * side.x() + b * other.x(), a * side.y() + b * other.y(), a * side.z() + b * other.z());
+            for (double height : new double[] {-straight, 0, straight}) {
+                deepest = Math.max(
+                        deepest,
+                        depthAt(
+                                centre,
+                                new Vec3(
+                                        out.x() + height * up.x(),
+                                        out.y() + height * up.y(),
+                                        out.z() + height * up.z()),
+                                1));
+            }
+        }
+        return deepest;
+    }
+
+    /** The same for the points at {@code offsets} from a body's centre. */
+    double depth(Vector3d centre, List<Vector3d> offsets) {
+        double deepest = 0;
+        for (Vector3d offset : offsets) {
+            deepest = Math.max(deepest, depthAt(centre, new Vec3(offset.x, offset.y, offset.z), 1));
+        }
+        return deepest;
+    }
+
+    private double depthAt(Vector3d centre, Vec3 direction, double metres) {
+        double deepest = 0;
+        for (double share : new double[] {0.5, 1}) {
+            double length = share * metres;
+            way.set(direction.x() * length, direction.y() * length, direction.z() * length);
+            trace.walk(centre, way);
+            deepest = Math.max(
+                    deepest,
+                    depthInSolids(
+                            trace.place().x(), trace.place().y(), trace.place().z()));
+        }
+        return deepest;
+    }
+
+    private double depthInSolids(double x, double y, double z) {
+        double deepest = 0;
+        for (int i = 0; i < world.size(); i++) {
+            Aabb box = world.collider(i).bounds();
+            if (x < box.minX()
+                    || x > box.maxX()
+                    || y < box.minY()
+                    || y > box.maxY()
+                    || z < box.minZ()
+                    || z > box.maxZ()) {
+                continue;
+            }
+            double nearest = Double.POSITIVE_INFINITY;
+            for (ConvexPolyhedron.Face face : world.collider(i).shape().faces()) {
+                nearest = Math.min(nearest, -face.plane().signedDistance(x, y, z));
+                if (nearest < TOLERANCE_METRES) {
+                    break;
+                }
+            }
+            if (nearest >= TOLERANCE_METRES) {
+                deepest = Math.max(deepest, nearest);
+            }
+        }
+        return deepest;
+    }
+
+    private static Vec3 perpendicular(Vec3 up) {
+        return Math.abs(up.y()) > 0.9 ? unit(cross(up, new Vec3(1, 0, 0))) : unit(cross(up, new Vec3(0, 1, 0)));
+    }
+
+    private static Vec3 unit(Vec3 v) {
+        double length = Math.sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
+        return new Vec3(v.x() / length, v.y() / length, v.z() / length);
+    }
+
+    private static Vec3 cross(Vec3 a, Vec3 b) {
+        return new Vec3(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x());
+    }
+}

@@ -1,0 +1,136 @@
+package nephele.lab.prove;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Sun;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.scene.light.LampShadows;
+import nephele.engine.scene.light.ShadowCasters;
+import nephele.engine.scene.light.ShadowFrame;
+
+/**
+ * White walls of 10 cm that meet in joints, on a floor and partly under a roof, with posts and a board; lit by a sun of
+ * any height, grazing a wall now and then, by a lamp or by a spot. By number.
+ */
+final class ShadowScene {
+    private static final double THICK = 0.1;
+    private static final double OUTER_DEGREES = 40;
+    private static final Vec3 ONE = new Vec3(1, 1, 1);
+    private static final Vec3 FIVE = new Vec3(5, 5, 5);
+
+    private final WhiteBoxes boxes = new WhiteBoxes();
+    private final Vec3 towardsSun;
+    private final Vec3 lamp;
+    /** Of a spot's cone; {@code null} where the lamp shines all around. */
+    private final Vec3 axis;
+
+    private final double half;
+
+    ShadowScene(long number) {
+        var random = new SplittableRandom(number);
+        half = 2 + 2 * random.nextDouble();
+        double high = 2 + random.nextDouble();
+        boxes.box(0, -THICK / 2, 0, 2 * half + 4, THICK, 2 * half + 4);
+        boxes.box(-half, high / 2, 0, THICK, high, 2 * half + THICK);
+        boxes.box(0, high / 2, -half, 2 * half - THICK, high, THICK);
+        boxes.box(half * (random.nextDouble() - 0.5), high / 2, -half / 2, THICK, high, half - THICK);
+        boxes.box(-half / 2, high + THICK / 2, -half / 2, half + THICK, THICK, half + THICK);
+        for (int i = 0; i < 3; i++) {
+            double tall = 0.3 + 1.5 * random.nextDouble();
+            boxes.box(half * random.nextDouble(), tall / 2, half * (random.nextDouble() - 0.3), 0.2, tall, 0.2);
+        }
+        boolean isSunny = random.nextInt(3) > 0;
+        double yaw = random.nextInt(2) == 0 ? Math.PI / 2 * random.nextInt(4) + 0.05 : 7 * random.nextDouble();
+        Vec3 way = new Vec3(StrictMath.cos(yaw), 0.05 + 1.5 * random.nextDouble(), StrictMath.sin(yaw));
+        towardsSun = isSunny ? way : null;
+        lamp = isSunny
+                ? null
+                : new Vec3(half * (random.nextDouble() - 0.3), 0.5 + random.nextDouble(), half * random.nextDouble());
+        axis = isSunny || random.nextBoolean() ? null : new Vec3(-half - lamp.x(), -lamp.y(), -half / 2 - lamp.z());
+    }
+
+    enum Shadows {
+        CAST,
+        LEFT_OUT
+    }
+
+    Level level(Shadows shadows) {
+        boolean casts = shadows == Shadows.CAST;
+        Sun sun = towardsSun == null ? null : new Sun(towardsSun, ONE, casts);
+        List<Light> lights = lamp == null ? List.of() : List.of(light(casts));
+        return boxes.lit(sun, lights);
+    }
+
+    private Light light(boolean casts) {
+        return axis == null
+                ? new Light.Point("lamp", lamp, FIVE, 30, casts)
+                : new Light.Spot("lamp", lamp, axis, FIVE, 30, OUTER_DEGREES - 5, OUTER_DEGREES, casts);
+    }
+
+    /** The way from a place to the light, of unit length to the sun. */
+    Vec3 wayToLight(Vec3 place) {
+        if (lamp == null) {
+            double length = towardsSun.toVector().length();
+            return new Vec3(towardsSun.x() / length, towardsSun.y() / length, towardsSun.z() / length);
+        }
+        return new Vec3(lamp.x() - place.x(), lamp.y() - place.y(), lamp.z() - place.z());
+    }
+
+    /** Share of {@link #wayToLight} on which something may shade. */
+    double limit() {
+        return lamp == null ? Double.POSITIVE_INFINITY : 1;
+    }
+
+    /** Side of the texel of the depth map that a place falls into. */
+    double texelMetres(Vec3 place) {
+        if (axis != null) {
+            Vec3 way = wayToLight(place);
+            double depth = -Directions.dot(way, Directions.unit(axis.x(), axis.y(), axis.z()));
+            return 2 * depth * Math.tan(Math.toRadians(OUTER_DEGREES)) / LampShadows.LARGEST_SIDE;
+        }
+        if (lamp != null) {
+            Vec3 way = wayToLight(place);
+            double depth = Math.max(Math.abs(way.x()), Math.max(Math.abs(way.y()), Math.abs(way.z())));
+            return 2 * depth / LampShadows.LARGEST_SIDE;
+        }
+        return sunTexel;
+    }
+
+    /** Whether the lit part of the face at a place may fall between the depth map's texels. */
+    boolean isTooNarrow(Vec3 place) {
+        Vec3 way = wayToLight(place);
+        double length = Directions.length(way);
+        var unit = new Vec3(way.x() / length, way.y() / length, way.z() / length);
+        List<Brush> brushes = boxes.brushes();
+        return LitPart.at(brushes, place, unit, Math.min(length * limit(), 1e3))
+                .isNarrowerThan(Math.sqrt(2) * texelMetres(place));
+    }
+
+    private double sunTexel;
+
+    /** Knows the sun's map as the engine fits it. */
+    ShadowScene fitted(Quality quality) {
+        if (lamp == null) {
+            List<Brush> brushes = boxes.brushes();
+            List<Vec3> corners = ShadowCasters.of(brushes, towardsSun).stream()
+                    .flatMap(brush -> brush.shape().vertices().stream())
+                    .toList();
+            sunTexel = ShadowFrame.fit(corners, towardsSun, Vec3.ZERO, quality.shadowTexels())
+                    .texelMetres();
+        }
+        return this;
+    }
+
+    /** A place to look from, over the open corner, and what at. */
+    Vec3[] camera(int number) {
+        var random = new SplittableRandom(31 * number + Math.round(1000 * half));
+        Vec3 eye = new Vec3(half * random.nextDouble(), 0.3 + 1.6 * random.nextDouble(), half * random.nextDouble());
+        Vec3 target = new Vec3(-half * random.nextDouble(), 1.5 * random.nextDouble(), -half * random.nextDouble());
+        return new Vec3[] {eye, target};
+    }
+}

@@ -1,0 +1,94 @@
+package nephele.lab.prove;
+
+import java.util.stream.IntStream;
+import nephele.engine.draw.IdLevel;
+import nephele.engine.reference.Pinhole;
+import nephele.engine.reference.SurfaceSight;
+import nephele.engine.reference.TracedLevel;
+import nephele.engine.scene.View;
+import nephele.lab.oracle.ReferenceEye;
+
+/**
+ * The surfaces that the exact twin sees, in identity colours, the bottom row first: one ray in the middle of each pixel,
+ * and more where somebody doubts.
+ */
+final class SightPicture {
+    /** Rays along each side of the three by three pixels around a doubted one: first few, then many. */
+    private static final int[] FINER = {15, 127};
+
+    private final TracedLevel level;
+    private final Pinhole eye;
+    private final int width;
+    private final int height;
+    private final int[] rgb;
+    private final long[] passed;
+
+    SightPicture(TracedLevel level, View view, int width, int height) {
+        this.level = level;
+        this.width = width;
+        this.height = height;
+        eye = ReferenceEye.of(view);
+        rgb = new int[width * height];
+        passed = new long[width * height];
+        IntStream.range(0, height).parallel().forEach(this::row);
+    }
+
+    private void row(int row) {
+        SurfaceSight sight = level.sight(eye);
+        for (int column = 0; column < width; column++) {
+            int pixel = row * width + column;
+            int surface = sight.at((column + 0.5) / width, (row + 0.5) / height);
+            rgb[pixel] = surface == SurfaceSight.NOTHING ? 0 : IdLevel.colour(surface);
+            passed[pixel] = sight.passed();
+        }
+    }
+
+    int height() {
+        return height;
+    }
+
+    /** What is seen in the middle of a pixel. */
+    int at(int column, int row) {
+        return rgb[row * width + column];
+    }
+
+    /**
+     * Whether every pixel of the three by three around this one shows the same surface through the same portals: no edge
+     * is near, none of an opening that the same floor goes on behind either.
+     */
+    boolean isPlain(int column, int row) {
+        int middle = row * width + column;
+        for (int y = Math.max(row - 1, 0); y <= Math.min(row + 1, height - 1); y++) {
+            for (int x = Math.max(column - 1, 0); x <= Math.min(column + 1, width - 1); x++) {
+                int pixel = y * width + x;
+                if (rgb[pixel] != rgb[middle] || passed[pixel] != passed[middle]) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** Whether the surface of a colour is seen within one pixel of a pixel's middle, however little of it, or as near. */
+    boolean shows(int colour, int column, int row) {
+        for (int y = Math.max(row - 1, 0); y <= Math.min(row + 1, height - 1); y++) {
+            for (int x = Math.max(column - 1, 0); x <= Math.min(column + 1, width - 1); x++) {
+                if (at(x, y) == colour) {
+                    return true;
+                }
+            }
+        }
+        SurfaceSight sight = level.sight(eye);
+        int surface = IdLevel.surface(colour);
+        for (int rays : FINER) {
+            for (int i = 0; i < rays * rays; i++) {
+                double x = column + 0.5 + 2.0 * (i % rays) / (rays - 1) - 1;
+                double y = row + 0.5 + 2.0 * (i / rays) / (rays - 1) - 1;
+                if (sight.at(x / width, y / height) == surface || sight.coincides(surface)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+}

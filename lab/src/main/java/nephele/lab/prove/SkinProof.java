@@ -1,0 +1,83 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.SplittableRandom;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.Sweep;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Vec3;
+import nephele.engine.sim.FaultLog;
+import nephele.engine.sim.PlayerInput;
+import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.SimState;
+import nephele.engine.sim.Simulation;
+
+/** Walks about among slot, wedge, stairs and needles and measures after every tick how near the nearest solid is. */
+public final class SkinProof implements Proof {
+    private static final int TICKS_PER_WALK = 1000;
+    private static final int TICKS_PER_INPUT = 24;
+    /** Of the skin, what rounding may take. */
+    private static final double ALLOWED_METRES = 1e-6;
+
+    @Override
+    public String name() {
+        return "player-skin";
+    }
+
+    @Override
+    public String claim() {
+        return "In slot, wedge, stairs and needles the player keeps its 1 mm from every solid, measured by brute"
+                + " force.";
+    }
+
+    @Override
+    public String unit() {
+        return "walks of 1000 moves";
+    }
+
+    @Override
+    public long fullCount() {
+        return 1000;
+    }
+
+    @Override
+    public long batch() {
+        return 200;
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        CollisionWorld world = Parcours.at(Vec3.ZERO);
+        var simulation = new Simulation(world, new PlayerStart(Vec3.ZERO, 0, 0), SimSettings.DEFAULT, FaultLog.SILENT);
+        List<String> failures = new ArrayList<>();
+        double least = Double.POSITIVE_INFINITY;
+        for (long unit = from; unit < from + count; unit++) {
+            double gap = nearestOf(unit, simulation, world);
+            least = Math.min(least, gap);
+            if (!(gap >= Sweep.SKIN_METRES - ALLOWED_METRES)) {
+                failures.add(String.format(Locale.ROOT, "walk %d: %.9f m from a solid", unit, gap));
+            }
+            progress.unitsDone(unit + 1 - from);
+        }
+        List<Figure> figures = List.of(
+                Figure.sum("moves", (double) count * TICKS_PER_WALK, ""),
+                Figure.least("least distance from a solid", least * 1000, "mm"));
+        return new ProofResult(count, failures.size(), figures, failures.subList(0, Math.min(10, failures.size())));
+    }
+
+    private static double nearestOf(long unit, Simulation simulation, CollisionWorld world) {
+        var random = new SplittableRandom(unit);
+        SimState state = simulation.start();
+        PlayerInput input = PlayerInput.NONE;
+        double least = Double.POSITIVE_INFINITY;
+        for (int tick = 0; tick < TICKS_PER_WALK; tick++) {
+            input = tick % TICKS_PER_INPUT == 0 ? Parcours.anything(random) : input;
+            state = simulation.step(state, input);
+            double gap = state.faults() == 0 ? BruteForce.gap(state.player(), world) : Double.NaN;
+            least = gap >= least ? least : gap;
+        }
+        return least;
+    }
+}

@@ -1,0 +1,112 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import nephele.engine.measure.Stopwatch;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.walk.Walk;
+
+/** The game's frame without a window, with its allocations counted. */
+final class Soak {
+    private static final double LONGEST_PAUSE_MS = 5;
+    private static final double MOST_BYTES_A_FRAME = 2048;
+    private static final double MOST_BYTES_A_TICK = 4096;
+    private static final long NANOS_PER_SECOND = 1_000_000_000L;
+
+    /** Makes a walk from its beginning. */
+    @FunctionalInterface
+    interface Beginner {
+        Walk begin();
+    }
+
+    private final GlContext gl;
+    private final Renderer renderer;
+    private final RenderTarget picture;
+    private final Beginner beginner;
+    private final Stopwatch stopwatch = new Stopwatch();
+    private Walk walk;
+    private long frames;
+    private long ticks;
+    private long bytesOfFrames;
+    private long bytesOfTicks;
+    private boolean finite = true;
+
+    Soak(GlContext gl, Renderer renderer, RenderTarget picture, Beginner beginner) {
+        this.gl = gl;
+        this.renderer = renderer;
+        this.picture = picture;
+        this.beginner = beginner;
+        walk = beginner.begin();
+    }
+
+    void forget() {
+        frames = 0;
+        ticks = 0;
+        bytesOfFrames = 0;
+        bytesOfTicks = 0;
+    }
+
+    void play(long seconds, Proof.Progress progress) {
+        long start = System.nanoTime();
+        long last = start;
+        while (last - start < seconds * NANOS_PER_SECOND) {
+            long now = System.nanoTime();
+            simulate(now - last);
+            draw();
+            last = now;
+            progress.unitsDone((now - start) / NANOS_PER_SECOND);
+        }
+    }
+
+    private void simulate(long elapsedNanos) {
+        long tickBefore = walk.state().tick();
+        long before = stopwatch.allocatedBytes();
+        walk.advance(elapsedNanos);
+        bytesOfTicks += stopwatch.allocatedBytes() - before;
+        ticks += walk.state().tick() - tickBefore;
+        finite &= walk.state().faults() == 0;
+        if (walk.isFinished()) {
+            walk = beginner.begin();
+        }
+    }
+
+    private void draw() {
+        long before = stopwatch.allocatedBytes();
+        renderer.draw(walk.view((double) picture.width() / picture.height()), walk.moment(), picture);
+        bytesOfFrames += stopwatch.allocatedBytes() - before;
+        gl.finish();
+        frames++;
+    }
+
+    ProofResult result(long seconds, CollectorPauses pauses) {
+        double bytesAFrame = (double) bytesOfFrames / Math.max(1, frames);
+        double bytesATick = (double) bytesOfTicks / Math.max(1, ticks);
+        var failures = new ArrayList<String>();
+        check(failures, "GC pause of %.1f ms", pauses.longestMs(), LONGEST_PAUSE_MS);
+        check(failures, "%.0f bytes a frame", bytesAFrame, MOST_BYTES_A_FRAME);
+        check(failures, "%.0f bytes a tick", bytesATick, MOST_BYTES_A_TICK);
+        if (!finite) {
+            failures.add("the simulation undid a tick that was not finite");
+        }
+        gl.requireNoError("soak");
+        return new ProofResult(
+                seconds,
+                failures.size(),
+                List.of(
+                        Figure.greatest("longest GC pause", pauses.longestMs(), "ms"),
+                        Figure.sum("collections", pauses.count(), ""),
+                        Figure.greatest("render path", bytesAFrame, "B a frame"),
+                        Figure.greatest("simulation", bytesATick, "B a tick"),
+                        Figure.sum("frames", frames, "")),
+                failures);
+    }
+
+    private static void check(List<String> failures, String text, double value, double most) {
+        if (value > most) {
+            failures.add(String.format(Locale.ROOT, text, value));
+        }
+    }
+}

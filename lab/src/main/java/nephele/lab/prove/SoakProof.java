@@ -1,0 +1,82 @@
+package nephele.lab.prove;
+
+import java.util.Map;
+import nephele.engine.draw.Preparation;
+import nephele.engine.draw.QualityChoice;
+import nephele.engine.named.LevelName;
+import nephele.engine.named.LevelShelf;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.walk.ReplayInput;
+import nephele.engine.walk.Walk;
+
+/** Plays level 01 offscreen in real time, over and over, and watches the collector and what is allocated. */
+public final class SoakProof implements Proof {
+    private static final QualityChoice QUALITY = new QualityChoice("high", Map.of());
+    private static final int WARM_UP_SECONDS = 3;
+
+    private final int width;
+    private final int height;
+
+    /** At the size that the game starts with. */
+    public SoakProof() {
+        this(1280, 720);
+    }
+
+    SoakProof(int width, int height) {
+        this.width = width;
+        this.height = height;
+    }
+
+    @Override
+    public String name() {
+        return "soak";
+    }
+
+    @Override
+    public String claim() {
+        return "ten minutes of level 01: no GC pause over 5 ms, at most 2 KiB a frame and 4 KiB a tick";
+    }
+
+    @Override
+    public String unit() {
+        return "seconds";
+    }
+
+    @Override
+    public long fullCount() {
+        return 600;
+    }
+
+    @Override
+    public long batch() {
+        return 120;
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        var level = LevelShelf.first();
+        var prepared = Preparation.begin(level, QUALITY, share -> {}).get();
+        var settings = RenderSettings.of(QUALITY.output(prepared.opened().level()));
+        try (var gl = GlContext.offscreen();
+                var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);
+                var renderer = Renderer.load(gl, prepared.scene(), settings)) {
+            var soak = new Soak(gl, renderer, picture, () -> walk(level, prepared));
+            soak.play(WARM_UP_SECONDS, Progress.NONE);
+            soak.forget();
+            try (var pauses = CollectorPauses.listen()) {
+                soak.play(count, progress);
+                return soak.result(count, pauses);
+            }
+        }
+    }
+
+    private static Walk walk(LevelName level, Preparation.Prepared prepared) {
+        var replay = level.recordedWalk();
+        var beginning = new Walk.Beginning(level.fileName(), replay.settings(), replay.start());
+        return new Walk(prepared.opened(), beginning, new ReplayInput(replay));
+    }
+}

@@ -1,0 +1,180 @@
+package nephele.lab.prove;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.level.PortalShape;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Aperture;
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portal;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/**
+ * Sends one body through random pairs and back by the same, without ever starting anew: it ought to be where it was.
+ * Once as a place, directions and an orientation through the bare passages, and as often again as thrown bodies of the
+ * solver ({@link FlownTraversals}). The three axes go as directions, which nothing makes unit or perpendicular again.
+ * What rounding leaves of there and back is the same each time, so that it adds up; random ways would average it.
+ */
+public final class TraversalsProof implements Proof {
+    private static final int PAIRS = 40;
+    private static final double SPREAD_METRES = 100;
+    static final double PLACE_BAR_METRES = 1e-6;
+    static final double SPEED_BAR = 1e-8;
+    static final double BASIS_BAR = 1e-9;
+    /** An up that lies nearer to the normal than 0.8° is no up. */
+    private static final double MOST_ALONG = 0.9999;
+    /** One chain of traversals; a proof over a million is one chain. */
+    private static final long CHAIN = 1_000_000;
+
+    @Override
+    public String name() {
+        return "traversals";
+    }
+
+    @Override
+    public String claim() {
+        return "A million passages through random pairs move, speed up and bend nothing.";
+    }
+
+    @Override
+    public String unit() {
+        return "traversals";
+    }
+
+    @Override
+    public long fullCount() {
+        return CHAIN;
+    }
+
+    @Override
+    public long batch() {
+        return CHAIN;
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        var random = new SplittableRandom(from);
+        Traveller traveller = new Traveller(random);
+        Passage[][] passages = passages(random);
+        for (long i = 0; i < count; i += 2) {
+            Passage[] pair = passages[random.nextInt(PAIRS)];
+            traveller.thereAndBack(pair[0], pair[1]);
+            if (i % 10_000 == 0) {
+                progress.unitsDone(i);
+            }
+        }
+        return traveller.result(count).and(new FlownTraversals(random).run(count));
+    }
+
+    /** Radians from one orientation to the other: twice the length of the vector part of q1* q2. */
+    static double turned(Quaterniond from, Quaterniond to) {
+        Quaterniond between = from.conjugate(new Quaterniond()).mul(to);
+        return 2 * Math.sqrt(between.x * between.x + between.y * between.y + between.z * between.z);
+    }
+
+    private static Passage[][] passages(SplittableRandom random) {
+        Passage[][] passages = new Passage[PAIRS][];
+        for (int i = 0; i < PAIRS; i++) {
+            Portal a = anywhere(random);
+            Portal b = anywhere(random);
+            passages[i] = new Passage[] {Passage.between(a, b), Passage.between(b, a)};
+        }
+        return passages;
+    }
+
+    /** Its normal and its up come from the whole sphere. */
+    static Portal anywhere(SplittableRandom random) {
+        Vec3 centre = new Vec3(
+                random.nextDouble(-SPREAD_METRES, SPREAD_METRES),
+                random.nextDouble(-SPREAD_METRES, SPREAD_METRES),
+                random.nextDouble(-SPREAD_METRES, SPREAD_METRES));
+        Vec3 normal = direction(random);
+        Vec3 up = direction(random);
+        while (Math.abs(Directions.dot(normal, up)) > MOST_ALONG) {
+            up = direction(random);
+        }
+        return new Portal("end", centre, Portal.facing(normal, up), Aperture.of(PortalShape.ARCH, 1.2, 2.1));
+    }
+
+    /** Evenly over the sphere: z and the longitude are even (Archimedes). */
+    private static Vec3 direction(SplittableRandom random) {
+        double z = random.nextDouble(-1, 1);
+        double longitude = random.nextDouble(2 * Math.PI);
+        double around = Math.sqrt(1 - z * z);
+        return Directions.unit(around * Math.cos(longitude), around * Math.sin(longitude), z);
+    }
+
+    /** A body that goes through a pair and comes back by it: it is where it was. */
+    private static final class Traveller {
+        private final Vector3d place;
+        private final Vector3d velocity;
+        private final Quaterniond orientation = new Quaterniond();
+        private final Vector3d x = new Vector3d(1, 0, 0);
+        private final Vector3d y = new Vector3d(0, 1, 0);
+        private final Vector3d z = new Vector3d(0, 0, 1);
+        private final Vector3d firstPlace;
+        private final double firstSpeed;
+        private final Quaterniond firstOrientation = new Quaterniond();
+        private double worstSpeed;
+        private double worstBasis;
+
+        Traveller(SplittableRandom random) {
+            place = new Vector3d(random.nextDouble(-50, 50), random.nextDouble(-50, 50), random.nextDouble(-50, 50));
+            velocity = new Vector3d(random.nextDouble(1, 9), random.nextDouble(-9, 9), random.nextDouble(-9, 9));
+            firstPlace = new Vector3d(place);
+            firstSpeed = velocity.length();
+        }
+
+        void thereAndBack(Passage there, Passage back) {
+            go(there);
+            go(back);
+        }
+
+        private void go(Passage passage) {
+            passage.point(place);
+            passage.direction(velocity);
+            passage.orientation(orientation);
+            passage.direction(x);
+            passage.direction(y);
+            passage.direction(z);
+            worstSpeed = Math.max(worstSpeed, Math.abs(velocity.length() / firstSpeed - 1));
+            double skew = Math.max(Math.abs(x.dot(y)), Math.max(Math.abs(y.dot(z)), Math.abs(z.dot(x))));
+            double stretch = Math.max(stretch(x), Math.max(stretch(y), stretch(z)));
+            worstBasis = Math.max(worstBasis, Math.max(skew, stretch));
+        }
+
+        private static double stretch(Vector3d axis) {
+            return Math.abs(axis.lengthSquared() - 1);
+        }
+
+        ProofResult result(long count) {
+            double off = place.distance(firstPlace);
+            double turned = turned(orientation, firstOrientation);
+            List<String> failures = new ArrayList<>();
+            if (!(off <= PLACE_BAR_METRES)) {
+                failures.add("the body is " + off + " m from its place");
+            }
+            if (!(worstSpeed <= SPEED_BAR)) {
+                failures.add("its speed is off by " + worstSpeed);
+            }
+            if (!(worstBasis <= BASIS_BAR)) {
+                failures.add("its axes are off orthonormal by " + worstBasis);
+            }
+            if (!(turned <= BASIS_BAR)) {
+                failures.add("it is turned by " + turned);
+            }
+            return new ProofResult(
+                    count,
+                    failures.size(),
+                    List.of(
+                            Figure.greatest("distance from its place", off, "m"),
+                            Figure.greatest("speed off, of itself", worstSpeed, ""),
+                            Figure.greatest("axes off orthonormal, never made unit again", worstBasis, ""),
+                            Figure.greatest("orientation off", turned, "rad")),
+                    failures);
+        }
+    }
+}

@@ -1,0 +1,36 @@
+package nephele.lab.solve;
+
+import java.util.function.Consumer;
+import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
+import nephele.engine.sim.PlayerState;
+import nephele.engine.sim.Replay;
+
+/**
+ * How a level is solved.
+ *
+ * @param levelFile its name below {@code levels/}
+ * @param goal where the player stands at the end: the middle of the dais
+ * @param play what is done
+ */
+public record Solution(String levelFile, Vec3 goal, Consumer<ScriptedPlayer> play) {
+    /** The dais of a level's goal is so wide. */
+    private static final double GOAL_RADIUS_METRES = 1.25;
+
+    private static final double GOAL_DEPTH_METRES = 0.3;
+
+    public Replay playIn(Level level) {
+        var player = new ScriptedPlayer(level, levelFile);
+        play.accept(player);
+        return player.replay().recordedIn(level);
+    }
+
+    /** Whether a player stands on the goal. */
+    public boolean isSolvedBy(PlayerState player) {
+        double x = player.feet().x() - goal.x();
+        double z = player.feet().z() - goal.z();
+        return player.isGrounded()
+                && StrictMath.hypot(x, z) < GOAL_RADIUS_METRES
+                && Math.abs(player.feet().y() - goal.y()) < GOAL_DEPTH_METRES;
+    }
+}

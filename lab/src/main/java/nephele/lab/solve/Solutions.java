@@ -1,0 +1,113 @@
+package nephele.lab.solve;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import nephele.engine.level.LevelFile;
+import nephele.engine.math.Vec3;
+import nephele.engine.sim.Action;
+import nephele.engine.sim.PlayerInput;
+
+/** The solutions of the levels that have one, and the program that writes their replays: {@code gradle solutions}. */
+public final class Solutions {
+    public static final List<Solution> ALL = List.of(
+            new Solution("02-first-shot.json", new Vec3(4.1, 0.135, -13.4), Solutions::firstShot),
+            new Solution("03-momentum.json", new Vec3(0, -3.865, -17), Solutions::momentum),
+            new Solution("04-cube.json", new Vec3(4.4, 1.635, -7), Solutions::cube));
+
+    private Solutions() {}
+
+    /** @param arguments the folder of the levels, default {@code levels} */
+    public static void main(String[] arguments) throws IOException {
+        Path levels = Path.of(arguments.length > 0 ? arguments[0] : "levels");
+        for (Solution solution : ALL) {
+            var replay = solution.playIn(
+                    LevelFile.load(levels.resolve(solution.levelFile())).level());
+            Path file = levels.resolve("replays").resolve(solution.levelFile());
+            Files.writeString(file, replay.write());
+            System.out.println(file + ": " + replay.ticks() + " ticks");
+        }
+    }
+
+    /** Out of the antechamber, one portal beside, one across the water, and over. */
+    private static void firstShot(ScriptedPlayer player) {
+        player.pause(0.5)
+                .lookAlong(12, -3)
+                .lookAlong(0, -2)
+                .walkTo(0, 13)
+                .doUntil(
+                        PlayerInput.FORWARD,
+                        now -> now.feet().z() < 11 && now.feet().x() < 5)
+                .pause(0.3)
+                .lookAt(new Vec3(4.1, 1.6, -13.4))
+                .walkTo(2.4, 4.6)
+                .pause(0.4)
+                .shoot(Action.FIRE_SECOND, new Vec3(-3, 1.2, -16))
+                .shoot(Action.FIRE_FIRST, new Vec3(-1, 1.2, 10))
+                .walkTo(-1, 8.2)
+                .lookAlong(180, -2)
+                .doUntil(
+                        PlayerInput.FORWARD,
+                        now -> now.feet().z() < -10 && now.feet().z() > -14.2)
+                .lookAt(new Vec3(4.1, 1.2, -13.4))
+                .walkTo(4.1, -13.4)
+                .lookAlong(0, -2)
+                .pause(1);
+    }
+
+    /** One portal high on the wall behind, one on the floor of the shaft, and a step over the edge. */
+    private static void momentum(ScriptedPlayer player) {
+        player.pause(0.5)
+                .lookAt(new Vec3(0, -3, -17))
+                .pause(0.4)
+                .walkTo(0, 1.2)
+                .shoot(Action.FIRE_FIRST, new Vec3(0, 3.5, 6))
+                .walkTo(0, 0.3)
+                .shoot(Action.FIRE_SECOND, new Vec3(0, -12, -3.4))
+                .doUntil(PlayerInput.NONE.walking(55, 0), now -> !now.isGrounded())
+                .doUntil(PlayerInput.NONE, now -> now.isGrounded())
+                .pause(0.8)
+                .walkTo(0, -17)
+                .lookAlong(0, -2)
+                .pause(1);
+    }
+
+    /** A shot through the grille, one behind; the crate is carried through, put down before the terrace and climbed. */
+    private static void cube(ScriptedPlayer player) {
+        player.pause(0.5)
+                .walkTo(-0.08, 3.5)
+                .lookAt(new Vec3(4.4, 2.6, -7))
+                .pause(0.5)
+                .shoot(Action.FIRE_SECOND, new Vec3(-1.65, 1.1, -11))
+                .shoot(Action.FIRE_FIRST, new Vec3(-1.65, 1.1, 9))
+                .walkTo(1.3, 5.2)
+                .lookAt(new Vec3(2.7, 0.4, 4.4))
+                .press(Action.CARRY)
+                .pause(0.4)
+                .lookAlong(60, -8)
+                .walkTo(-1.65, 6.4)
+                .lookAlong(180, -8)
+                .doUntil(
+                        PlayerInput.FORWARD,
+                        now -> now.feet().z() < -3 && now.feet().z() > -8)
+                .walkTo(1.15, -6)
+                .lookAlong(-90, -8)
+                .lookAlong(-90, -50)
+                .pause(0.5)
+                .press(Action.CARRY)
+                .pause(0.5)
+                .doUntil(PlayerInput.NONE.walking(-60, 0), now -> now.feet().x() < 0.1)
+                .lookAlong(-90, -16)
+                .doUntil(PlayerInput.FORWARD, now -> now.feet().x() > 0.75)
+                .hold(PlayerInput.FORWARD.holding(Action.JUMP), 0.3)
+                .doUntil(PlayerInput.FORWARD, now -> now.feet().x() > 1.7)
+                .doUntil(PlayerInput.NONE, now -> now.isGrounded())
+                .pause(0.3)
+                .hold(PlayerInput.FORWARD.holding(Action.JUMP), 0.5)
+                .doUntil(PlayerInput.FORWARD, now -> now.feet().x() > 3)
+                .walkTo(4.4, -7)
+                .lookAlong(-90, 2)
+                .pause(1);
+    }
+}

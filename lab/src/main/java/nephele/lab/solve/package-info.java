@@ -1,0 +1,2 @@
+/** Solutions of the game's levels, played by code and kept as replays beside the levels. */
+package nephele.lab.solve;

@@ -1,0 +1,13 @@
+package nephele.lab.trade;
+
+/**
+ * What one run of a setting took, the mean over a slice.
+ *
+ * @param cpuNanos by the subject's clock
+ * @param bytes allocated by the running thread
+ */
+public record Cost(double cpuNanos, double wallNanos, double bytes) {
+    public Cost meanWith(Cost other) {
+        return new Cost((cpuNanos + other.cpuNanos) / 2, (wallNanos + other.wallNanos) / 2, (bytes + other.bytes) / 2);
+    }
+}

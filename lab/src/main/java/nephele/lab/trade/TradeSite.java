@@ -1,0 +1,117 @@
+package nephele.lab.trade;
+
+import java.io.PrintStream;
+import java.nio.file.Path;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import nephele.engine.level.appearance.Decoding;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.named.AssetComplaint;
+import nephele.engine.named.LevelName;
+import nephele.engine.reference.Pinhole;
+import nephele.engine.reference.ReferencePicture;
+import nephele.engine.reference.TraceSettings;
+import nephele.engine.reference.TracedLevel;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.View;
+import nephele.engine.terminal.PrintedProgress;
+import nephele.lab.oracle.LevelState;
+import nephele.lab.oracle.ReferenceEye;
+import nephele.lab.oracle.TracedPictures;
+
+/**
+ * Where subjects are measured: a level, what is seen of it, and one OpenGL context. The oracle's pictures are kept between
+ * runs.
+ */
+public final class TradeSite implements AutoCloseable {
+    private final LevelFile.Opened opened;
+    private final TradeView seen;
+    private final Extent extent;
+    private final Path folder;
+    private final PrintStream tell;
+    private GlContext gl;
+
+    /**
+     * How large pictures are and how exact the oracle's.
+     *
+     * @param samples rays a pixel
+     */
+    public record Extent(int width, int height, int samples) {
+        public double aspect() {
+            return (double) width / height;
+        }
+    }
+
+    /** @param folder for what is kept between runs */
+    public TradeSite(LevelFile.Opened opened, TradeView seen, Extent extent, Path folder, PrintStream tell) {
+        this.opened = opened;
+        this.seen = seen;
+        this.extent = extent;
+        this.folder = folder;
+        this.tell = tell;
+    }
+
+    public Level level() {
+        return opened.level();
+    }
+
+    public View view() {
+        return seen.view();
+    }
+
+    /** The same context in another level, from where that shows most of portals. */
+    public TradeSite in(String level) {
+        var other = new LevelName(level).open();
+        var site = new TradeSite(other, TradeView.of(other, null, extent.aspect()), extent, folder, tell);
+        site.gl = gl();
+        return site;
+    }
+
+    public Extent extent() {
+        return extent;
+    }
+
+    /** Made when it is asked for: subjects without pictures need none. */
+    public GlContext gl() {
+        if (gl == null) {
+            gl = GlContext.offscreen();
+        }
+        return gl;
+    }
+
+    /** What draws; empty where nothing was drawn. */
+    public String graphics() {
+        return gl == null ? "" : gl.limits().renderer();
+    }
+
+    /** Whether pictures that {@code graphics} drew can be compared with those that are drawn here. */
+    public boolean drawsLike(String graphics) {
+        return graphics.isEmpty() || graphics.equals(gl().limits().renderer());
+    }
+
+    public Scene scene(Level level) {
+        return AssetComplaint.named(opened, () -> Scene.of(level, opened.assets(), PrintedProgress.ofBake(tell)));
+    }
+
+    /** The exact twin's radiance of this view, the bottom row first. */
+    public LinearPicture oracle() {
+        int threads = Runtime.getRuntime().availableProcessors();
+        var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
+        var eye = ReferenceEye.of(seen.view());
+        return new TracedPictures(folder, CodeState.key())
+                .picture(LevelState.key(opened), eye, settings, () -> trace(eye, settings));
+    }
+
+    private float[] trace(Pinhole eye, TraceSettings settings) {
+        var level = AssetComplaint.named(opened, () -> TracedLevel.of(opened.level(), opened.assets(), Decoding.SRGB));
+        return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(tell));
+    }
+
+    @Override
+    public void close() {
+        if (gl != null) {
+            gl.close();
+        }
+    }
+}

@@ -1,0 +1,49 @@
+package nephele.lab.trade;
+
+import java.util.Comparator;
+import java.util.List;
+import nephele.engine.level.Camera;
+import nephele.engine.level.LevelFile;
+import nephele.engine.named.Viewpoints;
+import nephele.engine.scene.Moment;
+import nephele.engine.scene.View;
+import nephele.engine.scene.ViewTree;
+
+/**
+ * From where a level is judged.
+ *
+ * @param camera in words
+ */
+public record TradeView(View view, String camera) {
+    private static final int WIDTH = 640;
+    private static final int HEIGHT = 360;
+
+    /** @param camera one of the level's; {@code null} for the one that sees most of portals, and of equal ones the first */
+    public static TradeView of(LevelFile.Opened opened, String camera, double aspect) {
+        var level = opened.level();
+        if (camera != null) {
+            return new TradeView(
+                    Viewpoints.named(level, opened.file(), camera, aspect).view(0), "camera " + camera);
+        }
+        List<Camera> cameras = level.cameras();
+        if (cameras.isEmpty()) {
+            return new TradeView(
+                    Viewpoints.standard(level, opened.file(), aspect).view(0), "player's start");
+        }
+        var moment = Moment.atStart(level);
+        return cameras.stream()
+                .map(each -> new TradeView(View.ofCamera(each, 0, aspect), "camera " + each.id()))
+                .max(Comparator.comparingDouble(each -> each.portalPixels(moment)))
+                .filter(most -> most.portalPixels(moment) > 0)
+                .orElseGet(() -> new TradeView(
+                        View.ofCamera(cameras.get(0), 0, aspect),
+                        "camera " + cameras.get(0).id()));
+    }
+
+    /** Of a small picture. */
+    private double portalPixels(Moment moment) {
+        var tree = new ViewTree();
+        tree.grow(view, moment, WIDTH, HEIGHT, 0);
+        return tree.terminals().stream().mapToDouble(opening -> opening.area()).sum();
+    }
+}

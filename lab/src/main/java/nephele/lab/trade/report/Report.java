@@ -1,0 +1,30 @@
+package nephele.lab.trade.report;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import nephele.engine.asset.WholeFile;
+import nephele.lab.trade.Findings;
+
+/** All files of a report. */
+public final class Report {
+    /** A plot that stands alone is as light or dark as the page would be. */
+    private static final String PAGE_STYLE = "page.css";
+
+    private Report() {}
+
+    public static void write(List<Findings> all, Circumstances made, Path folder) throws IOException {
+        text(folder.resolve("trade.csv"), CsvReport.of(all));
+        for (Findings findings : all) {
+            text(
+                    folder.resolve("plots").resolve(findings.trade().subject() + ".svg"),
+                    CostErrorPlot.of(findings, PageFile.read(PAGE_STYLE)));
+        }
+        text(folder.resolve("index.html"), HtmlPage.of(all, made, new Pictures(folder)));
+    }
+
+    private static void text(Path file, String content) throws IOException {
+        WholeFile.write(file, content.getBytes(StandardCharsets.UTF_8));
+    }
+}

@@ -1,0 +1,2 @@
+/** What was found, as files: CSV, plots, pictures and one page that needs no other file. */
+package nephele.lab.trade.report;

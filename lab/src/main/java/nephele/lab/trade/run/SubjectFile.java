@@ -1,0 +1,109 @@
+package nephele.lab.trade.run;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Properties;
+import java.util.stream.Collectors;
+import nephele.engine.asset.WholeFile;
+import nephele.lab.trade.Cost;
+import nephele.lab.trade.Setting;
+import nephele.lab.trade.SubjectState;
+import nephele.lab.trade.SubjectState.Judged;
+import nephele.lab.trade.Trade;
+import nephele.lab.trade.TradeSite;
+
+/** A subject's state in a file of its own, rewritten in one step after everything that was learnt. */
+final class SubjectFile {
+    private final Path file;
+    private final String key;
+    private final TradeSite site;
+
+    /**
+     * @param key of the circumstances: what was measured under others does not count
+     * @param site where it is measured: what another renderer drew does not count either
+     */
+    SubjectFile(Path folder, Trade trade, String key, TradeSite site) {
+        this.site = site;
+        file = folder.resolve(trade.subject() + ".properties");
+        this.key = key + "; settings "
+                + trade.settings().stream().map(Setting::name).collect(Collectors.joining(","));
+    }
+
+    /** What was learnt under the same circumstances, else nothing. A damaged file counts as none. */
+    SubjectState load() throws IOException {
+        if (!Files.exists(file)) {
+            return SubjectState.NOTHING;
+        }
+        var saved = new Properties();
+        try {
+            saved.load(new StringReader(Files.readString(file)));
+            return isOfHere(saved) ? state(saved) : SubjectState.NOTHING;
+        } catch (IllegalArgumentException | java.nio.charset.MalformedInputException damaged) {
+            return SubjectState.NOTHING;
+        }
+    }
+
+    private boolean isOfHere(Properties saved) {
+        return key.equals(saved.getProperty("key")) && site.drawsLike(saved.getProperty("graphics", ""));
+    }
+
+    /** Whether there is a state that belongs to other circumstances. */
+    boolean isOfAnotherRun() throws IOException {
+        return Files.exists(file) && load().equals(SubjectState.NOTHING);
+    }
+
+    void save(SubjectState state) throws IOException {
+        var saved = new Properties();
+        saved.setProperty("key", key);
+        saved.setProperty("graphics", site.graphics());
+        for (int i = 0; i < state.judged().size(); i++) {
+            var judged = state.judged().get(i);
+            List<Double> numbers = new ArrayList<>(judged.figures());
+            numbers.add(0, judged.error());
+            saved.setProperty("judged." + i, (judged.hasPicture() ? "picture " : "number ") + words(numbers));
+        }
+        for (int i = 0; i < state.rounds().size(); i++) {
+            List<Double> numbers = new ArrayList<>();
+            state.rounds()
+                    .get(i)
+                    .forEach(cost -> numbers.addAll(List.of(cost.cpuNanos(), cost.wallNanos(), cost.bytes())));
+            saved.setProperty("round." + i, words(numbers));
+        }
+        var text = new StringWriter();
+        saved.store(text, null);
+        WholeFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static SubjectState state(Properties saved) {
+        List<Judged> judged = new ArrayList<>();
+        for (int i = 0; saved.containsKey("judged." + i); i++) {
+            String[] words = saved.getProperty("judged." + i).split(" ", 2);
+            List<Double> numbers = numbers(words[1]);
+            judged.add(new Judged(numbers.get(0), numbers.subList(1, numbers.size()), words[0].equals("picture")));
+        }
+        List<List<Cost>> rounds = new ArrayList<>();
+        for (int i = 0; saved.containsKey("round." + i); i++) {
+            List<Double> numbers = numbers(saved.getProperty("round." + i));
+            List<Cost> costs = new ArrayList<>();
+            for (int at = 0; at < numbers.size(); at += 3) {
+                costs.add(new Cost(numbers.get(at), numbers.get(at + 1), numbers.get(at + 2)));
+            }
+            rounds.add(List.copyOf(costs));
+        }
+        return new SubjectState(List.copyOf(judged), List.copyOf(rounds));
+    }
+
+    private static String words(List<Double> numbers) {
+        return numbers.stream().map(number -> Double.toString(number)).collect(Collectors.joining(" "));
+    }
+
+    private static List<Double> numbers(String words) {
+        return java.util.Arrays.stream(words.split(" ")).map(Double::valueOf).toList();
+    }
+}

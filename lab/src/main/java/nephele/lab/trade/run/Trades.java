@@ -1,0 +1,56 @@
+package nephele.lab.trade.run;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import nephele.engine.terminal.CommandFailure;
+import nephele.lab.trade.Trade;
+import nephele.lab.trade.subject.AnisotropySubject;
+import nephele.lab.trade.subject.CullingSphereSubject;
+import nephele.lab.trade.subject.CullingSubject;
+import nephele.lab.trade.subject.OutputSubject;
+import nephele.lab.trade.subject.PlacementSubject;
+import nephele.lab.trade.subject.PortalSubjects;
+import nephele.lab.trade.subject.SamplesSubject;
+import nephele.lab.trade.subject.SceneSubjects;
+import nephele.lab.trade.subject.ShadowSubject;
+import nephele.lab.trade.subject.TickRateSubject;
+import nephele.lab.trade.subject.TraversalSubject;
+
+/** Every subject in the order of the report; the only registration. */
+public final class Trades {
+    public static final List<Trade> ALL = List.of(
+            PortalSubjects.TECHNIQUE,
+            PortalSubjects.BUDGET,
+            PortalSubjects.BUDGET_BETWEEN_FACING,
+            PortalSubjects.RESOLUTION,
+            ShadowSubject.TRADE,
+            SamplesSubject.TRADE,
+            AnisotropySubject.TRADE,
+            OutputSubject.TRADE,
+            CullingSubject.TRADE,
+            CullingSubject.OF_MANY,
+            PlacementSubject.TRADE,
+            TraversalSubject.TRADE,
+            TickRateSubject.TRADE,
+            SceneSubjects.SHADING,
+            SceneSubjects.TESSELLATION,
+            SceneSubjects.CONE_NORMALS,
+            CullingSphereSubject.TRADE);
+
+    private Trades() {}
+
+    /** Those with these names in the report's order; all where none is named. */
+    public static List<Trade> named(List<String> subjects) {
+        for (String subject : subjects) {
+            if (ALL.stream().noneMatch(trade -> trade.subject().equals(subject))) {
+                var known = ALL.stream().map(Trade::subject).collect(Collectors.joining(", "));
+                throw CommandFailure.usage("there is no subject `" + subject + "`; there are: " + known);
+            }
+        }
+        return subjects.isEmpty()
+                ? ALL
+                : ALL.stream()
+                        .filter(trade -> subjects.contains(trade.subject()))
+                        .toList();
+    }
+}

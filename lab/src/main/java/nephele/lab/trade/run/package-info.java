@@ -1,0 +1,2 @@
+/** Runs subjects, keeps what was learnt, and knows all of them. */
+package nephele.lab.trade.run;

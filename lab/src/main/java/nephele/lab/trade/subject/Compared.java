@@ -1,0 +1,107 @@
+package nephele.lab.trade.subject;
+
+import java.awt.image.BufferedImage;
+import java.nio.ByteBuffer;
+import java.util.function.Supplier;
+import nephele.engine.level.Environment;
+import nephele.engine.measure.ErrorMap;
+import nephele.engine.measure.Flip;
+import nephele.engine.measure.HdrFlip;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.render.DevelopedPicture;
+import nephele.engine.render.frame.Development;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.lab.trade.TradeSite;
+
+/** Which of a picture's values are judged, and against what. */
+enum Compared {
+    /** Before exposure and tone curve, against the oracle, which draws no rims: the knob's own error, at every exposure. */
+    RADIANCE {
+        @Override
+        Shot judged(Shot shot) {
+            return shot.with(Output.HDR).set("rims", "off");
+        }
+
+        @Override
+        LinearPicture read(float[] radiance, RenderTarget picture) {
+            return new LinearPicture(picture.width(), picture.height(), radiance);
+        }
+
+        @Override
+        LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
+            return site.oracle();
+        }
+
+        @Override
+        ErrorMap flip(LinearPicture exact, LinearPicture test) {
+            return HdrFlip.of(exact, test);
+        }
+
+        @Override
+        BufferedImage shown(LinearPicture picture, Environment environment) {
+            return DevelopedPicture.of(picture.rgb(), picture.width(), environment, Output.DIRECT);
+        }
+    },
+    /** What the display emits, against the engine's own radiance developed in double precision. */
+    DISPLAY {
+        @Override
+        Shot judged(Shot shot) {
+            return shot;
+        }
+
+        @Override
+        LinearPicture read(float[] radiance, RenderTarget picture) {
+            ByteBuffer rgba = picture.readBytes();
+            float[] rgb = new float[3 * picture.width() * picture.height()];
+            for (int i = 0; i < rgb.length; i++) {
+                rgb[i] = (float) Development.decodeSrgb((rgba.get(i / 3 * 4 + i % 3) & 0xff) / 255.0);
+            }
+            return new LinearPicture(picture.width(), picture.height(), rgb);
+        }
+
+        @Override
+        LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
+            LinearPicture radiance = drawn.get();
+            var environment = site.level().environment();
+            float[] rgb = radiance.rgb().clone();
+            double exposure = Math.pow(2, environment.exposureStops());
+            for (int i = 0; i < rgb.length; i++) {
+                rgb[i] = (float) Development.toneCurve(Math.max(exposure * rgb[i], 0), environment.toneCurve());
+            }
+            return new LinearPicture(radiance.width(), radiance.height(), rgb);
+        }
+
+        @Override
+        ErrorMap flip(LinearPicture exact, LinearPicture test) {
+            return Flip.ofDisplayed(exact, test);
+        }
+
+        @Override
+        BufferedImage shown(LinearPicture picture, Environment environment) {
+            var image = new BufferedImage(picture.width(), picture.height(), BufferedImage.TYPE_INT_RGB);
+            for (int pixel = 0; pixel < picture.pixels(); pixel++) {
+                int code = 0;
+                for (int channel = 0; channel < 3; channel++) {
+                    double shown = Development.encodeSrgb(picture.rgb()[3 * pixel + channel]);
+                    code = code << 8 | (int) Math.rint(255 * Math.min(Math.max(shown, 0), 1));
+                }
+                image.setRGB(pixel % picture.width(), picture.height() - 1 - pixel / picture.width(), code);
+            }
+            return image;
+        }
+    };
+
+    /** What is drawn to be judged instead of what is drawn to be timed. */
+    abstract Shot judged(Shot shot);
+
+    /** @param radiance where the judged shot has it */
+    abstract LinearPicture read(float[] radiance, RenderTarget picture);
+
+    /** @param drawn the usual picture's radiance, drawn when it is asked for */
+    abstract LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site);
+
+    abstract ErrorMap flip(LinearPicture exact, LinearPicture test);
+
+    abstract BufferedImage shown(LinearPicture picture, Environment environment);
+}

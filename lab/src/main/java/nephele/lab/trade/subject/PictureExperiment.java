@@ -1,0 +1,114 @@
+package nephele.lab.trade.subject;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.draw.Outputs;
+import nephele.engine.level.Level;
+import nephele.engine.measure.ErrorMap;
+import nephele.engine.measure.ImageError;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Scene;
+import nephele.lab.trade.Experiment;
+import nephele.lab.trade.Judgement;
+import nephele.lab.trade.TradeSite;
+
+/** One renderer for each setting, drawing the same view by turns. */
+final class PictureExperiment implements Experiment {
+    /** What shows the previous picture is judged when that has settled. */
+    private static final int SETTLING_FRAMES = 4;
+
+    private final TradeSite site;
+    private final Compared compared;
+    private final Shot usual;
+    private final List<Shot> shots = new ArrayList<>();
+    private final List<Renderer> renderers = new ArrayList<>();
+    private final Map<Level, Scene> scenes = new HashMap<>();
+    private final RenderTarget picture;
+    private LinearPicture exact;
+
+    PictureExperiment(TradeSite site, List<PictureSetting> settings, Compared compared) {
+        this.site = site;
+        this.compared = compared;
+        usual = new Shot(site.level(), Outputs.requiredBy(site.level()), "high", Map.of());
+        settings.forEach(setting -> shots.add(setting.change().apply(usual)));
+        picture = RenderTarget.picture(
+                site.gl(),
+                "trade",
+                PixelFormat.RGBA8,
+                site.extent().width(),
+                site.extent().height());
+        settings.forEach(setting -> renderers.add(null));
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        return judged(compared.read(drawn(compared.judged(shots.get(setting))), picture));
+    }
+
+    /** Radiance of a settled frame where the shot's output has it; the picture itself lies in its target. */
+    private float[] drawn(Shot shot) {
+        try (var renderer = renderer(shot)) {
+            for (int frame = 0; frame < SETTLING_FRAMES; frame++) {
+                renderer.draw(site.view(), picture);
+            }
+            site.gl().requireNoError("trade");
+            return shot.output() == Output.HDR ? renderer.readRadiance() : null;
+        }
+    }
+
+    private Judgement judged(LinearPicture test) {
+        ErrorMap flip = compared.flip(oracle(), test);
+        return new Judgement(
+                flip.mean(),
+                List.of(
+                        ImageError.relativeSquared(oracle(), test),
+                        100 * ImageError.meanBias(oracle(), test),
+                        flip.quantile(0.99)),
+                compared.shown(test, site.level().environment()),
+                flip);
+    }
+
+    private LinearPicture oracle() {
+        if (exact == null) {
+            exact = compared.exact(this::radiance, site);
+        }
+        return exact;
+    }
+
+    /** Of the usual picture in linear light. */
+    private LinearPicture radiance() {
+        return new LinearPicture(picture.width(), picture.height(), drawn(usual.with(Output.HDR)));
+    }
+
+    @Override
+    public BufferedImage exact() {
+        return compared.shown(oracle(), site.level().environment());
+    }
+
+    @Override
+    public void run(int setting) {
+        if (renderers.get(setting) == null) {
+            renderers.set(setting, renderer(shots.get(setting)));
+        }
+        renderers.get(setting).draw(site.view(), picture);
+        site.gl().finish();
+    }
+
+    private Renderer renderer(Shot shot) {
+        Scene scene = scenes.computeIfAbsent(shot.level(), site::scene);
+        return Renderer.load(site.gl(), scene, shot.settings(site.gl().limits().software()));
+    }
+
+    @Override
+    public void close() {
+        renderers.stream().filter(renderer -> renderer != null).forEach(Renderer::close);
+        picture.close();
+    }
+}

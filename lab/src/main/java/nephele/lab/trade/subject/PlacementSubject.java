@@ -1,0 +1,78 @@
+package nephele.lab.trade.subject;
+
+import java.util.List;
+import nephele.lab.prove.PlacementSample;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.ErrorMetric;
+import nephele.lab.trade.Experiment;
+import nephele.lab.trade.Judgement;
+import nephele.lab.trade.Setting;
+import nephele.lab.trade.Trade;
+
+/** Whether a portal fits where one aims: the student report's four lines against the exact search. */
+public final class PlacementSubject {
+    private static final int QUESTIONS = 6_000;
+    private static final int TIMED = 500;
+
+    public static final Trade TRADE = new Trade(
+            "placement",
+            new Trade.Text(
+                    "Where a portal fits",
+                    "Four lines from the aimed point to the rectangle's corners miss holes and notches between them."
+                            + " The exact test knows the whole outline; in the game it also moves the portal to the"
+                            + " nearest place where it fits. Of the four lines the ray that finds the wall is not"
+                            + " counted.",
+                    "areas clipped by brute force, on made-up walls of triangles with holes"),
+            List.of(),
+            List.of(
+                    new Setting("fourLines", "the student report's way"),
+                    new Setting("exact", "the game's, without moving the portal")),
+            1,
+            new ErrorMetric("wrong yes and wrong no", "%", 0.05, 0.1),
+            List.of("of its yes, wrong, %", "of what fits, refused, %"),
+            new CostMetric("CPU a placement", "µs", 1e3, TIMED, CostMetric.Clock.THREAD),
+            site -> new Placements());
+
+    private PlacementSubject() {}
+
+    private static final class Placements implements Experiment {
+        private final PlacementSample sample = new PlacementSample(QUESTIONS);
+        /** What the compiler must not leave out. */
+        private int accepted;
+
+        @Override
+        public Judgement judge(int setting) {
+            int fitting = 0;
+            int refused = 0;
+            int yes = 0;
+            int wrongYes = 0;
+            for (int question = 0; question < sample.size(); question++) {
+                boolean fits = sample.fits(question);
+                boolean answer = answer(setting, question);
+                fitting += fits ? 1 : 0;
+                refused += fits && !answer ? 1 : 0;
+                yes += answer ? 1 : 0;
+                wrongYes += answer && !fits ? 1 : 0;
+            }
+            double ofYes = 100.0 * wrongYes / Math.max(1, yes);
+            double ofFitting = 100.0 * refused / fitting;
+            return Judgement.of(ofYes + ofFitting, ofYes, ofFitting);
+        }
+
+        private boolean answer(int setting, int question) {
+            return setting == 0 ? sample.fourLines(question) : sample.exact(question);
+        }
+
+        @Override
+        public void run(int setting) {
+            for (int question = 0; question < TIMED; question++) {
+                accepted += answer(setting, question) ? 1 : 0;
+            }
+        }
+
+        @Override
+        public void close() {
+            accepted = 0;
+        }
+    }
+}

@@ -1,0 +1,123 @@
+package nephele.lab.trade.subject;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import nephele.engine.math.Rotations;
+import nephele.engine.math.Vec3;
+import nephele.engine.model.BoundingSphere;
+import nephele.engine.model.Mesh;
+import nephele.engine.scene.View;
+import nephele.engine.xmlscene.XmlGroup;
+import nephele.engine.xmlscene.XmlGroup.Step;
+import nephele.engine.xmlscene.XmlScene;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+/** Culling by spheres as the scene-engine report does it, with all or some of its errors; models in document order. */
+final class ReportCulling {
+    /** What the report does otherwise than it should. */
+    enum Fault {
+        /** A sphere around a model's origin, as large as the largest of its coordinates. */
+        LARGEST_COORDINATE,
+        /** A rotation takes the place of those of the groups above. */
+        LAST_ROTATION,
+        /** The plane on the right goes through the point of the left one. */
+        LEFT_POINT
+    }
+
+    private final Set<Fault> faults;
+    private final List<Placed> models = new ArrayList<>();
+    private final Vector3d place = new Vector3d();
+    private final Quaterniond turn = new Quaterniond();
+    private final Vector3d scale = new Vector3d();
+    private final Vector3d centre = new Vector3d();
+
+    /** @param steps of all groups around it, the outermost first */
+    private record Placed(List<Step> steps, Vec3 centre, double radius) {}
+
+    ReportCulling(XmlScene scene, StillLife.Generated files, Set<Fault> faults) {
+        this.faults = faults.isEmpty() ? EnumSet.noneOf(Fault.class) : EnumSet.copyOf(faults);
+        add(scene.root(), List.of(), files);
+    }
+
+    private void add(XmlGroup group, List<Step> above, StillLife.Generated files) {
+        List<Step> steps = new ArrayList<>(above);
+        steps.addAll(group.steps());
+        group.models().forEach(model -> models.add(placed(steps, files.mesh(model))));
+        group.groups().forEach(below -> add(below, steps, files));
+    }
+
+    private Placed placed(List<Step> steps, Mesh mesh) {
+        if (faults.contains(Fault.LARGEST_COORDINATE)) {
+            double largest = 0;
+            for (float coordinate : mesh.positions()) {
+                largest = Math.max(largest, Math.abs(coordinate));
+            }
+            return new Placed(steps, Vec3.ZERO, largest);
+        }
+        BoundingSphere sphere = BoundingSphere.of(mesh);
+        return new Placed(steps, sphere.centre(), sphere.radius());
+    }
+
+    /** Whether it keeps a model. */
+    boolean keeps(int model, double seconds, View view) {
+        Placed placed = models.get(model);
+        place.set(0);
+        turn.identity();
+        scale.set(1);
+        placed.steps.forEach(step -> apply(step, seconds));
+        Vec3 c = placed.centre;
+        turn.transform(centre.set(c.x(), c.y(), c.z()).mul(scale)).add(place);
+        double radius = placed.radius * Math.max(scale.x, Math.max(scale.y, scale.z));
+        return isInside(view, radius);
+    }
+
+    private void apply(Step step, double seconds) {
+        if (step instanceof Step.Translate translate) {
+            Vec3 by = translate.by();
+            place.add(turn.transform(centre.set(by.x(), by.y(), by.z()).mul(scale)));
+        } else if (step instanceof Step.Scale by) {
+            scale.mul(by.by().x(), by.by().y(), by.by().z());
+        } else if (step instanceof Step.Rotate rotate) {
+            turn(rotate.axis(), Math.toRadians(rotate.angleDegrees()));
+        } else if (step instanceof Step.Spin spin) {
+            turn(spin.axis(), 2 * Math.PI * (seconds / spin.seconds() % 1));
+        }
+    }
+
+    private void turn(Vec3 axis, double radians) {
+        Quaterniond added = Rotations.aroundAxis(axis, radians);
+        if (faults.contains(Fault.LAST_ROTATION)) {
+            turn.set(added);
+        } else {
+            turn.mul(added);
+        }
+    }
+
+    /** Six planes, each by a point and the normal inwards. */
+    private boolean isInside(View view, double radius) {
+        double x = centre.x - view.eyeX();
+        double y = centre.y - view.eyeY();
+        double z = centre.z - view.eyeZ();
+        double right = view.alongRight(x, y, z);
+        double up = view.alongUp(x, y, z);
+        double ahead = -view.alongBack(x, y, z);
+        double near = view.projection().nearMetres();
+        double tanX = view.projection().tanHalfWidth();
+        double tanY = view.projection().tanHalfHeight();
+        double rightPoint = faults.contains(Fault.LEFT_POINT) ? -near * tanX : near * tanX;
+        return ahead - near >= -radius
+                && view.projection().farMetres() - ahead >= -radius
+                && side(right + near * tanX, ahead - near, tanX) >= -radius
+                && side(rightPoint - right, ahead - near, tanX) >= -radius
+                && side(up + near * tanY, ahead - near, tanY) >= -radius
+                && side(near * tanY - up, ahead - near, tanY) >= -radius;
+    }
+
+    /** Distance inwards from a side's plane. @param inwards from its point, and {@code ahead} likewise */
+    private static double side(double inwards, double ahead, double tan) {
+        return (inwards + tan * ahead) / Math.sqrt(1 + tan * tan);
+    }
+}

@@ -1,0 +1,102 @@
+package nephele.lab.trade.subject;
+
+import java.util.List;
+import java.util.function.Function;
+import java.util.function.IntFunction;
+import java.util.stream.Stream;
+import nephele.engine.render.fixed.Shading;
+import nephele.engine.xmlscene.XmlScene;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.ErrorMetric;
+import nephele.lab.trade.Setting;
+import nephele.lab.trade.Trade;
+import nephele.lab.trade.subject.XmlPictureExperiment.Way;
+
+/** Of XML scenes: where light is worked out, into how many triangles surfaces are cut, which way cones face. */
+public final class SceneSubjects {
+    private static final int EXACT_SLICES = 256;
+    private static final int USUAL_SLICES = 32;
+    private static final int CONE_SLICES = 64;
+    private static final String EXACT = "in 256 slices, lit at each of 16 points a pixel, whose light is averaged";
+
+    public static final Trade SHADING = of(
+            "shading",
+            new Trade.Text(
+                    "Where light is worked out",
+                    "XML scenes are lit by the light model of fixed-function OpenGL: once a triangle, at its vertices"
+                            + " and blended between them, or at every pixel. Round things have " + USUAL_SLICES
+                            + " slices here.",
+                    "the same surfaces " + EXACT),
+            1,
+            List.of(
+                    new Setting("flat", "facets show"),
+                    new Setting("gouraud", "as OpenGL did it; highlights smear over a triangle"),
+                    new Setting("phong", "blends the normals and lights each pixel")),
+            files -> Stream.of(Shading.FLAT, Shading.GOURAUD, Shading.PHONG)
+                    .map(shading -> new Way(StillLife.of(USUAL_SLICES), files, shading))
+                    .toList(),
+            StillLife::of);
+
+    public static final Trade TESSELLATION = of(
+            "tessellation",
+            new Trade.Text(
+                    "How many triangles a round thing takes",
+                    "Slices and stacks of the generator's primitives, and a quarter as many parts a patch of the"
+                            + " teapot, lit at the vertices: with more of them both outline and light come closer.",
+                    "the same surfaces " + EXACT),
+            3,
+            List.of(
+                    new Setting("4", "angular"),
+                    Setting.of("8"),
+                    Setting.of("16"),
+                    Setting.of("32"),
+                    Setting.of("64"),
+                    new Setting("128", "some triangles as small as pixels")),
+            files -> Stream.of(4, 8, 16, 32, 64, 128)
+                    .map(slices -> new Way(StillLife.of(slices), files, Shading.GOURAUD))
+                    .toList(),
+            StillLife::of);
+
+    public static final Trade CONE_NORMALS = of(
+            "coneNormals",
+            new Trade.Text(
+                    "Which way a cone's side faces",
+                    "The scene-engine report gives a point of a cone's side the normal (r sin a, cos(atan(h / R)), r"
+                        + " cos a) with the radius r there, which is right on one ring only and straight up at the"
+                        + " tip. The generator takes the slope: (h sin a, R, h cos a) made unit. Both cost the same.",
+                    "cones " + EXACT),
+            1,
+            List.of(
+                    new Setting("report", "radius 1, height 2: 63° off at the tip, 15° halfway up"),
+                    new Setting("exact", "the generator's")),
+            files -> Stream.of(new ReportCones(files), files)
+                    .map(cones -> new Way(StillLife.cones(CONE_SLICES), cones, Shading.PHONG))
+                    .toList(),
+            StillLife::cones);
+
+    private SceneSubjects() {}
+
+    /** @param scene by its slices */
+    private static Trade of(
+            String subject,
+            Trade.Text text,
+            int usual,
+            List<Setting> settings,
+            Function<StillLife.Generated, List<Way>> ways,
+            IntFunction<XmlScene> scene) {
+        return new Trade(
+                subject,
+                text,
+                List.of(),
+                settings,
+                usual,
+                new ErrorMetric("mean FLIP", "", 5e-4, 2e-3),
+                XmlPictureExperiment.FIGURES,
+                CostMetric.FRAME,
+                site -> {
+                    var files = new StillLife.Generated();
+                    var exact = new Way(scene.apply(EXACT_SLICES), files, Shading.PHONG);
+                    return new XmlPictureExperiment(site, exact, ways.apply(files));
+                });
+    }
+}

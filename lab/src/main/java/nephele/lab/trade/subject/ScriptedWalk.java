@@ -1,0 +1,87 @@
+package nephele.lab.trade.subject;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import nephele.engine.math.Vec3;
+import nephele.engine.sim.Action;
+import nephele.engine.sim.PlayerInput;
+import nephele.engine.sim.SimState;
+import nephele.engine.sim.Simulation;
+
+/**
+ * What a player does, as times and not as ticks, so that every tick rate can do the same: a new wish every half second,
+ * always on the beat of the slowest rate.
+ */
+final class ScriptedWalk {
+    static final int SECONDS = 3;
+    private static final int BEATS_PER_SECOND = 30;
+    private static final int BEATS_PER_WISH = 15;
+
+    /** Divisible by every number of ticks that a beat may have. */
+    private static final int TURN_STEP_MILLIDEGREES = 32;
+
+    private final List<Wish> wishes = new ArrayList<>();
+
+    /** @param turnMillidegrees to the left, a beat */
+    private record Wish(int forward, int right, int turnMillidegrees, boolean jumps) {}
+
+    static ScriptedWalk random(long seed) {
+        var random = new SplittableRandom(seed);
+        var walk = new ScriptedWalk();
+        for (int i = 0; i < SECONDS * BEATS_PER_SECOND / BEATS_PER_WISH; i++) {
+            walk.wishes.add(new Wish(
+                    random.nextInt(4) == 0 ? 0 : 100,
+                    random.nextInt(3) == 0 ? random.nextInt(-1, 2) * 100 : 0,
+                    random.nextInt(-60, 61) * TURN_STEP_MILLIDEGREES,
+                    random.nextInt(3) == 0));
+        }
+        return walk;
+    }
+
+    /** Stands, jumps once and stands again. */
+    static ScriptedWalk jump() {
+        var walk = new ScriptedWalk();
+        for (int i = 0; i < SECONDS * BEATS_PER_SECOND / BEATS_PER_WISH; i++) {
+            walk.wishes.add(new Wish(0, 0, 0, i == 1));
+        }
+        return walk;
+    }
+
+    /** Where the feet are after every beat. */
+    List<Vec3> feet(Simulation simulation) {
+        int ticksPerBeat = simulation.settings().ticksPerSecond() / BEATS_PER_SECOND;
+        List<Vec3> feet = new ArrayList<>();
+        SimState state = simulation.start();
+        for (Wish wish : wishes) {
+            var input = input(wish, ticksPerBeat);
+            for (int tick = 1; tick <= BEATS_PER_WISH * ticksPerBeat; tick++) {
+                state = simulation.step(state, input);
+                if (tick % ticksPerBeat == 0) {
+                    feet.add(state.player().feet());
+                }
+            }
+        }
+        return feet;
+    }
+
+    /** The greatest height that the feet reach in any tick. */
+    double highest(Simulation simulation) {
+        int ticksPerBeat = simulation.settings().ticksPerSecond() / BEATS_PER_SECOND;
+        SimState state = simulation.start();
+        double highest = Double.NEGATIVE_INFINITY;
+        for (Wish wish : wishes) {
+            var input = input(wish, ticksPerBeat);
+            for (int tick = 0; tick < BEATS_PER_WISH * ticksPerBeat; tick++) {
+                state = simulation.step(state, input);
+                highest = Math.max(highest, state.player().feet().y());
+            }
+        }
+        return highest;
+    }
+
+    private static PlayerInput input(Wish wish, int ticksPerBeat) {
+        var input = PlayerInput.NONE.walking(wish.forward, wish.right).turning(wish.turnMillidegrees / ticksPerBeat, 0);
+        return wish.jumps ? input.holding(Action.JUMP) : input;
+    }
+}

@@ -1,0 +1,34 @@
+package nephele.lab.trade.subject;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import nephele.engine.draw.QualityChoice;
+import nephele.engine.level.Level;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.frame.Output;
+
+/**
+ * What is drawn, and how.
+ *
+ * @param preset of quality
+ * @param set what is changed in it, as {@code --set} takes it
+ */
+record Shot(Level level, Output output, String preset, Map<String, String> set) {
+    Shot set(String key, Object value) {
+        Map<String, String> more = new LinkedHashMap<>(set);
+        more.put(key, value.toString());
+        return new Shot(level, output, preset, Map.copyOf(more));
+    }
+
+    Shot with(Level changed) {
+        return new Shot(changed, output, preset, set);
+    }
+
+    Shot with(Output changed) {
+        return new Shot(level, changed, preset, set);
+    }
+
+    RenderSettings settings(boolean software) {
+        return new QualityChoice(preset, set).settings(output, software);
+    }
+}

@@ -1,0 +1,121 @@
+package nephele.lab.trade.subject;
+
+import java.nio.charset.StandardCharsets;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import nephele.engine.asset.Picture;
+import nephele.engine.model.GeneratedName;
+import nephele.engine.model.Mesh;
+import nephele.engine.render.fixed.SceneFiles;
+import nephele.engine.xmlscene.XmlModel;
+import nephele.engine.xmlscene.XmlScene;
+import nephele.engine.xmlscene.XmlSceneFile;
+
+/** A teapot and three primitives on a floor under two lights: what shading and tessellation are judged by. */
+final class StillLife {
+    private static final String AROUND =
+            """
+            <world>
+              <camera>
+                <position x="0" y="3.2" z="6.4"/> <lookAt x="0" y="0.55" z="0"/> <up x="0" y="1" z="0"/>
+                <projection fov="36" near="0.5" far="50"/>
+              </camera>
+              <lights>
+                <light type="point" posx="3.5" posy="4" posz="4"/>
+                <light type="directional" dirx="-0.6" diry="0.5" dirz="0.25"/>
+              </lights>
+              <group>%s</group>
+            </world>
+            """;
+
+    private static final String PLACED =
+            """
+            <group>
+              <transform>
+                <translate x="%1$s" y="%2$s" z="%3$s"/><scale x="%4$s" y="%4$s" z="%4$s"/>
+                <rotate angle="%5$s" x="1" y="0" z="0"/>
+              </transform>
+              <models><model file="%6$s.3d"><color>
+                <diffuse R="%7$d" G="%8$d" B="%9$d"/><ambient R="24" G="24" B="30"/>
+                <specular R="%10$d" G="%10$d" B="%10$d"/><emissive R="0" G="0" B="0"/><shininess value="%11$d"/>
+              </color></model></models>
+            </group>
+            """;
+
+    /** Where a thing is. @param tiltDegrees about x */
+    private record Place(double x, double y, double z, double scale, double tiltDegrees) {}
+
+    /** Its colour. @param rgb from 0 to 255 each */
+    private record Look(int[] rgb, int shininess) {}
+
+    private StillLife() {}
+
+    /** @param slices of round things; patches are cut into a quarter as many parts */
+    static XmlScene of(int slices) {
+        int parts = Math.max(1, slices / 4);
+        String cut = "_" + slices + "_" + slices;
+        return read(floor(parts)
+                + thing("sphere_1" + cut, new Place(-2.1, 0.8, 0.3, 0.8, 0), look(60, 70, 110, 190))
+                + thing("torus_0.7_0.32" + cut, new Place(2.2, 0.32, 0.6, 1, 0), look(40, 190, 80, 50))
+                + thing("cone_0.8_2.2" + cut, new Place(1.4, 0, -1.5, 1, 0), look(20, 90, 160, 80))
+                + thing("bezier_" + parts, new Place(0, 0, 0, 0.42, -90), look(90, 200, 160, 70)));
+    }
+
+    /** Three of them: slender, as wide as high, flat. */
+    static XmlScene cones(int slices) {
+        String cut = "_" + slices + "_16";
+        return read(floor(1)
+                + thing("cone_0.6_2.4" + cut, new Place(-2.2, 0, 0, 1, 0), look(40, 190, 80, 50))
+                + thing("cone_1_2" + cut, new Place(0, 0, 0, 1, 0), look(40, 90, 160, 80))
+                + thing("cone_1.2_0.8" + cut, new Place(2.5, 0, 0, 1, 0), look(40, 70, 110, 190)));
+    }
+
+    private static String floor(int divisions) {
+        return thing("plane_9_" + divisions, new Place(0, 0, 0, 1, 0), look(0, 120, 115, 110));
+    }
+
+    private static Look look(int shininess, int... rgb) {
+        return new Look(rgb, shininess);
+    }
+
+    private static String thing(String shape, Place at, Look look) {
+        int gloss = look.shininess > 0 ? 200 : 0;
+        return String.format(
+                Locale.ROOT,
+                PLACED,
+                at.x,
+                at.y,
+                at.z,
+                at.scale,
+                at.tiltDegrees,
+                shape,
+                look.rgb[0],
+                look.rgb[1],
+                look.rgb[2],
+                gloss,
+                look.shininess);
+    }
+
+    private static XmlScene read(String things) {
+        String text = String.format(Locale.ROOT, AROUND, things);
+        return XmlSceneFile.read("still-life.xml", text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Makes each mesh that is named once. */
+    static final class Generated implements SceneFiles {
+        private final Map<String, Mesh> meshes = new HashMap<>();
+
+        @Override
+        public Mesh mesh(XmlModel model) {
+            return meshes.computeIfAbsent(model.file(), name -> GeneratedName.shape(name, neighbour -> null)
+                    .orElseThrow()
+                    .mesh());
+        }
+
+        @Override
+        public Picture picture(XmlModel model) {
+            return null;
+        }
+    }
+}

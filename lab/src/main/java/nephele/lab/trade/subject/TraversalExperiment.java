@@ -1,0 +1,102 @@
+package nephele.lab.trade.subject;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Crossing;
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portals;
+import nephele.lab.trade.Experiment;
+import nephele.lab.trade.Judgement;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** Leaps over many walks; time over the ticks of all of them. */
+final class TraversalExperiment implements Experiment {
+    static final int TICKS_PER_RUN = 20_000;
+    private static final int WALKS = 100;
+    private static final double TICK_SECONDS = 1.0 / 120;
+    private static final Vector3dc STRAIGHT = new Vector3d();
+
+    private final List<RecordedTraversal> walks = new ArrayList<>();
+    private final List<Vec3> places = new ArrayList<>();
+    private final List<Vector3d> centres = new ArrayList<>();
+    private final List<Vector3d> velocities = new ArrayList<>();
+    private final Crossing crossing = new Crossing();
+    /** What the compiler must not leave out. */
+    private int found;
+
+    TraversalExperiment() {
+        for (int seed = 0; seed < WALKS; seed++) {
+            var walk = new RecordedTraversal(seed);
+            walks.add(walk);
+            walk.states().forEach(state -> {
+                places.add(state.player().eye());
+                centres.add(state.player().centre().toVector());
+                velocities.add(state.player().velocity().toVector());
+            });
+        }
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        List<ViewJump> jumps = new ArrayList<>();
+        for (RecordedTraversal walk : walks) {
+            ViewJump jump = jump(setting, walk);
+            if (jump != null) {
+                jumps.add(jump);
+            }
+        }
+        jumps.sort(Comparator.comparingDouble(ViewJump::degrees));
+        return Judgement.of(
+                jumps.stream().mapToDouble(ViewJump::pixels).average().orElseThrow(),
+                jumps.get(jumps.size() / 2).degrees(),
+                jumps.get(jumps.size() - 1).degrees(),
+                jumps.stream().mapToDouble(ViewJump::metres).average().orElseThrow());
+    }
+
+    private static ViewJump jump(int setting, RecordedTraversal walk) {
+        Portals portals = walk.portals();
+        Passage passage = portals.passage(0);
+        if (setting == 2) {
+            Gaze[] through = walk.through();
+            return through == null ? null : ViewJump.of(passage, through[0], through[1]);
+        }
+        Gaze near = walk.near();
+        if (near == null) {
+            return null;
+        }
+        Gaze moved = setting == 0
+                ? SourceTeleport.alongNormal(portals.portal(1))
+                : SourceTeleport.keepingView(passage, portals.portal(1), near);
+        return ViewJump.of(passage, near, moved);
+    }
+
+    @Override
+    public void run(int setting) {
+        Portals portals = walks.get(0).portals();
+        for (int tick = 0; tick < TICKS_PER_RUN; tick++) {
+            int at = tick % places.size();
+            found += (setting == 2 ? isEntering(portals, at) : isNear(portals, at)) ? 1 : 0;
+        }
+    }
+
+    private boolean isEntering(Portals portals, int at) {
+        return crossing.find(portals, centres.get(at), velocities.get(at), STRAIGHT, TICK_SECONDS);
+    }
+
+    private boolean isNear(Portals portals, int at) {
+        for (int portal = 0; portal < portals.size(); portal++) {
+            if (SourceTeleport.isDue(portals.portal(portal), places.get(at))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    @Override
+    public void close() {
+        found = 0;
+    }
+}

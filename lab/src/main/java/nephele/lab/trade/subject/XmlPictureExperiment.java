@@ -1,0 +1,93 @@
+package nephele.lab.trade.subject;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.measure.ErrorMap;
+import nephele.engine.measure.Flip;
+import nephele.engine.measure.ImageError;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.render.fixed.SceneFiles;
+import nephele.engine.render.fixed.SceneLook;
+import nephele.engine.render.fixed.Shading;
+import nephele.engine.xmlscene.XmlScene;
+import nephele.lab.trade.Experiment;
+import nephele.lab.trade.Judgement;
+import nephele.lab.trade.TradeSite;
+
+/** A scene drawn in several ways, against itself drawn exactly, at sixteen points a pixel. */
+final class XmlPictureExperiment implements Experiment {
+    static final List<String> FIGURES = List.of("relMSE", "mean bias %", "FLIP, 99th percentile of pixels");
+
+    private static final int EXACT_SIDE = 4;
+
+    private final TradeSite site;
+    private final Way exactWay;
+    private final List<Way> ways;
+    private final List<DrawnScene> drawn = new ArrayList<>();
+    private LinearPicture exact;
+
+    /** How a scene is made and shown. */
+    record Way(XmlScene scene, SceneFiles files, Shading shading) {}
+
+    XmlPictureExperiment(TradeSite site, Way exactWay, List<Way> ways) {
+        this.site = site;
+        this.exactWay = exactWay;
+        this.ways = ways;
+        ways.forEach(way -> drawn.add(null));
+    }
+
+    private DrawnScene scene(Way way, int side) {
+        int width = side * site.extent().width();
+        int height = side * site.extent().height();
+        var look = SceneLook.USUAL.with(way.shading());
+        return DrawnScene.of(site.gl(), way.scene(), way.files(), look, width, height);
+    }
+
+    private DrawnScene scene(int setting) {
+        if (drawn.get(setting) == null) {
+            drawn.set(setting, scene(ways.get(setting), 1));
+        }
+        return drawn.get(setting);
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        LinearPicture test = scene(setting).displayed();
+        ErrorMap flip = Flip.ofDisplayed(oracle(), test);
+        site.gl().requireNoError("still life");
+        return new Judgement(
+                flip.mean(),
+                List.of(
+                        ImageError.relativeSquared(oracle(), test),
+                        100 * ImageError.meanBias(oracle(), test),
+                        flip.quantile(0.99)),
+                Compared.DISPLAY.shown(test, null),
+                flip);
+    }
+
+    private LinearPicture oracle() {
+        if (exact == null) {
+            try (var fine = scene(exactWay, EXACT_SIDE)) {
+                exact = fine.displayed(EXACT_SIDE);
+            }
+        }
+        return exact;
+    }
+
+    @Override
+    public BufferedImage exact() {
+        return Compared.DISPLAY.shown(oracle(), null);
+    }
+
+    @Override
+    public void run(int setting) {
+        scene(setting).draw();
+        site.gl().finish();
+    }
+
+    @Override
+    public void close() {
+        drawn.stream().filter(scene -> scene != null).forEach(DrawnScene::close);
+    }
+}

@@ -1,0 +1,64 @@
+package nephele.app.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import nephele.app.window.Control;
+import nephele.app.window.Input;
+import nephele.engine.level.Level;
+import nephele.engine.named.LevelName;
+import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.SimState;
+import nephele.engine.sim.Simulation;
+import nephele.engine.walk.Walk;
+import org.junit.jupiter.api.Test;
+
+class LiveInputTest {
+    private final Level level =
+            new LevelName("levels/samples/walking.json").open().level();
+    private final Input input = new Input();
+    private final Walk walk =
+            new Walk(level, new Walk.Beginning("walking.json", SimSettings.DEFAULT, null), new LiveInput(input));
+
+    @Test
+    void theRecordingOfHandsRepeatsTheGame() {
+        input.key(Control.FORWARD, true);
+        for (int tick = 0; tick < 200; tick++) {
+            input.look(tick * 1.5, tick * 0.25);
+            if (tick == 100) {
+                input.key(Control.JUMP, true);
+            }
+            walk.tick();
+        }
+        var last = new SimState[1];
+        walk.recorder().replay().play(new Simulation(level, SimSettings.DEFAULT), state -> last[0] = state);
+        assertEquals(walk.state().hash(), last[0].hash());
+        assertTrue(walk.state().player().feet().z() < 5, "walked");
+    }
+
+    /** C.2 row 8, from the window's counts to the view: no drift, no jump, whatever the mouse says. */
+    @Test
+    void turningThereAndBackEndsWhereItBegan() {
+        var before = walk.state().player().heading();
+        input.look(0, 0);
+        for (int i = 1; i <= 1000; i++) {
+            input.look(i * 7.25, 0);
+            walk.tick();
+        }
+        for (int i = 999; i >= 0; i--) {
+            input.look(i * 7.25, 0);
+            walk.tick();
+        }
+        assertEquals(before, walk.state().player().heading());
+    }
+
+    @Test
+    void motionBetweenTwoTicksBelongsToTheNextOne() {
+        input.look(0, 0);
+        input.look(10, 0);
+        walk.advance(0);
+        var before = walk.state().player().heading().yawRadians();
+        walk.tick();
+        assertEquals(-Math.toRadians(0.8), walk.state().player().heading().yawRadians() - before, 1e-9);
+    }
+}

@@ -1,0 +1,34 @@
+package nephele.engine.draw;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import nephele.engine.terminal.CommandFailure;
+import org.junit.jupiter.api.Test;
+
+class QualityChoiceTest {
+    private static QualityChoice choice(String key, int value) {
+        return new QualityChoice("low", Map.of(key, Integer.toString(value)));
+    }
+
+    private static void takesOnly(String key, int least, int most) {
+        choice(key, least).check();
+        choice(key, most).check();
+        for (int value : List.of(least - 1, most + 1)) {
+            var failure =
+                    assertThrows(CommandFailure.class, () -> choice(key, value).check());
+            assertTrue(failure.getMessage().contains("from " + least + " to " + most), failure.getMessage());
+        }
+    }
+
+    @Test
+    void everySettingHasItsRange() {
+        takesOnly("shadowTexels", 64, 16384);
+        takesOnly("anisotropy", 1, 16);
+        takesOnly("samples", 1, 8);
+        assertEquals(64, choice("shadowTexels", 64).on(true).shadowTexels());
+    }
+}

@@ -1,0 +1,70 @@
+package nephele.engine.walk;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import nephele.engine.named.LevelName;
+import nephele.engine.scene.Moment;
+import nephele.engine.sim.Replay;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** What is told of the crate that the recorded walk carries through a portal. */
+class HeldInPlayTest {
+    private static final LevelName LEVEL = new LevelName("levels/04-cube.json");
+
+    private final Replay replay = LEVEL.recordedWalk();
+    private final Walk walk = new Walk(
+            LEVEL.open().level(),
+            new Walk.Beginning(LEVEL.fileName(), replay.settings(), replay.start()),
+            new ReplayInput(replay));
+
+    private void pickUp() {
+        while (!walk.state().around().holding().isHolding()) {
+            assertEquals(Moment.NOTHING, walk.moment().held());
+            walk.tick();
+        }
+    }
+
+    private void tick(int times) {
+        for (int i = 0; i < times; i++) {
+            walk.tick();
+        }
+    }
+
+    /** It does not blink: in the hand, in the portal and beyond it is as clear, straight ahead and as far. */
+    @Test
+    void itBecomesClearAndStaysThroughThePortal() {
+        pickUp();
+        assertTrue(
+                walk.moment().heldClarity() < 0.1,
+                "clear at once: " + walk.moment().heldClarity());
+        tick(60);
+        boolean crossed = false;
+        for (int i = 0; i < 600; i++) {
+            walk.tick();
+            Moment moment = walk.moment();
+            assertEquals(0, moment.held());
+            assertEquals(1, moment.heldClarity());
+            Vector3d ahead = moment.heldFromEye().toVector();
+            assertTrue(
+                    ahead.length() > 0.5 && ahead.length() < 2,
+                    "tick " + walk.state().tick() + ": " + ahead);
+            assertTrue(-ahead.z > 0.8 * ahead.length(), "tick " + walk.state().tick() + ": " + ahead);
+            crossed |= walk.state().around().trace().playerCrossed().length() > 0;
+        }
+        assertTrue(crossed);
+    }
+
+    @Test
+    void inTheThirdPersonItIsSolid() {
+        pickUp();
+        tick(60);
+        walk.changePerson();
+        tick(1);
+        double first = walk.moment().heldClarity();
+        assertTrue(first > 0.9 && first < 1, "fades: " + first);
+        tick(60);
+        assertEquals(Moment.NOTHING, walk.moment().held());
+    }
+}

@@ -1,0 +1,120 @@
+package nephele.lab.art;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The pictures in the checkout are those that the code paints, pixel for pixel, on every JVM. */
+class ArtFilesTest {
+    static Stream<String> recipes() {
+        return Textures.ALL.stream().map(TextureRecipe::name);
+    }
+
+    @ParameterizedTest
+    @MethodSource("recipes")
+    void committedTextureIsWhatTheRecipePaints(String name) throws IOException {
+        TextureRecipe recipe = recipe(name);
+        Surface surface = recipe.paint();
+        assertSamePixels(recipe.colourFile(), surface.colourPicture());
+        assertSamePixels(recipe.normalFile(), surface.normalPicture());
+    }
+
+    @Test
+    void committedBenchPicturesAreThePeersPixels() throws IOException {
+        for (Map.Entry<String, BufferedImage> picture : ArtFiles.benchPictures().entrySet()) {
+            assertSamePixels(picture.getKey(), picture.getValue());
+        }
+        assertEquals(0xff412d19, BenchPixels.box().getRGB(0, 0), "frame colour and the grain of Content.hash(0, 0, 1)");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 3, 4, 5})
+    void committedSkyIsWhatThePainterPaints(int face) throws IOException {
+        assertSamePixels(SkyPainter.files().get(face), new SkyPainter().face(face));
+    }
+
+    @Test
+    void committedCrossIsWhatThePainterPaints() throws IOException {
+        assertSamePixels(SkyPainter.CROSS_FILE, new SkyPainter().cross());
+    }
+
+    @Test
+    void committedSignIsWhatThePainterPaints() throws IOException {
+        assertSamePixels(SignPainter.FILE, SignPainter.paint());
+    }
+
+    @Test
+    void committedMeshesAreWhatTheCodeMakes() throws IOException {
+        for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
+            assertArrayEquals(mesh.getValue(), Files.readAllBytes(Path.of("assets", mesh.getKey())), mesh.getKey());
+        }
+    }
+
+    /** The step across the tile's seam is no larger than steps inside it: no seam shows. */
+    @ParameterizedTest
+    @MethodSource("recipes")
+    void textureTilesWithoutASeam(String name) {
+        BufferedImage picture = recipe(name).paint().colourPicture();
+        int last = Surface.SIDE - 1;
+        double acrossX = columnStep(picture, last, 0);
+        double acrossY = rowStep(picture, last, 0);
+        double insideX = 0;
+        double insideY = 0;
+        for (int i = 0; i < last; i++) {
+            insideX = Math.max(insideX, columnStep(picture, i, i + 1));
+            insideY = Math.max(insideY, rowStep(picture, i, i + 1));
+        }
+        assertTrue(acrossX <= insideX * 1.05 + 1, name + ": column seam " + acrossX + " > " + insideX);
+        assertTrue(acrossY <= insideY * 1.05 + 1, name + ": row seam " + acrossY + " > " + insideY);
+    }
+
+    private static TextureRecipe recipe(String name) {
+        return Textures.ALL.stream()
+                .filter(recipe -> recipe.name().equals(name))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static void assertSamePixels(String assetId, BufferedImage painted) throws IOException {
+        BufferedImage committed = ImageIO.read(Path.of("assets", assetId).toFile());
+        assertEquals(pixelHash(painted), pixelHash(committed), assetId + ": run gradle textures");
+    }
+
+    private static int pixelHash(BufferedImage picture) {
+        int width = picture.getWidth();
+        return Arrays.hashCode(picture.getRGB(0, 0, width, picture.getHeight(), null, 0, width));
+    }
+
+    private static double columnStep(BufferedImage picture, int a, int b) {
+        double sum = 0;
+        for (int row = 0; row < Surface.SIDE; row++) {
+            sum += difference(picture.getRGB(a, row), picture.getRGB(b, row));
+        }
+        return sum / Surface.SIDE;
+    }
+
+    private static double rowStep(BufferedImage picture, int a, int b) {
+        double sum = 0;
+        for (int column = 0; column < Surface.SIDE; column++) {
+            sum += difference(picture.getRGB(column, a), picture.getRGB(column, b));
+        }
+        return sum / Surface.SIDE;
+    }
+
+    private static double difference(int a, int b) {
+        return Math.abs((a >> 8 & 255) - (b >> 8 & 255));
+    }
+}

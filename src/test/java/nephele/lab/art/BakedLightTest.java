@@ -1,0 +1,24 @@
+package nephele.lab.art;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class BakedLightTest {
+    /** A level that has to bake at its first start takes seconds instead of the two that it may. */
+    @Test
+    void levelsOfTheGameCarryTheirLight() throws IOException {
+        for (String folder : List.of("levels", "levels/samples")) {
+            for (Path level : BakedLight.files(Path.of(folder), ".json")) {
+                var name = BakedLight.fileNameFor(level);
+                assertTrue(
+                        name.isEmpty() || Files.exists(Path.of(folder, "baked", name.get())),
+                        level + " has changed since its light was baked; run: gradle bakeLevels, and commit levels/");
+            }
+        }
+    }
+}

@@ -1,0 +1,80 @@
+package nephele.lab.art;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import nephele.engine.level.Body;
+import nephele.engine.level.Level;
+import nephele.engine.level.LevelFile;
+import nephele.engine.sim.PlayerInput;
+import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.SimState;
+import nephele.engine.sim.Simulation;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The samples of portals, left alone for a few seconds: what they show stays what they show. */
+class PortalSamplesReplayTest {
+    private static final int TICKS = 360;
+
+    private static Level level(String name) {
+        return LevelFile.load(Path.of("levels/samples", name + ".json")).level();
+    }
+
+    private static SimState left(Level level) {
+        Simulation simulation = new Simulation(level, SimSettings.DEFAULT);
+        SimState state = simulation.start();
+        for (int tick = 0; tick < TICKS; tick++) {
+            state = simulation.step(state, PlayerInput.NONE);
+        }
+        return state;
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "facing-portals",
+                "floor-to-ceiling",
+                "slanted-walls",
+                "edge-to-edge",
+                "hall-of-mirrors",
+                "portal-on-soup",
+                "straddling-cube"
+            })
+    void portalsStayOpenAndNobodyIsHurt(String name) {
+        Level level = level(name);
+        SimState end = left(level);
+        assertEquals(0, end.faults());
+        assertTrue(!level.portals().isEmpty()
+                && level.portals().size() == end.around().portals().size());
+        for (int i = 0; i < level.portals().size(); i++) {
+            assertTrue(end.around().portals().isOpen(i), level.portals().get(i).id() + " is closed");
+        }
+        assertEquals(level.player().feet().y(), end.player().feet().y(), 0.01);
+    }
+
+    /** They lie half in one alcove and half in the other, and neither sinks, slides nor is pushed out. */
+    @Test
+    void straddlingCubesLieStill() {
+        Level level = level("straddling-cube");
+        SimState end = left(level);
+        for (int i = 0; i < level.bodies().size(); i++) {
+            Body body = level.bodies().get(i);
+            Vector3d centre = end.around().bodies().centre(i, new Vector3d());
+            assertEquals(0, centre.distance(body.centre().toVector()), 2e-3, body.id());
+        }
+    }
+
+    /** The ball and the crate never arrive anywhere: after three seconds they fall faster than one room is high. */
+    @Test
+    void whatFallsFromFloorToCeilingFallsForEver() {
+        SimState end = left(level("floor-to-ceiling"));
+        for (int i = 0; i < 2; i++) {
+            double speed = end.around().bodies().state(i).velocity().y();
+            assertEquals(-9.81 * TICKS / 120, speed, 1e-6);
+        }
+    }
+}

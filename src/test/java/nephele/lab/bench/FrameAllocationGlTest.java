@@ -1,0 +1,150 @@
+package nephele.lab.bench;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.LevelFile;
+import nephele.engine.math.Vec3;
+import nephele.engine.measure.Stopwatch;
+import nephele.engine.named.LevelName;
+import nephele.engine.named.Viewpoints;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.PortalTechnique;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.Moment;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.View;
+import nephele.engine.scene.thing.FigurePresence;
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+/** The render path makes at most 2 KiB of garbage a frame: with portals, with bodies and a figure that move, plain too. */
+class FrameAllocationGlTest {
+    private static final int MOST_BYTES_A_FRAME = 2048;
+    private static final int WARM_FRAMES = 40;
+    private static final int FRAMES = 40;
+
+    /** What a frame of {@code level} makes while the eye moves and every body and the figure do, which holds one. */
+    private static long bytesPerFrame(String level, Output output, Quality quality) {
+        LevelFile.Opened opened = new LevelName("levels/" + level).open();
+        RenderSettings settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
+        try (GlContext gl = GlContext.offscreen();
+                RenderTarget picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, 64, 36);
+                Renderer renderer = Renderer.load(gl, Scene.of(opened.level(), opened.assets()), settings)) {
+            List<View> views = views(opened);
+            List<Moment.Posture> postures = postures(opened, views);
+            Moment moment = Moment.atStart(opened.level());
+            List<Vec3> held = fromEyes(moment, views);
+            Stopwatch stopwatch = new Stopwatch();
+            long before = 0;
+            for (int frame = 0; frame < WARM_FRAMES + FRAMES; frame++) {
+                if (frame == WARM_FRAMES) {
+                    before = stopwatch.allocatedBytes();
+                }
+                move(moment, frame);
+                if (moment.bodies() > 0) {
+                    moment.held(0, held.get(frame), 1);
+                }
+                moment.figure(postures.get(frame));
+                renderer.draw(views.get(frame), moment, picture);
+            }
+            long bytes = (stopwatch.allocatedBytes() - before) / FRAMES;
+            gl.requireNoError("frames");
+            return bytes;
+        }
+    }
+
+    /** Half a metre there and back again. */
+    private static List<View> views(LevelFile.Opened opened) {
+        View start =
+                Viewpoints.standard(opened.level(), opened.file(), 16.0 / 9).view(0);
+        List<View> views = new ArrayList<>();
+        for (int frame = 0; frame < WARM_FRAMES + FRAMES; frame++) {
+            Vector3d eye = start.eye()
+                    .toVector()
+                    .fma(0.25 * Math.sin(0.3 * frame), start.back().toVector());
+            views.add(new View(View.MAIN, Vec3.of(eye), start.right(), start.up(), start.back(), start.projection()));
+        }
+        return views;
+    }
+
+    /** Where the first body is from each eye; what it moves is less than makes a difference. */
+    private static List<Vec3> fromEyes(Moment moment, List<View> views) {
+        List<Vec3> places = new ArrayList<>();
+        for (View view : moment.bodies() == 0 ? List.<View>of() : views) {
+            Vector3d way = moment.centre(0, new Vector3d()).sub(view.eye().toVector());
+            places.add(new Vec3(
+                    view.alongRight(way.x, way.y, way.z),
+                    view.alongUp(way.x, way.y, way.z),
+                    view.alongBack(way.x, way.y, way.z)));
+        }
+        return places;
+    }
+
+    private static List<Moment.Posture> postures(LevelFile.Opened opened, List<View> views) {
+        List<Moment.Posture> postures = new ArrayList<>();
+        for (int frame = 0; frame < views.size(); frame++) {
+            Vector3d feet = views.get(frame)
+                    .eye()
+                    .toVector()
+                    .fma(-3, views.get(0).back().toVector());
+            postures.add(new Moment.Posture(
+                    Vec3.of(feet), new Vec3(0, 1, 0), 0.01 * frame, 0, 1.8, 0.02 * frame % 1, 0.7, 0, 0, 0));
+        }
+        return postures;
+    }
+
+    private static void move(Moment moment, int frame) {
+        moment.seconds(frame / 60.0);
+        Vector3d centre = new Vector3d();
+        Quaterniond turn = new Quaterniond();
+        for (int body = 0; body < moment.bodies(); body++) {
+            moment.centre(body, centre);
+            moment.body(body, centre.add(0.004 * Math.sin(0.2 * frame), 0, 0), turn.rotationY(0.05 * frame));
+        }
+    }
+
+    private static void assertLittle(String level, Output output, Quality quality) {
+        long bytes = bytesPerFrame(level, output, quality);
+        assertTrue(bytes <= MOST_BYTES_A_FRAME, level + ": " + bytes + " bytes a frame");
+    }
+
+    @Test
+    void withoutPortals() {
+        assertLittle("bench/boxes-1000.json", Output.PLAIN, Quality.HIGH);
+    }
+
+    @Test
+    void throughFewPortals() {
+        assertLittle("bench/boxes-1000-portals.json", Output.PLAIN, Quality.HIGH.withViewBudget(12));
+    }
+
+    @Test
+    void throughManyPortals() {
+        assertLittle("bench/portals-64.json", Output.DIRECT, Quality.HIGH.withViewBudget(24));
+    }
+
+    @Test
+    void withPicturesOfTheirOwn() {
+        Quality quality =
+                Quality.HIGH.withPortalTechnique(PortalTechnique.TEXTURE).withViewBudget(8);
+        assertLittle("bench/boxes-1000-portals.json", Output.HDR, quality);
+    }
+
+    @Test
+    void whileManyThingsMove() {
+        assertLittle("bench/bodies-200.json", Output.DIRECT, Quality.HIGH);
+    }
+
+    @Test
+    void whileThingsMoveThroughPortals() {
+        assertLittle("samples/straddling-cube.json", Output.DIRECT, Quality.HIGH);
+    }
+}

@@ -1,0 +1,24 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+/** C.2 row 29: 0 escapes at 10 to 10 000 m/s through walls of 1 cm. {@code prove closed-room} runs 10⁶ starts. */
+class ClosedRoomProofTest {
+    private final ClosedRoomProof proof = new ClosedRoomProof();
+
+    @Test
+    void nobodyEscapes() {
+        ProofResult result = proof.run(0, 5000, Proof.Progress.NONE);
+        assertTrue(result.holds(), () -> String.join("\n", result.examples()));
+    }
+
+    @Test
+    void aRangeIsTheSumOfItsParts() {
+        ProofResult whole = proof.run(40, 120, Proof.Progress.NONE);
+        ProofResult parts = proof.run(40, 70, Proof.Progress.NONE).and(proof.run(110, 50, Proof.Progress.NONE));
+        assertEquals(whole, parts);
+    }
+}

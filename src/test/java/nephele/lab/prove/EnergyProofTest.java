@@ -1,0 +1,34 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class EnergyProofTest {
+    @Test
+    void droppedPilesGainNoEnergyAndSinkIntoNothing() {
+        EnergyProof proof = new EnergyProof();
+        ProofResult result = proof.judged(proof.run(0, 36, Proof.Progress.NONE));
+        assertEquals(0, result.failures(), () -> String.join("\n", result.examples()));
+        assertTrue(result.figure("bodies through portals").orElseThrow().value() > 10);
+    }
+
+    private static ProofResult shares(double little, double awake) {
+        List<Figure> sums = List.of(
+                Figure.sum("piles", 3000, ""),
+                Figure.sum("violations at 1 mm", little, ""),
+                Figure.sum("piles without portals", 2000, ""),
+                Figure.sum("awake", awake, ""));
+        return new ProofResult(3000, 0, sums, List.of());
+    }
+
+    /** One in a thousand may gain a millimetre's energy, and one in a thousand of the plain ones may stay awake. */
+    @Test
+    void sharesAreJudgedOverAllBatches() {
+        assertTrue(new EnergyProof().judged(shares(3, 2)).holds());
+        assertEquals(4, new EnergyProof().judged(shares(4, 2)).failures());
+        assertEquals(3, new EnergyProof().judged(shares(3, 3)).failures());
+    }
+}

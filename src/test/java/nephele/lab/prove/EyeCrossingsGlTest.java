@@ -1,0 +1,28 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import nephele.engine.render.frame.PortalTechnique;
+import org.junit.jupiter.api.Test;
+
+/** C.2 row 25, at a reduced count; `prove eye-crossings` lets 10⁴ eyes pass. */
+class EyeCrossingsGlTest {
+    @Test
+    void noFrameShowsTheWallOnTheWayThrough() {
+        for (PortalTechnique technique : PortalTechnique.values()) {
+            assertNoWall(technique);
+        }
+    }
+
+    private static void assertNoWall(PortalTechnique technique) {
+        try (EyeCrossings crossings = new EyeCrossings(technique)) {
+            for (int i = 0; i < 60; i++) {
+                crossings.cross(1000 + i);
+            }
+            assertEquals(60, crossings.crossed());
+            assertEquals(0, crossings.badFrames(), "of " + crossings.frames() + " frames");
+            assertTrue(crossings.frames() >= 360);
+        }
+    }
+}

@@ -1,0 +1,18 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Extreme 5 at a reduced count; an arch, turned by a quarter. */
+final class FallsProofTest {
+    @Test
+    void everyFallComesUpAgain() {
+        for (int rate = 0; rate < 4; rate++) {
+            ProofResult result = new FallsProof().run(rate * 10_000, 100, Proof.Progress.NONE);
+            assertEquals(List.of(), result.examples());
+            assertEquals(0, result.failures());
+        }
+    }
+}

@@ -1,0 +1,37 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+
+/** docs/proofs.md speaks of the proofs there are: a row that has grown stale says so. */
+class ProofRowsTest {
+    @Test
+    void everyRowHasItsProofsClaimAndSaysOfHowMany() throws IOException, Proof.UnavailableException {
+        List<String> rows = Files.readAllLines(Path.of("docs", "proofs.md")).stream()
+                .filter(line -> line.startsWith("| ") && !line.startsWith("| proof |"))
+                .toList();
+        List<String> stale = new ArrayList<>();
+        for (String row : rows) {
+            String[] cells = row.split(" \\| ");
+            Proof proof = Proofs.ALL.stream()
+                    .filter(of -> ("| " + of.name()).equals(cells[0]))
+                    .findFirst()
+                    .orElseThrow(() -> new AssertionError("there is no such proof: " + row));
+            String full = String.format(Locale.ROOT, "%,d %s", proof.fullCount(), proof.unit());
+            boolean says = cells[2].equals(full) || cells[2].endsWith(" of " + full);
+            if (!cells[1].equals(proof.claim()) || !says) {
+                stale.add(proof.name() + ": " + cells[1] + " " + cells[2]);
+            }
+        }
+        assertEquals(List.of(), stale);
+        assertTrue(rows.size() > 15, "rows " + rows.size());
+    }
+}

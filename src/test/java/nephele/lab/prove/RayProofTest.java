@@ -1,0 +1,21 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** C.2 rows 15, 16 and 17 at a hundredth of their full count. */
+class RayProofTest {
+    @Test
+    void noRayGoesWhereItShouldNot() {
+        ProofResult result = new RayProof().run(0, 10_000, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(0, result.failures());
+        double walls = result.figures().get(1).value();
+        double met = result.figures().get(2).value();
+        assertEquals(7500, walls);
+        assertTrue(met > 1000 && met < 9000, met + " boxes met");
+    }
+}

@@ -1,0 +1,29 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** A surface cut up otherwise gives the same place (C.2 row 21), at a hundredth of the full count. */
+class RetriangulationProofTest {
+    @Test
+    void thePortalComesToTheSamePlace() {
+        ProofResult result = new RetriangulationProof().run(0, 100, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(0, result.failures());
+        double compared = result.figures().get(0).value();
+        double placed = result.figures().get(1).value();
+        assertTrue(
+                compared > 150 && placed > 50 && placed < compared - 50, compared + " shots, " + placed + " portals");
+    }
+
+    /** The longest piece of its upper edge leans enough to have been taken for an edge of its own. */
+    @Test
+    void aLeaningLongestPieceMakesNoStep() {
+        ProofResult result = new RetriangulationProof().run(6552, 1, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(5, result.figures().get(0).value());
+    }
+}

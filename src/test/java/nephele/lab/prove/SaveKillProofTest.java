@@ -1,0 +1,27 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** The proof at a small part of its full count. */
+class SaveKillProofTest {
+    @Test
+    void fiveKillsLeaveReadableLevels() throws Exception {
+        ProofResult result = new SaveKillProof().run(0, 5, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(5, result.units());
+        assertEquals(0, result.failures());
+    }
+
+    /** Only what was killed after a save had begun and before it ended counts. */
+    @Test
+    void aKillBetweenTwoSavesIsNoneWithinOne() {
+        assertTrue(SaveKillProof.isWithinASave("()()("));
+        assertFalse(SaveKillProof.isWithinASave("()()"));
+        assertFalse(SaveKillProof.isWithinASave(""));
+    }
+}

@@ -1,0 +1,42 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The same code as `prove shadow-edges`, for a few pictures under sun, lamp and spot. */
+class ShadowEdgesProofGlTest {
+    /** Sun and lamps; the later ones graze a wall, or come from so far that a texel is as wide as a wall is thick. */
+    private static final int[] ROOMS = {0, 1, 2, 6, 8, 10, 13, 18, 23, 104, 321, 361};
+
+    @ParameterizedTest
+    @ValueSource(longs = {2, 3, 25})
+    void shadowsEndWithinATexelOfWhereRaysSay(long unit) {
+        var result = new ShadowEdgesProof().run(unit, 1, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertTrue(result.figures().get(1).value() > 0, "edges are in the picture, and pixels beside them differ");
+    }
+
+    /** Seen from within, a closed room is dark; with 20 cm between ceiling and walls the same eye sees light. */
+    @Test
+    void onlyAGapLetsLightIn() {
+        try (var gl = GlContext.offscreen();
+                var picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, 320, 180)) {
+            int through = 0;
+            for (int unit : ROOMS) {
+                assertEquals(0, ShadowEdgesProof.litPixels(unit, 0, gl, picture), "room " + unit);
+            }
+            for (int unit = 0; unit < 5; unit++) {
+                through += ShadowEdgesProof.litPixels(unit, 0.2, gl, picture);
+            }
+            assertTrue(through > 0, "light comes through the gap");
+        }
+    }
+}

@@ -1,0 +1,20 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+/** The same code as `prove soak`, for one second on a small picture; the pause is left to the full run. */
+class SoakProofGlTest {
+    @Test
+    void framesAndTicksStayWithinTheirBytes() {
+        var result = new SoakProof(160, 90).run(0, 1, Proof.Progress.NONE);
+        assertEquals(1, result.units());
+        var bytes = result.examples().stream()
+                .filter(example -> example.contains("bytes"))
+                .toList();
+        assertTrue(bytes.isEmpty(), bytes.toString());
+        assertTrue(result.figures().stream().anyMatch(figure -> figure.name().equals("frames") && figure.value() > 0));
+    }
+}

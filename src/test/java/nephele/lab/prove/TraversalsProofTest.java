@@ -1,0 +1,16 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Extreme 7 and C.2 row 24: a tenth of the traversals. */
+final class TraversalsProofTest {
+    @Test
+    void traversalsAddNothing() {
+        ProofResult result = new TraversalsProof().run(0, 100_000, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(0, result.failures());
+    }
+}

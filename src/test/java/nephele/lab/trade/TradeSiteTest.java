@@ -1,0 +1,99 @@
+package nephele.lab.trade;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.LevelFile;
+import nephele.engine.named.LevelName;
+import nephele.lab.oracle.LevelState;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The oracle's pictures are kept: under which names, and what makes others of them. */
+class TradeSiteTest {
+    private static final LevelFile.Opened CAMERAS = new LevelName("levels/samples/cameras.json").open();
+    private static final TradeSite.Extent SMALL = new TradeSite.Extent(4, 2, 1);
+
+    @TempDir
+    Path folder;
+
+    private float[] traced(String camera, TradeSite.Extent extent) {
+        try (var site = new TradeSite(
+                CAMERAS,
+                TradeView.of(CAMERAS, camera, extent.aspect()),
+                extent,
+                folder,
+                new PrintStream(OutputStream.nullOutputStream()))) {
+            return site.oracle().rgb();
+        }
+    }
+
+    private int kept() throws IOException {
+        try (var files = Files.list(folder)) {
+            return (int) files.count();
+        }
+    }
+
+    @Test
+    void oneFileForOneViewHoweverOftenItIsMade() throws IOException {
+        List<String> cameras =
+                CAMERAS.level().cameras().stream().map(camera -> camera.id()).toList();
+        float[] first = traced(cameras.get(0), SMALL);
+        assertArrayEquals(first, traced(cameras.get(0), SMALL));
+        assertEquals(1, kept(), "the same view is found again");
+        traced(cameras.get(1), SMALL);
+        assertEquals(2, kept(), "another camera is another view");
+        traced(cameras.get(0), new TradeSite.Extent(4, 2, 2));
+        assertEquals(3, kept(), "more rays are another picture");
+    }
+
+    @Test
+    void aPictureThatIsPaintedAnewMakesAnotherLevel() {
+        var textured = new LevelName("levels/samples/material-textures.json").open();
+        assertEquals(LevelState.key(textured), LevelState.key(with(textured, 0)));
+        assertNotEquals(LevelState.key(textured), LevelState.key(with(textured, 1)));
+        assertNotEquals(LevelState.key(textured), LevelState.key(CAMERAS));
+    }
+
+    /** @param change is added to the last byte of every asset */
+    private static LevelFile.Opened with(LevelFile.Opened opened, int change) {
+        AssetSource changed = new AssetSource() {
+            @Override
+            public byte[] bytes(String assetId) {
+                byte[] bytes = opened.assets().bytes(assetId).clone();
+                bytes[bytes.length - 1] += (byte) change;
+                return bytes;
+            }
+
+            @Override
+            public boolean exists(String assetId) {
+                return opened.assets().exists(assetId);
+            }
+        };
+        return new LevelFile.Opened(opened.file(), opened.level(), changed, Optional.empty());
+    }
+
+    /** A class in a folder of a folder, of the same size: neither folder's time nor any length tells of it. */
+    @Test
+    void otherCodeHasAnotherKey() throws IOException {
+        Path nested = Files.createDirectories(folder.resolve("a/b")).resolve("C.class");
+        Files.writeString(nested, "one");
+        String before = CodeState.of(List.of(folder));
+        assertEquals(before, CodeState.of(List.of(folder, folder.resolve("none"))));
+        var time = Files.getLastModifiedTime(nested);
+        Files.writeString(nested, "two");
+        Files.setLastModifiedTime(nested, time);
+        assertNotEquals(before, CodeState.of(List.of(folder)));
+        assertNotEquals(CodeState.of(List.of(folder)), CodeState.of(List.of(nested)));
+        assertEquals(CodeState.key(), CodeState.key());
+    }
+}
