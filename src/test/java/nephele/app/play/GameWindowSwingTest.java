@@ -20,6 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The window on a display of its own: Xvfb is started here, whatever display there may be. */
 class GameWindowSwingTest {
+    private static final String LOADED_CLASSES = "-Xlog:class+load:file=loaded.txt";
+
     private static VirtualDisplay display;
 
     @TempDir
@@ -44,6 +46,7 @@ class GameWindowSwingTest {
                 folder,
                 Map.of("DISPLAY", display.name(), "WAYLAND_DISPLAY", ""),
                 "-Duser.home=" + folder,
+                LOADED_CLASSES,
                 WindowScenarios.class.getName(),
                 level.toString());
         var wrong = run.out().lines().filter(line -> !line.endsWith(": ok")).toList();
@@ -52,6 +55,15 @@ class GameWindowSwingTest {
         assertEquals(0, run.exitCode());
         assertTrue(recordedTicks("walk.json") > 0);
         assertTrue(recordedTicks("walk-2.json") >= 0);
+        assertNoLab("nephele.engine.walk.Walk ");
+    }
+
+    private void assertNoLab(String loadedClass) throws IOException {
+        var loaded = Files.readString(folder.resolve("loaded.txt"));
+        assertTrue(loaded.contains(loadedClass), loadedClass);
+        assertEquals(
+                List.of(),
+                loaded.lines().filter(line -> line.contains("nephele.lab.")).toList());
     }
 
     /** The walk before the restart and the one after it. */
@@ -75,10 +87,11 @@ class GameWindowSwingTest {
                 "WAYLAND_DISPLAY", "",
                 "MESA_GL_VERSION_OVERRIDE", "3.2",
                 "MESA_GLSL_VERSION_OVERRIDE", "150");
-        var run = ChildJvm.run(folder, old, Main.class.getName(), "play", sample());
+        var run = ChildJvm.run(folder, old, LOADED_CLASSES, Main.class.getName(), "play", sample());
         assertEquals(3, run.exitCode(), run.err());
         assertTrue(run.err().contains("4.1"), run.err());
         assertFalse(run.err().contains("\tat "), run.err());
+        assertNoLab("nephele.app.command.PlayCommand ");
     }
 
     private static String sample() {

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import nephele.engine.terminal.CommandFailure;
+import nephele.engine.terminal.ExitCode;
 import nephele.lab.prove.ComparedCameras.Visit;
 import org.junit.jupiter.api.Test;
 
@@ -39,8 +41,10 @@ class ComparedCamerasTest {
     @Test
     void withoutLevelsThereIsNothingToCompare() {
         var nowhere = new ComparedCameras(List.of(), 5);
-        assertThrows(Proof.UnavailableException.class, () -> nowhere.visits(0, 1));
-        assertThrows(Proof.UnavailableException.class, nowhere::all);
+        assertThrows(CommandFailure.class, () -> nowhere.visits(0, 1));
+        assertEquals(
+                ExitCode.ENVIRONMENT,
+                assertThrows(CommandFailure.class, nowhere::all).exitCode());
     }
 
     /** Else there would be no units at all, of which none fails. */
@@ -48,7 +52,7 @@ class ComparedCamerasTest {
     void withoutLevelsAProofOfPicturesCannotEvenBegin() {
         for (Proof proof : List.of(
                 new PortalIdsProof(List.of()), new PortalLightProof(List.of(), 16, 1, Path.of("build", "nowhere")))) {
-            var e = assertThrows(Proof.UnavailableException.class, proof::fullCount, proof.name());
+            var e = assertThrows(CommandFailure.class, proof::fullCount, proof.name());
             assertTrue(e.getMessage().contains("checkout"), e.getMessage());
         }
     }

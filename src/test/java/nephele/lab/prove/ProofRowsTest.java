@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 /** docs/proofs.md speaks of the proofs there are: a row that has grown stale says so. */
 class ProofRowsTest {
     @Test
-    void everyRowHasItsProofsClaimAndSaysOfHowMany() throws IOException, Proof.UnavailableException {
+    void everyRowHasItsProofsClaimAndSaysOfHowMany() throws IOException {
         List<String> rows = Files.readAllLines(Path.of("docs", "proofs.md")).stream()
                 .filter(line -> line.startsWith("| ") && !line.startsWith("| proof |"))
                 .toList();

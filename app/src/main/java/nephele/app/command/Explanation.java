@@ -14,7 +14,6 @@ import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.CrashReport;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.prove.Proof;
 
 /** A failure in plain words: the only place that decides what an exception means to a user. */
 record Explanation(ExitCode exitCode, String message, Throwable failure) {
@@ -28,9 +27,6 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
             return new Explanation(ExitCode.INPUT, failure.getMessage(), failure);
         }
         if (failure instanceof GlUnavailableException) {
-            return new Explanation(ExitCode.ENVIRONMENT, failure.getMessage(), failure);
-        }
-        if (failure instanceof Proof.UnavailableException) {
             return new Explanation(ExitCode.ENVIRONMENT, failure.getMessage(), failure);
         }
         if (failure instanceof NoSuchFileException missing) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
+import nephele.engine.terminal.CommandFailure;
 
 /**
  * Which levels and cameras the units of a proof are: a few cameras of every level, then the next few of every level, so
@@ -26,14 +27,14 @@ record ComparedCameras(List<String> files, int atOnce) {
     /** Cameras of one level, from {@code first} on. */
     record Visit(String file, int first, int count) {}
 
-    /** @throws Proof.UnavailableException without levels */
-    long all() throws Proof.UnavailableException {
+    /** @throws CommandFailure without levels */
+    long all() {
         requireLevels();
         return (long) OF_A_LEVEL * files.size();
     }
 
     /** The units [{@code from}, {@code from + count}), in their order. */
-    List<Visit> visits(long from, long count) throws Proof.UnavailableException {
+    List<Visit> visits(long from, long count) {
         requireLevels();
         var visits = new ArrayList<Visit>();
         for (long unit = from; unit < from + count; ) {
@@ -47,9 +48,9 @@ record ComparedCameras(List<String> files, int atOnce) {
         return visits;
     }
 
-    private void requireLevels() throws Proof.UnavailableException {
+    private void requireLevels() {
         if (files.isEmpty()) {
-            throw new Proof.UnavailableException("the levels of a checkout are compared: run this in one");
+            throw CommandFailure.environment("the levels of a checkout are compared: run this in one");
         }
     }
 

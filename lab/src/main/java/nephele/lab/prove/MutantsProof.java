@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.terminal.CommandFailure;
 
 /**
  * Plants faults in copies of sources and shaders, and looks whether a test fails. Sources and tests are not in the jar,
@@ -43,7 +44,7 @@ public final class MutantsProof implements Proof {
     @Override
     public ProofResult run(long from, long count, Progress progress) throws Exception {
         if (!Files.isRegularFile(FRONT_DOOR) || !Files.isDirectory(Path.of("src", "test"))) {
-            throw new UnavailableException(
+            throw CommandFailure.environment(
                     "the proof `mutants` changes copies of the sources: run it in a checkout, with ./nephele prove"
                             + " mutants");
         }

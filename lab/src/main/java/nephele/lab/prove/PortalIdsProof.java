@@ -61,7 +61,7 @@ public final class PortalIdsProof implements Proof {
     }
 
     @Override
-    public long fullCount() throws UnavailableException {
+    public long fullCount() {
         return cameras.all();
     }
 
@@ -71,7 +71,7 @@ public final class PortalIdsProof implements Proof {
     }
 
     @Override
-    public ProofResult run(long from, long count, Progress progress) throws UnavailableException {
+    public ProofResult run(long from, long count, Progress progress) {
         var tally = new IdTally();
         var visits = cameras.visits(from, count);
         long done = 0;

@@ -74,7 +74,7 @@ public final class PortalLightProof implements Proof {
     }
 
     @Override
-    public long fullCount() throws UnavailableException {
+    public long fullCount() {
         return cameras.all();
     }
 
@@ -84,7 +84,7 @@ public final class PortalLightProof implements Proof {
     }
 
     @Override
-    public ProofResult run(long from, long count, Progress progress) throws UnavailableException {
+    public ProofResult run(long from, long count, Progress progress) {
         var tally = new LitTally();
         var visits = cameras.visits(from, count);
         long done = 0;

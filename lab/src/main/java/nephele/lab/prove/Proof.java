@@ -1,5 +1,7 @@
 package nephele.lab.prove;
 
+import nephele.engine.terminal.CommandFailure;
+
 /**
  * One claim and the code that tries to refute it. `nephele prove` runs it at the full count in batches and keeps what
  * it learnt after each; a test runs the same code over a small range.
@@ -20,9 +22,9 @@ public interface Proof {
     /**
      * How many units the claim needs.
      *
-     * @throws UnavailableException when the environment, which says how many, lacks them
+     * @throws CommandFailure when the environment, which says how many, lacks them
      */
-    long fullCount() throws UnavailableException;
+    long fullCount();
 
     /** How many units run between two saves of the state; a minute's work is a good size. */
     long batch();
@@ -31,7 +33,7 @@ public interface Proof {
      * Runs the units [{@code from}, {@code from + count}) and returns what they showed.
      *
      * @param progress told the number of units of this range that are done, as often as convenient
-     * @throws UnavailableException when the environment lacks something; the message says what and how to get it
+     * @throws CommandFailure when the environment lacks something; the message says what and how to get it
      */
     ProofResult run(long from, long count, Progress progress) throws Exception;
 
@@ -52,14 +54,5 @@ public interface Proof {
 
         /** A failure in words, as soon as it is known; the result keeps only the first few. */
         default void failed(String example) {}
-    }
-
-    /** The environment lacks something that this proof needs (exit code 3). */
-    final class UnavailableException extends Exception {
-        private static final long serialVersionUID = 1;
-
-        public UnavailableException(String message) {
-            super(message);
-        }
     }
 }

@@ -32,8 +32,7 @@ public final class ProofTable {
     public record Circumstances(String date, String commit, String machine) {}
 
     /** Puts the result into the table, over the row that this proof had. */
-    public void write(Proof proof, ProofResult result, Circumstances found)
-            throws IOException, Proof.UnavailableException {
+    public void write(Proof proof, ProofResult result, Circumstances found) throws IOException {
         var rows = rows();
         rows.removeIf(row -> nameOf(row).equals(proof.name()));
         rows.add(row(proof, result, found));
@@ -55,7 +54,7 @@ public final class ProofTable {
         return row.split("\\|")[1].strip();
     }
 
-    private static String row(Proof proof, ProofResult result, Circumstances found) throws Proof.UnavailableException {
+    private static String row(Proof proof, ProofResult result, Circumstances found) {
         var figures = result.figures().stream().map(ProofTable::text).collect(Collectors.joining("; "));
         return "| "
                 + String.join(
@@ -71,13 +70,13 @@ public final class ProofTable {
                 + " |";
     }
 
-    private static String count(Proof proof, ProofResult result) throws Proof.UnavailableException {
+    private static String count(Proof proof, ProofResult result) {
         String of = result.units() < proof.fullCount() ? String.format(Locale.ROOT, " of %,d", proof.fullCount()) : "";
         return String.format(Locale.ROOT, "%,d%s %s", result.units(), of, proof.unit());
     }
 
     /** The result for the terminal: verdict, count, figures and the first failures. */
-    public static String summary(Proof proof, ProofResult result) throws Proof.UnavailableException {
+    public static String summary(Proof proof, ProofResult result) {
         var verdict = result.holds() ? "holds" : "FAILS (" + result.failures() + " failures)";
         var text = new StringBuilder(
                 String.format(Locale.ROOT, "%s: %s after %s", proof.name(), verdict, count(proof, result)));
