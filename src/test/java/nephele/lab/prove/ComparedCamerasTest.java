@@ -52,7 +52,10 @@ class ComparedCamerasTest {
     void withoutLevelsAProofOfPicturesCannotEvenBegin() {
         for (Proof proof : List.of(
                 new PortalIdsProof(List.of()), new PortalLightProof(List.of(), 16, 1, Path.of("build", "nowhere")))) {
-            var e = assertThrows(CommandFailure.class, proof::fullCount, proof.name());
+            var e = assertThrows(
+                    CommandFailure.class,
+                    () -> proof.claim().fullCount(),
+                    proof.claim().name());
             assertTrue(e.getMessage().contains("checkout"), e.getMessage());
         }
     }

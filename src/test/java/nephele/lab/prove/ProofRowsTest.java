@@ -22,13 +22,17 @@ class ProofRowsTest {
         for (String row : rows) {
             String[] cells = row.split(" \\| ");
             Proof proof = Proofs.ALL.stream()
-                    .filter(of -> ("| " + of.name()).equals(cells[0]))
+                    .filter(of -> ("| " + of.claim().name()).equals(cells[0]))
                     .findFirst()
                     .orElseThrow(() -> new AssertionError("there is no such proof: " + row));
-            String full = String.format(Locale.ROOT, "%,d %s", proof.fullCount(), proof.unit());
+            String full = String.format(
+                    Locale.ROOT,
+                    "%,d %s",
+                    proof.claim().fullCount(),
+                    proof.claim().unit());
             boolean says = cells[2].equals(full) || cells[2].endsWith(" of " + full);
-            if (!cells[1].equals(proof.claim()) || !says) {
-                stale.add(proof.name() + ": " + cells[1] + " " + cells[2]);
+            if (!cells[1].equals(proof.claim().sentence()) || !says) {
+                stale.add(proof.claim().name() + ": " + cells[1] + " " + cells[2]);
             }
         }
         assertEquals(List.of(), stale);

@@ -26,28 +26,8 @@ class ProofRunTest {
         private boolean breaksDown = true;
 
         @Override
-        public String name() {
-            return "sevens";
-        }
-
-        @Override
-        public String claim() {
-            return "no number is a multiple of seven";
-        }
-
-        @Override
-        public String unit() {
-            return "numbers";
-        }
-
-        @Override
-        public long fullCount() {
-            return 50;
-        }
-
-        @Override
-        public long batch() {
-            return 8;
+        public Claim claim() {
+            return new Claim("sevens", "no number is a multiple of seven", "numbers", 50, 8);
         }
 
         @Override
@@ -145,7 +125,7 @@ class ProofRunTest {
 
     @Test
     void everyRegisteredProofHasANameOfItsOwn() {
-        var names = Proofs.ALL.stream().map(Proof::name).toList();
+        var names = Proofs.ALL.stream().map(proof -> proof.claim().name()).toList();
         assertEquals(names.stream().distinct().toList(), names);
         assertTrue(names.stream().allMatch(name -> name.matches("[a-z]+(-[a-z]+)*")), names.toString());
     }

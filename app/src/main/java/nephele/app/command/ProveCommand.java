@@ -61,7 +61,8 @@ final class ProveCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) throws Exception {
         if (list) {
-            Proofs.ALL.forEach(proof -> terminal.out().println(proof.name() + ": " + proof.claim()));
+            Proofs.ALL.forEach(proof -> terminal.out()
+                    .println(proof.claim().name() + ": " + proof.claim().sentence()));
             return ExitCode.DONE;
         }
         if (count != null && count < 1) {
@@ -82,10 +83,11 @@ final class ProveCommand implements Command {
         if (name == null) {
             return Proofs.ALL;
         }
-        var named =
-                Proofs.ALL.stream().filter(proof -> proof.name().equals(name)).toList();
+        var named = Proofs.ALL.stream()
+                .filter(proof -> proof.claim().name().equals(name))
+                .toList();
         if (named.isEmpty()) {
-            var names = Proofs.ALL.stream().map(Proof::name).collect(Collectors.joining(", "));
+            var names = Proofs.ALL.stream().map(proof -> proof.claim().name()).collect(Collectors.joining(", "));
             throw CommandFailure.usage("there is no proof `" + name + "`; there are: " + names);
         }
         return named;
@@ -93,7 +95,9 @@ final class ProveCommand implements Command {
 
     private ProofResult prove(Proof proof, Terminal terminal) throws Exception {
         String commit = Surroundings.commit();
-        long wanted = count == null ? proof.fullCount() : Math.min(count, proof.fullCount());
+        long wanted = count == null
+                ? proof.claim().fullCount()
+                : Math.min(count, proof.claim().fullCount());
         var run = new ProofRun(proof, STATE_FOLDER, terminal.err());
         if (from != null) {
             var result = run.alone(from, count);
@@ -105,7 +109,7 @@ final class ProveCommand implements Command {
         }
         var result = run.upTo(wanted, commit);
         terminal.out().println(ProofTable.summary(proof, result));
-        if (record || result.units() >= proof.fullCount()) {
+        if (record || result.units() >= proof.claim().fullCount()) {
             String date = LocalDate.now(ZoneOffset.UTC).toString();
             new ProofTable(TABLE)
                     .write(proof, result, new ProofTable.Circumstances(date, commit, Surroundings.machine()));

@@ -32,30 +32,15 @@ public final class BodiesProof implements Proof {
     private static final Vec3 BESIDE_SHAFT = new Vec3(6.4, 0, 0);
 
     @Override
-    public String name() {
-        return "bodies";
-    }
-
-    @Override
-    public String claim() {
-        return "A tower of ten boxes stays within 5 mm and half a degree of its place for a minute; after ten seconds"
-                + " 500 boxes lie within 5 cm of where closing their gaps downwards puts them; a body allocates at most"
-                + " 256 B a tick.";
-    }
-
-    @Override
-    public String unit() {
-        return "seconds";
-    }
-
-    @Override
-    public long fullCount() {
-        return 60;
-    }
-
-    @Override
-    public long batch() {
-        return 60;
+    public Claim claim() {
+        return new Claim(
+                "bodies",
+                "A tower of ten boxes stays within 5 mm and half a degree of its place for a minute; after ten seconds"
+                    + " 500 boxes lie within 5 cm of where closing their gaps downwards puts them; a body allocates at"
+                    + " most 256 B a tick.",
+                "seconds",
+                60,
+                60);
     }
 
     /** The units from 0 on: the tower stands for {@code count} seconds, the stack for no more than ten. */
@@ -68,7 +53,7 @@ public final class BodiesProof implements Proof {
         stack(Math.min(STACK_SECONDS, count), failures, figures);
         costs(count, failures, figures);
         progress.unitsDone(count);
-        return new ProofResult(count, failures.size(), figures, failures);
+        return ProofResult.of(count, failures, figures);
     }
 
     private static void tower(long seconds, List<String> failures, List<Figure> figures) {

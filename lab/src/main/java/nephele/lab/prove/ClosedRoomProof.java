@@ -29,29 +29,14 @@ public final class ClosedRoomProof implements Proof {
     private static final PlayerStart FAR_AWAY = new PlayerStart(new Vec3(1e5, 1e5, 1e5), 0, 0);
 
     @Override
-    public String name() {
-        return "closed-room";
-    }
-
-    @Override
-    public String claim() {
-        return "A player never leaves a closed room nor reaches into its walls, for any start, direction and speed up"
-                + " to 10 000 m/s.";
-    }
-
-    @Override
-    public String unit() {
-        return "starts";
-    }
-
-    @Override
-    public long fullCount() {
-        return 1_000_000;
-    }
-
-    @Override
-    public long batch() {
-        return 100_000;
+    public Claim claim() {
+        return new Claim(
+                "closed-room",
+                "A player never leaves a closed room nor reaches into its walls, for any start, direction and speed up"
+                        + " to 10 000 m/s.",
+                "starts",
+                1_000_000,
+                100_000);
     }
 
     @Override
@@ -64,9 +49,7 @@ public final class ClosedRoomProof implements Proof {
                 tester = new Tester(roomNumber);
             }
             tester.test(unit, findings);
-            if (unit % 1000 == 999) {
-                progress.unitsDone(unit + 1 - from);
-            }
+            progress.unitsDone(unit + 1 - from);
         }
         return findings.result(count);
     }
@@ -91,16 +74,14 @@ public final class ClosedRoomProof implements Proof {
         }
 
         ProofResult result(long units) {
-            return new ProofResult(
+            return ProofResult.of(
                     units,
-                    escapes.size(),
-                    List.of(
-                            Figure.sum("escapes", escapes.size(), ""),
-                            Figure.sum("ticks", ticks, ""),
-                            Figure.sum("throws above 1000 m/s", fastTicks, ""),
-                            Figure.least("least distance from a wall", leastClearance * 1000, "mm"),
-                            Figure.greatest("most of the 1 mm skin that was lost", skinLost * 1e6, "µm")),
-                    escapes.subList(0, Math.min(10, escapes.size())));
+                    escapes,
+                    Figure.sum("escapes", escapes.size(), ""),
+                    Figure.sum("ticks", ticks, ""),
+                    Figure.sum("throws above 1000 m/s", fastTicks, ""),
+                    Figure.least("least distance from a wall", leastClearance * 1000, "mm"),
+                    Figure.greatest("most of the 1 mm skin that was lost", skinLost * 1e6, "µm"));
         }
     }
 

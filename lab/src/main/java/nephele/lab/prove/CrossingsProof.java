@@ -14,28 +14,13 @@ public final class CrossingsProof implements Proof {
     private static final int[] RATES = {30, 60, 120, 120, 120, 240};
 
     @Override
-    public String name() {
-        return "crossings";
-    }
-
-    @Override
-    public String claim() {
-        return "Whoever goes through a portal falls through no floor and ends in no solid.";
-    }
-
-    @Override
-    public String unit() {
-        return "crossings";
-    }
-
-    @Override
-    public long fullCount() {
-        return 1_000_000;
-    }
-
-    @Override
-    public long batch() {
-        return 50_000;
+    public Claim claim() {
+        return new Claim(
+                "crossings",
+                "Whoever goes through a portal falls through no floor and ends in no solid.",
+                "crossings",
+                1_000_000,
+                50_000);
     }
 
     @Override
@@ -60,9 +45,7 @@ public final class CrossingsProof implements Proof {
             } else {
                 tally.without();
             }
-            if (unit % 1000 == 999) {
-                progress.unitsDone(unit + 1 - from);
-            }
+            progress.unitsDone(unit + 1 - from);
         }
         return tally.result(count);
     }

@@ -49,31 +49,17 @@ public final class DoorwayWalkProof implements Proof {
     }
 
     @Override
-    public String name() {
-        return "doorway-walk";
-    }
-
-    @Override
-    public String claim() {
-        return "Walking through portals looks as walking through doorways does, frame by frame: with the eye, on the"
-            + " boom, with a cube in hand, through none to three of them. The greatest step between two frames is at"
-            + " most 1 % (on average) and 2 codes (of 999 in 1000 channels) greater, no pixel away from edges differs"
-            + " from the doorway's by more than 2 codes, a frame by 2 codes on average, and the player by 1e-9 m.";
-    }
-
-    @Override
-    public String unit() {
-        return "walks";
-    }
-
-    @Override
-    public long fullCount() {
-        return (long) Manner.values().length * (MOST_DOORS + 1);
-    }
-
-    @Override
-    public long batch() {
-        return MOST_DOORS + 1;
+    public Claim claim() {
+        return new Claim(
+                "doorway-walk",
+                "Walking through portals looks as walking through doorways does, frame by frame: with the eye, on the"
+                    + " boom, with a cube in hand, through none to three of them. The greatest step between two frames"
+                    + " is at most 1 % (on average) and 2 codes (of 999 in 1000 channels) greater, no pixel away from"
+                    + " edges differs from the doorway's by more than 2 codes, a frame by 2 codes on average, and the"
+                    + " player by 1e-9 m.",
+                "walks",
+                (long) Manner.values().length * (MOST_DOORS + 1),
+                MOST_DOORS + 1);
     }
 
     /** Unit n goes through n modulo 4 doors. */
@@ -93,16 +79,14 @@ public final class DoorwayWalkProof implements Proof {
                 progress.unitsDone(unit + 1 - from);
             }
         }
-        return new ProofResult(
+        return ProofResult.of(
                 count,
-                failures.size(),
-                List.of(
-                        Figure.sum("frames", frames, ""),
-                        Figure.greatest("mean difference of a frame from its twin", greatestTwin, "codes"),
-                        Figure.sum("pixels away from edges that differ from the twin's", strangers, ""),
-                        Figure.greatest("step between frames beyond the doorways'", 100 * greatestExcess, "%"),
-                        Figure.greatest("player from its twin", farthestApart, "m")),
-                failures);
+                failures,
+                Figure.sum("frames", frames, ""),
+                Figure.greatest("mean difference of a frame from its twin", greatestTwin, "codes"),
+                Figure.sum("pixels away from edges that differ from the twin's", strangers, ""),
+                Figure.greatest("step between frames beyond the doorways'", 100 * greatestExcess, "%"),
+                Figure.greatest("player from its twin", farthestApart, "m"));
     }
 
     private void walk(GlContext gl, RenderTarget picture, int doors, Manner manner) {

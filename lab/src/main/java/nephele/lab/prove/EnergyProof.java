@@ -25,32 +25,17 @@ public final class EnergyProof implements Proof {
     private static final String AWAKE = "awake";
 
     @Override
-    public String name() {
-        return "energy";
-    }
-
-    @Override
-    public String claim() {
-        return "Piles of one to four boxes, balls and capsules of 1 mm to 2.5 m and 1 g to 1 t, dropped for 10 s at 20"
-            + " to 1000 ticks a second, a third of them at portals, seeds 0 to 99,999: E(t) is never above the least"
-            + " earlier E + 1e-5 of the greatest + m g 1 cm, and above it with 1 mm for at most 0.1 %; from 1 s on"
-            + " none is deeper than 1 cm in a solid (every tenth tick); without portals at most 0.1 % end awake but"
-            + " for what rolls or spins.";
-    }
-
-    @Override
-    public String unit() {
-        return "piles";
-    }
-
-    @Override
-    public long fullCount() {
-        return 100_000;
-    }
-
-    @Override
-    public long batch() {
-        return 2_000;
+    public Claim claim() {
+        return new Claim(
+                "energy",
+                "Piles of one to four boxes, balls and capsules of 1 mm to 2.5 m and 1 g to 1 t, dropped for 10 s at"
+                    + " 20 to 1000 ticks a second, a third of them at portals, seeds 0 to 99,999: E(t) is never above"
+                    + " the least earlier E + 1e-5 of the greatest + m g 1 cm, and above it with 1 mm for at most 0.1"
+                    + " %; from 1 s on none is deeper than 1 cm in a solid (every tenth tick); without portals at most"
+                    + " 0.1 % end awake but for what rolls or spins.",
+                "piles",
+                100_000,
+                2_000);
     }
 
     @Override

@@ -6,29 +6,14 @@ import nephele.engine.render.frame.PortalTechnique;
 /** Lets eyes pass through a portal in steps of 0.1 mm and looks for a frame in which a wall shows that must not. */
 public final class EyeCrossingsProof implements Proof {
     @Override
-    public String name() {
-        return "eye-crossings";
-    }
-
-    @Override
-    public String claim() {
-        return "An eye that passes through a portal in steps of 0.1 mm never sees the wall that the portal lies in, nor"
-                + " nothing at all.";
-    }
-
-    @Override
-    public String unit() {
-        return "crossings";
-    }
-
-    @Override
-    public long fullCount() {
-        return 10_000;
-    }
-
-    @Override
-    public long batch() {
-        return 1_000;
+    public Claim claim() {
+        return new Claim(
+                "eye-crossings",
+                "An eye that passes through a portal in steps of 0.1 mm never sees the wall that the portal lies in,"
+                        + " nor nothing at all.",
+                "crossings",
+                10_000,
+                1_000);
     }
 
     @Override

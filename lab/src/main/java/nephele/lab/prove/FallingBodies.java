@@ -60,13 +60,11 @@ final class FallingBodies {
             failures.add("at " + rate + " ticks a second, after " + passes + " falls: " + body + " is off by " + worst
                     + " m");
         }
-        return new ProofResult(
+        return ProofResult.of(
                 0,
-                failures.size(),
-                List.of(
-                        Figure.sum("falls of a " + body.id(), passes, ""),
-                        Figure.greatest("apex of a " + body.id() + " off 2 m", worst, "m")),
-                failures);
+                failures,
+                Figure.sum("falls of a " + body.id(), passes, ""),
+                Figure.greatest("apex of a " + body.id() + " off 2 m", worst, "m"));
     }
 
     /** How high the centre's arc goes from where it is now, h + v² / 2 g. */

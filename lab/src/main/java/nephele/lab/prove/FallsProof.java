@@ -34,28 +34,13 @@ public final class FallsProof implements Proof {
     private static final long FALLS = 10_000;
 
     @Override
-    public String name() {
-        return "falls";
-    }
-
-    @Override
-    public String claim() {
-        return "Who falls from floor to floor comes up as high as it fell, ten thousand times, at any tick rate.";
-    }
-
-    @Override
-    public String unit() {
-        return "falls";
-    }
-
-    @Override
-    public long fullCount() {
-        return FALLS * RATES.length;
-    }
-
-    @Override
-    public long batch() {
-        return FALLS;
+    public Claim claim() {
+        return new Claim(
+                "falls",
+                "Who falls from floor to floor comes up as high as it fell, ten thousand times, at any tick rate.",
+                "falls",
+                FALLS * RATES.length,
+                FALLS);
     }
 
     /** Each rate has its own unbroken run: a range is cut where the next begins. */
@@ -91,11 +76,8 @@ public final class FallsProof implements Proof {
         if (!(worst <= BAR_METRES) || passes < falls) {
             failures.add("at " + rate + " ticks a second, after " + passes + " falls: off by " + worst + " m");
         }
-        return new ProofResult(
-                falls,
-                failures.size(),
-                List.of(Figure.greatest("apex off 2 m at " + rate + " ticks a second", worst, "m")),
-                failures);
+        return ProofResult.of(
+                falls, failures, Figure.greatest("apex off 2 m at " + rate + " ticks a second", worst, "m"));
     }
 
     /** How high the centre's arc goes from where it is now, h + v² / 2 g. */

@@ -77,15 +77,13 @@ final class FlownTraversals {
             compare(bodies);
             crossed += 2 * PAIRS;
         }
-        return new ProofResult(
+        return ProofResult.of(
                 0,
-                failures.size(),
-                List.of(
-                        Figure.sum("flown traversals", crossed, ""),
-                        Figure.greatest("flown, distance from its place", farthest, "m"),
-                        Figure.greatest("flown, speed off, of itself", worstSpeed, ""),
-                        Figure.greatest("flown, orientation off", worstTurn, "rad")),
-                failures);
+                failures,
+                Figure.sum("flown traversals", crossed, ""),
+                Figure.greatest("flown, distance from its place", farthest, "m"),
+                Figure.greatest("flown, speed off, of itself", worstSpeed, ""),
+                Figure.greatest("flown, orientation off", worstTurn, "rad"));
     }
 
     private Bodies through(Bodies before) {

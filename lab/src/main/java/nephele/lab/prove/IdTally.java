@@ -82,16 +82,14 @@ final class IdTally {
     }
 
     ProofResult result(long units) {
-        return new ProofResult(
+        return ProofResult.of(
                 units,
-                failures.size(),
-                List.of(
-                        Figure.sum("pixels", pixels, ""),
-                        Figure.sum("pixels that show another surface", wrong, ""),
-                        Figure.sum("pixels beside an edge that show something else than in their middle", atEdges, ""),
-                        Figure.sum("of those, what no ray within a pixel meets", beyondEdges, ""),
-                        Figure.sum("pixels of views beyond the default budget", beyondBudget, ""),
-                        Figure.greatest("largest share of them in a picture", 100 * largestTerminalShare, "%")),
-                failures);
+                failures,
+                Figure.sum("pixels", pixels, ""),
+                Figure.sum("pixels that show another surface", wrong, ""),
+                Figure.sum("pixels beside an edge that show something else than in their middle", atEdges, ""),
+                Figure.sum("of those, what no ray within a pixel meets", beyondEdges, ""),
+                Figure.sum("pixels of views beyond the default budget", beyondBudget, ""),
+                Figure.greatest("largest share of them in a picture", 100 * largestTerminalShare, "%"));
     }
 }

@@ -27,28 +27,13 @@ public final class JitMatrixProof implements Proof {
     private static final int EVERY = 60;
 
     @Override
-    public String name() {
-        return "replay-hashes";
-    }
-
-    @Override
-    public String claim() {
-        return "A replay gives the same hashes in every process, interpreted or compiled in any way, on every Java.";
-    }
-
-    @Override
-    public String unit() {
-        return "replays";
-    }
-
-    @Override
-    public long fullCount() {
-        return WALKS + 1;
-    }
-
-    @Override
-    public long batch() {
-        return 1;
+    public Claim claim() {
+        return new Claim(
+                "replay-hashes",
+                "A replay gives the same hashes in every process, interpreted or compiled in any way, on every Java.",
+                "replays",
+                WALKS + 1,
+                1);
     }
 
     @Override
@@ -71,7 +56,7 @@ public final class JitMatrixProof implements Proof {
         List<Figure> figures = List.of(
                 Figure.greatest("kinds of process", variants.size(), ""),
                 Figure.sum("ticks in each", (double) ticks, ""));
-        return new ProofResult(count, failures.size(), figures, failures);
+        return ProofResult.of(count, failures, figures);
     }
 
     /** The recorded one. */

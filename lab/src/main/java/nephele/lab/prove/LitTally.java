@@ -52,6 +52,6 @@ final class LitTally {
                 }
             }
         }
-        return new ProofResult(soFar.units(), failures.size(), summary.figures(), failures);
+        return ProofResult.of(soFar.units(), failures, summary.figures());
     }
 }

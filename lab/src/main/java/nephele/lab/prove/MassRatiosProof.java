@@ -23,30 +23,16 @@ public final class MassRatiosProof implements Proof {
     }
 
     @Override
-    public String name() {
-        return "mass-ratios";
-    }
-
-    @Override
-    public String claim() {
-        return "A tonne on a gram, and towers of twelve cubes each 2 or 3.16 times as heavy as the one below, at 30, 60"
-                + " and 1000 ticks a second: none sleeps more than 1 mm in the floor or in another, none is faster than"
-                + " 5 m/s, and the lowest is out of the floor within 1 s after the others are taken away.";
-    }
-
-    @Override
-    public String unit() {
-        return "stacks";
-    }
-
-    @Override
-    public long fullCount() {
-        return (long) RATES.length * STACKS.size();
-    }
-
-    @Override
-    public long batch() {
-        return fullCount();
+    public Claim claim() {
+        return new Claim(
+                "mass-ratios",
+                "A tonne on a gram, and towers of twelve cubes each 2 or 3.16 times as heavy as the one below, at 30,"
+                        + " 60 and 1000 ticks a second: none sleeps more than 1 mm in the floor or in another, none is"
+                        + " faster than 5 m/s, and the lowest is out of the floor within 1 s after the others are taken"
+                        + " away.",
+                "stacks",
+                (long) RATES.length * STACKS.size(),
+                (long) RATES.length * STACKS.size());
     }
 
     @Override
@@ -77,6 +63,6 @@ public final class MassRatiosProof implements Proof {
                 Figure.greatest(stack.name() + ", sleeps deep", seen.sleepsDeepMetres() * 1000, "mm"),
                 Figure.greatest(stack.name() + ", fastest", seen.fastestMetresPerSecond(), "m/s"),
                 Figure.greatest(stack.name() + ", unloaded, in the floor", seen.sunkMetres() * 1000, "mm"));
-        return new ProofResult(1, failures.size(), figures, failures);
+        return ProofResult.of(1, failures, figures);
     }
 }

@@ -16,29 +16,14 @@ public final class MutantsProof implements Proof {
     private static final Path FRONT_DOOR = Path.of("nephele");
 
     @Override
-    public String name() {
-        return "mutants";
-    }
-
-    @Override
-    public String claim() {
-        return "Every fault planted in culling, depth, blending, shadow, sRGB, light, collision, placement,"
-                + " simulation, level and model code makes a test fail.";
-    }
-
-    @Override
-    public String unit() {
-        return "mutants";
-    }
-
-    @Override
-    public long fullCount() {
-        return 65;
-    }
-
-    @Override
-    public long batch() {
-        return 13;
+    public Claim claim() {
+        return new Claim(
+                "mutants",
+                "Every fault planted in culling, depth, blending, shadow, sRGB, light, collision, placement,"
+                        + " simulation, level and model code makes a test fail.",
+                "mutants",
+                65,
+                13);
     }
 
     @Override
@@ -57,7 +42,7 @@ public final class MutantsProof implements Proof {
             throw new IOException("Gradle judged " + judged + " of " + count + " mutants; its message stands above");
         }
         Figure killed = Figure.sum("killed", judged - survivors.size(), "");
-        return new ProofResult(judged, survivors.size(), List.of(killed), survivors);
+        return ProofResult.of(judged, survivors, killed);
     }
 
     private static long judge(BufferedReader lines, List<String> survivors, Progress progress) throws IOException {

@@ -23,30 +23,15 @@ public final class PilesProof implements Proof {
     }
 
     @Override
-    public String name() {
-        return "piles";
-    }
-
-    @Override
-    public String claim() {
-        return "Piles of boxes of 1 mm to 2.5 m and 1 g to 1 t gain no energy, sink into nothing, pass through nothing"
-            + " and stay in their room; of each family 99 of 100 come to rest, and 99 of 100 towers and loaded small"
-            + " cubes stand.";
-    }
-
-    @Override
-    public String unit() {
-        return "piles";
-    }
-
-    @Override
-    public long fullCount() {
-        return PILES_A_FAMILY * FAMILIES.length;
-    }
-
-    @Override
-    public long batch() {
-        return 300;
+    public Claim claim() {
+        return new Claim(
+                "piles",
+                "Piles of boxes of 1 mm to 2.5 m and 1 g to 1 t gain no energy, sink into nothing, pass through"
+                        + " nothing and stay in their room; of each family 99 of 100 come to rest, and 99 of 100 towers"
+                        + " and loaded small cubes stand.",
+                "piles",
+                PILES_A_FAMILY * FAMILIES.length,
+                300);
     }
 
     /** A unit is a pile; the families take turns. */

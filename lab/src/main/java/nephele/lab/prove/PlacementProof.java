@@ -11,29 +11,14 @@ import nephele.engine.portal.placement.Placed;
 /** Shoots portals at made-up walls and looks for better answers by clipping areas. */
 public final class PlacementProof implements Proof {
     @Override
-    public String name() {
-        return "placement";
-    }
-
-    @Override
-    public String claim() {
-        return "On any wall a portal lies wholly on it, at the nearest place where it can, or is refused because there"
-                + " is none; the reason given is the right one.";
-    }
-
-    @Override
-    public String unit() {
-        return "shots";
-    }
-
-    @Override
-    public long fullCount() {
-        return 100_000;
-    }
-
-    @Override
-    public long batch() {
-        return 10_000;
+    public Claim claim() {
+        return new Claim(
+                "placement",
+                "On any wall a portal lies wholly on it, at the nearest place where it can, or is refused because there"
+                        + " is none; the reason given is the right one.",
+                "shots",
+                100_000,
+                10_000);
     }
 
     @Override
@@ -57,9 +42,7 @@ public final class PlacementProof implements Proof {
             fourLines.judge(shot);
             placed += answer instanceof Placed.Fits ? 1 : 0;
             slid += answer instanceof Placed.Fits fits && fits.slideMetres() > 0 ? 1 : 0;
-            if (unit % 1000 == 999) {
-                progress.unitsDone(unit + 1 - from);
-            }
+            progress.unitsDone(unit + 1 - from);
         }
         Arrays.sort(nanoseconds);
         List<Figure> figures = new ArrayList<>(List.of(
@@ -73,6 +56,6 @@ public final class PlacementProof implements Proof {
                         nanoseconds[nanoseconds.length - 1] / 1e6,
                         "ms")));
         figures.addAll(fourLines.figures());
-        return new ProofResult(count, failures.size(), figures, failures);
+        return ProofResult.of(count, failures, figures);
     }
 }

@@ -45,29 +45,14 @@ public final class PortalIdsProof implements Proof {
     }
 
     @Override
-    public String name() {
-        return "portal-ids";
-    }
-
-    @Override
-    public String claim() {
-        return "By either technique, no pixel shows another surface than the exact twin, except within one pixel of the"
-                + " edge of a surface or an opening.";
-    }
-
-    @Override
-    public String unit() {
-        return "cameras";
-    }
-
-    @Override
-    public long fullCount() {
-        return cameras.all();
-    }
-
-    @Override
-    public long batch() {
-        return (long) cameras.atOnce() * cameras.files().size();
+    public Claim claim() {
+        return new Claim(
+                "portal-ids",
+                "By either technique, no pixel shows another surface than the exact twin, except within one pixel of"
+                        + " the edge of a surface or an opening.",
+                "cameras",
+                cameras::all,
+                (long) cameras.atOnce() * cameras.files().size());
     }
 
     @Override

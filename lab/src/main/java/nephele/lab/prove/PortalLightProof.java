@@ -57,30 +57,16 @@ public final class PortalLightProof implements Proof {
     }
 
     @Override
-    public String name() {
-        return "portal-light";
-    }
-
-    @Override
-    public String claim() {
-        return "Lit, each level's pictures, drawn once a pixel at " + trace.width() + " × " + trace.height()
-                + " by quality ultra without anisotropy, have a mean HDR-FLIP of at most 0.05 and a bias of at most 1 %"
-                + " against " + trace.samples() + " traced samples a pixel, by either portal technique.";
-    }
-
-    @Override
-    public String unit() {
-        return "cameras";
-    }
-
-    @Override
-    public long fullCount() {
-        return cameras.all();
-    }
-
-    @Override
-    public long batch() {
-        return AT_ONCE;
+    public Claim claim() {
+        return new Claim(
+                "portal-light",
+                "Lit, each level's pictures, drawn once a pixel at " + trace.width() + " × " + trace.height()
+                        + " by quality ultra without anisotropy, have a mean HDR-FLIP of at most 0.05 and a bias of at"
+                        + " most 1 % against " + trace.samples()
+                        + " traced samples a pixel, by either portal technique.",
+                "cameras",
+                cameras::all,
+                AT_ONCE);
     }
 
     @Override

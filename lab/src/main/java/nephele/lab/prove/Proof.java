@@ -10,24 +10,7 @@ import nephele.engine.terminal.CommandFailure;
  * alone and a failure can be repeated.
  */
 public interface Proof {
-    /** What is typed after `prove`: lower-case words joined by hyphens. */
-    String name();
-
-    /** One sentence that the proof would refute. */
-    String claim();
-
-    /** What is counted, in the plural: "starts", "kills", "seconds". */
-    String unit();
-
-    /**
-     * How many units the claim needs.
-     *
-     * @throws CommandFailure when the environment, which says how many, lacks them
-     */
-    long fullCount();
-
-    /** How many units run between two saves of the state; a minute's work is a good size. */
-    long batch();
+    Claim claim();
 
     /**
      * Runs the units [{@code from}, {@code from + count}) and returns what they showed.

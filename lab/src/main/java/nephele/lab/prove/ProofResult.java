@@ -21,6 +21,15 @@ public record ProofResult(long units, long failures, List<Figure> figures, List<
         examples = List.copyOf(examples.subList(0, Math.min(examples.size(), EXAMPLES_KEPT)));
     }
 
+    /** The result of units whose failures are all told in words. */
+    static ProofResult of(long units, List<String> failures, List<Figure> figures) {
+        return new ProofResult(units, failures.size(), figures, failures);
+    }
+
+    static ProofResult of(long units, List<String> failures, Figure... figures) {
+        return of(units, failures, List.of(figures));
+    }
+
     public boolean holds() {
         return failures == 0;
     }

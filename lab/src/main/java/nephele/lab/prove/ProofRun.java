@@ -15,7 +15,7 @@ public final class ProofRun {
 
     public ProofRun(Proof proof, Path stateFolder, PrintStream progressTo) {
         this.proof = proof;
-        this.stateFile = stateFolder.resolve(proof.name() + ".properties");
+        this.stateFile = stateFolder.resolve(proof.claim().name() + ".properties");
         this.progressTo = progressTo;
     }
 
@@ -29,11 +29,11 @@ public final class ProofRun {
         var state = ProofState.load(stateFile, commit);
         while (state.soFar().units() < count) {
             long from = state.soFar().units();
-            long batch = Math.min(proof.batch(), count - from);
+            long batch = Math.min(proof.claim().batch(), count - from);
             var learnt = proof.run(from, batch, shown(from, count));
             if (learnt.units() != batch) {
-                throw new IllegalStateException(
-                        proof.name() + " ran " + learnt.units() + " of " + batch + " " + proof.unit());
+                throw new IllegalStateException(proof.claim().name() + " ran " + learnt.units() + " of " + batch + " "
+                        + proof.claim().unit());
             }
             state = new ProofState(commit, state.soFar().and(learnt));
             state.save(stateFile);
@@ -50,7 +50,7 @@ public final class ProofRun {
 
             @Override
             public void failed(String example) {
-                progressTo.println(proof.name() + ": failed: " + example);
+                progressTo.println(proof.claim().name() + ": failed: " + example);
             }
         };
     }
@@ -64,7 +64,9 @@ public final class ProofRun {
         long now = System.nanoTime();
         if (now - lastShownNanos > SHOW_EVERY_NANOS) {
             lastShownNanos = now;
-            progressTo.printf("%s: %,d of %,d %s%n", proof.name(), done, count, proof.unit());
+            progressTo.printf(
+                    "%s: %,d of %,d %s%n",
+                    proof.claim().name(), done, count, proof.claim().unit());
         }
     }
 }

@@ -34,9 +34,9 @@ public final class ProofTable {
     /** Puts the result into the table, over the row that this proof had. */
     public void write(Proof proof, ProofResult result, Circumstances found) throws IOException {
         var rows = rows();
-        rows.removeIf(row -> nameOf(row).equals(proof.name()));
+        rows.removeIf(row -> nameOf(row).equals(proof.claim().name()));
         rows.add(row(proof, result, found));
-        var order = Proofs.ALL.stream().map(Proof::name).collect(Collectors.toList());
+        var order = Proofs.ALL.stream().map(of -> of.claim().name()).collect(Collectors.toList());
         rows.sort((a, b) -> Integer.compare(order.indexOf(nameOf(a)), order.indexOf(nameOf(b))));
         WholeFile.write(file, (HEAD + String.join("\n", rows) + "\n").getBytes(StandardCharsets.UTF_8));
     }
@@ -59,8 +59,8 @@ public final class ProofTable {
         return "| "
                 + String.join(
                         " | ",
-                        proof.name(),
-                        proof.claim(),
+                        proof.claim().name(),
+                        proof.claim().sentence(),
                         count(proof, result),
                         Long.toString(result.failures()),
                         figures,
@@ -71,15 +71,18 @@ public final class ProofTable {
     }
 
     private static String count(Proof proof, ProofResult result) {
-        String of = result.units() < proof.fullCount() ? String.format(Locale.ROOT, " of %,d", proof.fullCount()) : "";
-        return String.format(Locale.ROOT, "%,d%s %s", result.units(), of, proof.unit());
+        String of = result.units() < proof.claim().fullCount()
+                ? String.format(Locale.ROOT, " of %,d", proof.claim().fullCount())
+                : "";
+        return String.format(
+                Locale.ROOT, "%,d%s %s", result.units(), of, proof.claim().unit());
     }
 
     /** The result for the terminal: verdict, count, figures and the first failures. */
     public static String summary(Proof proof, ProofResult result) {
         var verdict = result.holds() ? "holds" : "FAILS (" + result.failures() + " failures)";
         var text = new StringBuilder(
-                String.format(Locale.ROOT, "%s: %s after %s", proof.name(), verdict, count(proof, result)));
+                String.format(Locale.ROOT, "%s: %s after %s", proof.claim().name(), verdict, count(proof, result)));
         result.figures().forEach(figure -> text.append("\n  ").append(text(figure)));
         result.examples().forEach(example -> text.append("\n  failed: ").append(example));
         return text.toString();

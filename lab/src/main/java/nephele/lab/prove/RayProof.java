@@ -6,29 +6,14 @@ import java.util.List;
 /** Casts rays where rounding decides: at shared edges and corners, from surfaces, along the faces of boxes. */
 public final class RayProof implements Proof {
     @Override
-    public String name() {
-        return "rays";
-    }
-
-    @Override
-    public String claim() {
-        return "No ray slips between triangles that share an edge, meets the surface it leaves, skips a wall 1 mm on,"
-                + " or misses a box that exact arithmetic meets.";
-    }
-
-    @Override
-    public String unit() {
-        return "rays of each kind";
-    }
-
-    @Override
-    public long fullCount() {
-        return 1_000_000;
-    }
-
-    @Override
-    public long batch() {
-        return 100_000;
+    public Claim claim() {
+        return new Claim(
+                "rays",
+                "No ray slips between triangles that share an edge, meets the surface it leaves, skips a wall 1 mm on,"
+                        + " or misses a box that exact arithmetic meets.",
+                "rays of each kind",
+                1_000_000,
+                100_000);
     }
 
     @Override
@@ -41,18 +26,13 @@ public final class RayProof implements Proof {
             edges.cast(unit);
             leaving.cast(unit);
             slabs.cast(unit);
-            if (unit % 1000 == 999) {
-                progress.unitsDone(unit + 1 - from);
-            }
+            progress.unitsDone(unit + 1 - from);
         }
-        return new ProofResult(
+        return ProofResult.of(
                 count,
-                failures.size(),
-                List.of(
-                        Figure.greatest(
-                                "farthest hit from its plane", edges.greatestUlpsOffPlane(), "ulp of the extent"),
-                        Figure.sum("walls 1 mm on", leaving.walls(), ""),
-                        Figure.sum("boxes met", slabs.met(), "")),
-                failures);
+                failures,
+                Figure.greatest("farthest hit from its plane", edges.greatestUlpsOffPlane(), "ulp of the extent"),
+                Figure.sum("walls 1 mm on", leaving.walls(), ""),
+                Figure.sum("boxes met", slabs.met(), ""));
     }
 }

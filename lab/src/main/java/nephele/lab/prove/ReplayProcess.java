@@ -6,11 +6,22 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.named.LevelName;
+import nephele.engine.sim.FaultLog;
+import nephele.engine.sim.SimLevel;
+import nephele.engine.sim.Simulation;
+import nephele.engine.sim.TickHashes;
 
-/** {@code simulate} in a process of its own. */
+/** A replay played in a process of its own. */
 public record ReplayProcess(JvmVariant variant, String level, Path replay, int every) {
-    /** By name: the command line stands above the proofs. */
-    private static final String MAIN = "nephele.app.Main";
+    /** Prints a line {@code tick hash} every so many ticks: level, replay, ticks. */
+    public static void main(String[] arguments) {
+        var opened = new LevelName(arguments[0]).open();
+        var replay = LevelName.replay(arguments[1]);
+        var level = SimLevel.of(opened.level(), opened.assets());
+        var hashes = new TickHashes(Integer.parseInt(arguments[2]), replay.ticks(), System.out::println);
+        replay.play(new Simulation(level, replay.settings(), FaultLog.SILENT), hashes);
+    }
 
     /**
      * The lines {@code tick hash} that it prints.
@@ -20,9 +31,9 @@ public record ReplayProcess(JvmVariant variant, String level, Path replay, int e
     public List<String> lines() throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(variant.java().toString(), "-Xmx256m"));
         command.addAll(variant.flags());
-        command.addAll(List.of("-cp", System.getProperty("java.class.path"), MAIN));
-        command.addAll(List.of("simulate", level, "--replay", replay.toString(), "--every", Integer.toString(every)));
-        Path said = Files.createTempFile("nephele-simulate", ".txt");
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), ReplayProcess.class.getName()));
+        command.addAll(List.of(level, replay.toString(), Integer.toString(every)));
+        Path said = Files.createTempFile("nephele-replay", ".txt");
         try {
             Process process =
                     new ProcessBuilder(command).redirectError(said.toFile()).start();

@@ -42,29 +42,14 @@ public final class RetriangulationProof implements Proof {
     private int placed;
 
     @Override
-    public String name() {
-        return "retriangulations";
-    }
-
-    @Override
-    public String claim() {
-        return "However a wall is cut into triangles, slivers among them, and with noise of 10 µm, a portal comes to"
-                + " within 50 µm of the same place, 10 µm without noise, or is refused for the same reason.";
-    }
-
-    @Override
-    public String unit() {
-        return "triangulations";
-    }
-
-    @Override
-    public long fullCount() {
-        return 10_000;
-    }
-
-    @Override
-    public long batch() {
-        return 2_000;
+    public Claim claim() {
+        return new Claim(
+                "retriangulations",
+                "However a wall is cut into triangles, slivers among them, and with noise of 10 µm, a portal comes to"
+                        + " within 50 µm of the same place, 10 µm without noise, or is refused for the same reason.",
+                "triangulations",
+                10_000,
+                2_000);
     }
 
     @Override
@@ -80,19 +65,17 @@ public final class RetriangulationProof implements Proof {
             cut(unit, new SplittableRandom(unit), failures);
             progress.unitsDone(unit + 1 - from);
         }
-        return new ProofResult(
+        return ProofResult.of(
                 count,
-                failures.size(),
-                List.of(
-                        Figure.sum("shots compared", compared, ""),
-                        Figure.sum("portals among them", placed, ""),
-                        Figure.sum("shots left out of these", shots - compared, ""),
-                        Figure.sum("shots compared without noise", comparedWithoutNoise, ""),
-                        Figure.sum("shots left out of these, without noise", shots - comparedWithoutNoise, ""),
-                        Figure.greatest("greatest share left out of a batch", 100.0 * (shots - compared) / shots, "%"),
-                        Figure.greatest("farthest from the same place", farthest, "m"),
-                        Figure.greatest("farthest without noise", farthestWithoutNoise, "m")),
-                failures);
+                failures,
+                Figure.sum("shots compared", compared, ""),
+                Figure.sum("portals among them", placed, ""),
+                Figure.sum("shots left out of these", shots - compared, ""),
+                Figure.sum("shots compared without noise", comparedWithoutNoise, ""),
+                Figure.sum("shots left out of these, without noise", shots - comparedWithoutNoise, ""),
+                Figure.greatest("greatest share left out of a batch", 100.0 * (shots - compared) / shots, "%"),
+                Figure.greatest("farthest from the same place", farthest, "m"),
+                Figure.greatest("farthest without noise", farthestWithoutNoise, "m"));
     }
 
     private void cut(long unit, SplittableRandom random, List<String> failures) {

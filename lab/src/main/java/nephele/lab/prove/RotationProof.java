@@ -17,29 +17,14 @@ public final class RotationProof implements Proof {
     private static final double DEGREES_PER_COUNT = 0.126;
 
     @Override
-    public String name() {
-        return "rotations";
-    }
-
-    @Override
-    public String claim() {
-        return "A view never turns farther than the mouse asks, and between any two rotations lies a unit one, in"
-                + " proportion.";
-    }
-
-    @Override
-    public String unit() {
-        return "turns";
-    }
-
-    @Override
-    public long fullCount() {
-        return 1_000_000;
-    }
-
-    @Override
-    public long batch() {
-        return 250_000;
+    public Claim claim() {
+        return new Claim(
+                "rotations",
+                "A view never turns farther than the mouse asks, and between any two rotations lies a unit one, in"
+                        + " proportion.",
+                "turns",
+                1_000_000,
+                250_000);
     }
 
     @Override
@@ -50,15 +35,9 @@ public final class RotationProof implements Proof {
             var random = new SplittableRandom(unit);
             turn(unit, random, failures);
             worstNorm = Math.max(worstNorm, interpolate(unit, random, failures));
-            if (unit % 10_000 == 9999) {
-                progress.unitsDone(unit + 1 - from);
-            }
+            progress.unitsDone(unit + 1 - from);
         }
-        return new ProofResult(
-                count,
-                failures.size(),
-                List.of(Figure.greatest("length of a rotation off 1", worstNorm, "")),
-                failures);
+        return ProofResult.of(count, failures, Figure.greatest("length of a rotation off 1", worstNorm, ""));
     }
 
     /** The way of the game: mouse counts to whole millidegrees, and these to a heading. */

@@ -23,28 +23,13 @@ public final class SaveKillProof implements Proof {
     private static final double LENGTHS = 1.25;
 
     @Override
-    public String name() {
-        return "save-kills";
-    }
-
-    @Override
-    public String claim() {
-        return "Killing the process at any moment of a save leaves a complete old or new level file.";
-    }
-
-    @Override
-    public String unit() {
-        return "kills within a save";
-    }
-
-    @Override
-    public long fullCount() {
-        return 1_000;
-    }
-
-    @Override
-    public long batch() {
-        return 100;
+    public Claim claim() {
+        return new Claim(
+                "save-kills",
+                "Killing the process at any moment of a save leaves a complete old or new level file.",
+                "kills within a save",
+                1_000,
+                100);
     }
 
     @Override
@@ -76,7 +61,7 @@ public final class SaveKillProof implements Proof {
         List<Figure> figures = List.of(
                 Figure.sum("kills that left a file half-written or not yet in its place", unfinished, ""),
                 Figure.sum("further kills, between two saves", kills - within, ""));
-        return new ProofResult(count, failures.size(), figures, failures);
+        return ProofResult.of(count, failures, figures);
     }
 
     /** @param told everything that a killed process wrote */

@@ -24,30 +24,15 @@ public final class SceneCullingProof implements Proof {
     private static final int VIEWS = 4;
 
     @Override
-    public String name() {
-        return "scene-culling";
-    }
-
-    @Override
-    public String claim() {
-        return "In XML scenes of models that are moved, turned, scaled by axes, mirrored, nested and carried about,"
-                + " a picture with culling is, pixel for pixel, the one without; each scene has 25 such models, seen"
-                + " four times.";
-    }
-
-    @Override
-    public String unit() {
-        return "scenes";
-    }
-
-    @Override
-    public long fullCount() {
-        return 400;
-    }
-
-    @Override
-    public long batch() {
-        return 100;
+    public Claim claim() {
+        return new Claim(
+                "scene-culling",
+                "In XML scenes of models that are moved, turned, scaled by axes, mirrored, nested and carried about, a"
+                    + " picture with culling is, pixel for pixel, the one without; each scene has 25 such models, seen"
+                    + " four times.",
+                "scenes",
+                400,
+                100);
     }
 
     @Override
@@ -124,16 +109,14 @@ public final class SceneCullingProof implements Proof {
         }
 
         ProofResult result(long units) {
-            return new ProofResult(
+            return ProofResult.of(
                     units,
-                    failures.size(),
-                    List.of(
-                            Figure.sum("models", units * TransformedModels.MODELS, ""),
-                            Figure.sum("pixels that show something", drawnPixels, ""),
-                            Figure.sum("pixels that differ", wrongPixels, ""),
-                            Figure.sum("triangles", triangles, ""),
-                            Figure.sum("triangles culled", culledTriangles, "")),
-                    failures);
+                    failures,
+                    Figure.sum("models", units * TransformedModels.MODELS, ""),
+                    Figure.sum("pixels that show something", drawnPixels, ""),
+                    Figure.sum("pixels that differ", wrongPixels, ""),
+                    Figure.sum("triangles", triangles, ""),
+                    Figure.sum("triangles culled", culledTriangles, ""));
         }
     }
 }

@@ -20,29 +20,15 @@ public final class SeparationProof implements Proof {
     private static final double BAND = 1e-7;
 
     @Override
-    public String name() {
-        return "separation";
-    }
-
-    @Override
-    public String claim() {
-        return "Shapes random, touching, parallel, degenerate, tiny and huge meet or miss a solid as brute force says,"
-                + " at the same distance; backing off by the depth of what meets parts it, and by less does not.";
-    }
-
-    @Override
-    public String unit() {
-        return "pairs";
-    }
-
-    @Override
-    public long fullCount() {
-        return 1_000_000;
-    }
-
-    @Override
-    public long batch() {
-        return 100_000;
+    public Claim claim() {
+        return new Claim(
+                "separation",
+                "Shapes random, touching, parallel, degenerate, tiny and huge meet or miss a solid as brute force"
+                    + " says, at the same distance; backing off by the depth of what meets parts it, and by less does"
+                    + " not.",
+                "pairs",
+                1_000_000,
+                100_000);
     }
 
     @Override
@@ -50,20 +36,16 @@ public final class SeparationProof implements Proof {
         Comparison comparison = new Comparison();
         for (long unit = from; unit < from + count; unit++) {
             comparison.compare(unit, HullPair.of(unit));
-            if (unit % 1000 == 999) {
-                progress.unitsDone(unit + 1 - from);
-            }
+            progress.unitsDone(unit + 1 - from);
         }
-        return new ProofResult(
+        return ProofResult.of(
                 count,
-                comparison.failures.size(),
-                List.of(
-                        Figure.sum("meeting", comparison.meeting, "pairs"),
-                        Figure.sum("apart by less than 1e-7 of their extent", comparison.close, "pairs"),
-                        Figure.greatest("nearer than the truth", comparison.nearer, "of the extent"),
-                        Figure.greatest("farther than the truth", comparison.farther, "of the extent"),
-                        Figure.greatest("depth that does not part", comparison.stuck, "of the extent")),
-                comparison.failures);
+                comparison.failures,
+                Figure.sum("meeting", comparison.meeting, "pairs"),
+                Figure.sum("apart by less than 1e-7 of their extent", comparison.close, "pairs"),
+                Figure.greatest("nearer than the truth", comparison.nearer, "of the extent"),
+                Figure.greatest("farther than the truth", comparison.farther, "of the extent"),
+                Figure.greatest("depth that does not part", comparison.stuck, "of the extent"));
     }
 
     /** What was seen so far. */

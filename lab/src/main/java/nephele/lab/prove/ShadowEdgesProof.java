@@ -42,31 +42,16 @@ public final class ShadowEdgesProof implements Proof {
     private static final int DIRECTIONS = 24;
 
     @Override
-    public String name() {
-        return "shadow-edges";
-    }
-
-    @Override
-    public String claim() {
-        return "Among walls of 10 cm, sun, lamps and spots light a pixel that is not beside an edge as a ray says,"
-            + " except within one texel of a shadow's edge; one in a thousand at most stays dark where the lit part of"
-            + " a face is narrower, in the light's eyes, than a texel's diagonal; no pixel of a closed room is lit,"
-            + " joints included.";
-    }
-
-    @Override
-    public String unit() {
-        return "pictures";
-    }
-
-    @Override
-    public long fullCount() {
-        return 1000;
-    }
-
-    @Override
-    public long batch() {
-        return 100;
+    public Claim claim() {
+        return new Claim(
+                "shadow-edges",
+                "Among walls of 10 cm, sun, lamps and spots light a pixel that is not beside an edge as a ray says,"
+                    + " except within one texel of a shadow's edge; one in a thousand at most stays dark where the lit"
+                    + " part of a face is narrower, in the light's eyes, than a texel's diagonal; no pixel of a closed"
+                    + " room is lit, joints included.",
+                "pictures",
+                1000,
+                100);
     }
 
     @Override
@@ -191,16 +176,14 @@ public final class ShadowEdgesProof implements Proof {
             if (onNarrowFaces > MOST_NARROW * pixels) {
                 failures.add(onNarrowFaces + " of " + pixels + " pixels stay dark on narrow parts");
             }
-            return new ProofResult(
+            return ProofResult.of(
                     units,
-                    failures.size(),
-                    List.of(
-                            Figure.sum("pixels", pixels, ""),
-                            Figure.sum("pixels that differ within a texel of an edge", nearEdge, ""),
-                            Figure.sum("pixels that differ farther off", off, ""),
-                            Figure.sum("pixels that stay dark on narrower parts", onNarrowFaces, ""),
-                            Figure.sum("lit pixels of closed rooms", leaks, "")),
-                    failures);
+                    failures,
+                    Figure.sum("pixels", pixels, ""),
+                    Figure.sum("pixels that differ within a texel of an edge", nearEdge, ""),
+                    Figure.sum("pixels that differ farther off", off, ""),
+                    Figure.sum("pixels that stay dark on narrower parts", onNarrowFaces, ""),
+                    Figure.sum("lit pixels of closed rooms", leaks, ""));
         }
     }
 }

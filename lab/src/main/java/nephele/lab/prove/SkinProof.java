@@ -22,29 +22,14 @@ public final class SkinProof implements Proof {
     private static final double ALLOWED_METRES = 1e-6;
 
     @Override
-    public String name() {
-        return "player-skin";
-    }
-
-    @Override
-    public String claim() {
-        return "In slot, wedge, stairs and needles the player keeps its 1 mm from every solid, measured by brute"
-                + " force.";
-    }
-
-    @Override
-    public String unit() {
-        return "walks of 1000 moves";
-    }
-
-    @Override
-    public long fullCount() {
-        return 1000;
-    }
-
-    @Override
-    public long batch() {
-        return 200;
+    public Claim claim() {
+        return new Claim(
+                "player-skin",
+                "In slot, wedge, stairs and needles the player keeps its 1 mm from every solid, measured by brute"
+                        + " force.",
+                "walks of 1000 moves",
+                1000,
+                200);
     }
 
     @Override
@@ -64,7 +49,7 @@ public final class SkinProof implements Proof {
         List<Figure> figures = List.of(
                 Figure.sum("moves", (double) count * TICKS_PER_WALK, ""),
                 Figure.least("least distance from a solid", least * 1000, "mm"));
-        return new ProofResult(count, failures.size(), figures, failures.subList(0, Math.min(10, failures.size())));
+        return ProofResult.of(count, failures, figures);
     }
 
     private static double nearestOf(long unit, Simulation simulation, CollisionWorld world) {

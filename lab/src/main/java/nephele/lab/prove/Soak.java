@@ -92,16 +92,14 @@ final class Soak {
             failures.add("the simulation undid a tick that was not finite");
         }
         gl.requireNoError("soak");
-        return new ProofResult(
+        return ProofResult.of(
                 seconds,
-                failures.size(),
-                List.of(
-                        Figure.greatest("longest GC pause", pauses.longestMs(), "ms"),
-                        Figure.sum("collections", pauses.count(), ""),
-                        Figure.greatest("render path", bytesAFrame, "B a frame"),
-                        Figure.greatest("simulation", bytesATick, "B a tick"),
-                        Figure.sum("frames", frames, "")),
-                failures);
+                failures,
+                Figure.greatest("longest GC pause", pauses.longestMs(), "ms"),
+                Figure.sum("collections", pauses.count(), ""),
+                Figure.greatest("render path", bytesAFrame, "B a frame"),
+                Figure.greatest("simulation", bytesATick, "B a tick"),
+                Figure.sum("frames", frames, ""));
     }
 
     private static void check(List<String> failures, String text, double value, double most) {

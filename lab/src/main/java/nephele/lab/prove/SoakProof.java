@@ -32,28 +32,13 @@ public final class SoakProof implements Proof {
     }
 
     @Override
-    public String name() {
-        return "soak";
-    }
-
-    @Override
-    public String claim() {
-        return "ten minutes of level 01: no GC pause over 5 ms, at most 2 KiB a frame and 4 KiB a tick";
-    }
-
-    @Override
-    public String unit() {
-        return "seconds";
-    }
-
-    @Override
-    public long fullCount() {
-        return 600;
-    }
-
-    @Override
-    public long batch() {
-        return 120;
+    public Claim claim() {
+        return new Claim(
+                "soak",
+                "ten minutes of level 01: no GC pause over 5 ms, at most 2 KiB a frame and 4 KiB a tick",
+                "seconds",
+                600,
+                120);
     }
 
     @Override

@@ -30,28 +30,13 @@ public final class TraversalsProof implements Proof {
     private static final long CHAIN = 1_000_000;
 
     @Override
-    public String name() {
-        return "traversals";
-    }
-
-    @Override
-    public String claim() {
-        return "A million passages through random pairs move, speed up and bend nothing.";
-    }
-
-    @Override
-    public String unit() {
-        return "traversals";
-    }
-
-    @Override
-    public long fullCount() {
-        return CHAIN;
-    }
-
-    @Override
-    public long batch() {
-        return CHAIN;
+    public Claim claim() {
+        return new Claim(
+                "traversals",
+                "A million passages through random pairs move, speed up and bend nothing.",
+                "traversals",
+                CHAIN,
+                CHAIN);
     }
 
     @Override
@@ -62,9 +47,7 @@ public final class TraversalsProof implements Proof {
         for (long i = 0; i < count; i += 2) {
             Passage[] pair = passages[random.nextInt(PAIRS)];
             traveller.thereAndBack(pair[0], pair[1]);
-            if (i % 10_000 == 0) {
-                progress.unitsDone(i);
-            }
+            progress.unitsDone(i);
         }
         return traveller.result(count).and(new FlownTraversals(random).run(count));
     }
@@ -166,15 +149,13 @@ public final class TraversalsProof implements Proof {
             if (!(turned <= BASIS_BAR)) {
                 failures.add("it is turned by " + turned);
             }
-            return new ProofResult(
+            return ProofResult.of(
                     count,
-                    failures.size(),
-                    List.of(
-                            Figure.greatest("distance from its place", off, "m"),
-                            Figure.greatest("speed off, of itself", worstSpeed, ""),
-                            Figure.greatest("axes off orthonormal, never made unit again", worstBasis, ""),
-                            Figure.greatest("orientation off", turned, "rad")),
-                    failures);
+                    failures,
+                    Figure.greatest("distance from its place", off, "m"),
+                    Figure.greatest("speed off, of itself", worstSpeed, ""),
+                    Figure.greatest("axes off orthonormal, never made unit again", worstBasis, ""),
+                    Figure.greatest("orientation off", turned, "rad"));
         }
     }
 }
