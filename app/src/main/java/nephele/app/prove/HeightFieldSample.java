@@ -22,14 +22,14 @@ final class HeightFieldSample {
         SPIKES
     }
 
-    /** From one cell to 128 x 128 of them, square or not, at the origin or 100 km out. */
+    /** From one cell to 128 x 128 of them, square or not, at the origin or 100 km out; smaller ones first. */
     static List<HeightField> small() {
         return List.of(
                 field(Relief.HILLS, 0, 1, 2, 2),
                 field(Relief.SPIKES, 0, 1, 5, 3),
                 field(Relief.FLAT, 0, 1, 17, 17),
-                field(Relief.HILLS, FAR_METRES, 0.25, 33, 33),
                 field(Relief.TERRACES, 0, 1, 9, 65),
+                field(Relief.HILLS, FAR_METRES, 0.25, 33, 33),
                 field(Relief.SPIKES, 0, 2, 65, 65),
                 field(Relief.HILLS, 0, 1, 129, 129),
                 field(Relief.TERRACES, -FAR_METRES, 1, 129, 129));
