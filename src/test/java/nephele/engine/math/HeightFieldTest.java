@@ -127,6 +127,22 @@ class HeightFieldTest {
         }
     }
 
+    /** All signed volumes are rounding there, and now and then they have one sign. */
+    @Test
+    void aRayAlongTheGroundIsMetByNoTriangleThatItDoesNotReach() {
+        HeightField field = HeightField.of(new Vec3(0.1, 0.1, 0.1), 0.3, 9, 9, (column, row) -> 0.7);
+        SplittableRandom random = new SplittableRandom(3);
+        for (int i = 0; i < 20_000; i++) {
+            double z = 0.1 + 0.3 * random.nextDouble(8);
+            Ray ray = new Ray(-random.nextDouble(), 0.1 + 0.7, z, random.nextDouble(), 0, 0);
+            for (int triangle = 0; triangle < field.triangles(); triangle++) {
+                Aabb box = box(field, triangle).grown(1e-6);
+                boolean isBeside = z < box.minZ() || z > box.maxZ();
+                assertTrue(!isBeside || field.meeting(ray, triangle) == Double.POSITIVE_INFINITY, "ray " + i);
+            }
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(doubles = {1e-3, 1e-6, 1e-9, 1e-12})
     void aGrazingRayMeetsFlatGroundWhereItGoesDown(double drop) {

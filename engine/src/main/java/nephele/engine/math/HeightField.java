@@ -13,6 +13,9 @@ public final class HeightField {
     /** A ray that starts this far below a triangle, and goes down, started on it. */
     private static final double ON_SURFACE_METRES = 1e-9;
 
+    /** Some ninety ε. */
+    private static final double ROUNDING = 1e-14;
+
     private static final double LEAST_CELL_METRES = 1e-3;
 
     private static final double FARTHEST_METRES = 1e7;
@@ -163,7 +166,7 @@ public final class HeightField {
     /** The ray parameter at which a ray meets a triangle from either side; infinity for a miss. */
     public double meeting(Ray ray, int triangle) {
         double parameter = signedMeeting(ray, triangle);
-        return parameter >= 0 ? parameter : Double.POSITIVE_INFINITY;
+        return parameter >= 0 && isNear(ray, parameter, triangle, 0) ? parameter : Double.POSITIVE_INFINITY;
     }
 
     /** The ray parameter at which a ray goes down through a triangle; infinity for a miss. */
@@ -175,9 +178,11 @@ public final class HeightField {
         }
         double parameter = signedMeeting(ray, triangle);
         if (parameter >= 0) {
-            return parameter;
+            return isNear(ray, parameter, triangle, 0) ? parameter : Double.POSITIVE_INFINITY;
         }
-        return parameter * rate <= ON_SURFACE_METRES * Directions.length(up) ? 0 : Double.POSITIVE_INFINITY;
+        boolean startedOnIt = parameter * rate <= ON_SURFACE_METRES * Directions.length(up)
+                && isNear(ray, 0, triangle, ON_SURFACE_METRES);
+        return startedOnIt ? 0 : Double.POSITIVE_INFINITY;
     }
 
     private double signedMeeting(Ray ray, int triangle) {
@@ -192,6 +197,35 @@ public final class HeightField {
         return TriangleMeeting.parameter(ray, corners, 0);
     }
 
+    /** Whether a ray is at a triangle's box: along its plane, rounding would have a ray meet it from anywhere. */
+    private boolean isNear(Ray ray, double parameter, int triangle, double metres) {
+        int column = (triangle >> 1) % (columns - 1);
+        int row = (triangle >> 1) / (columns - 1);
+        double[] box = new double[6];
+        HeightFieldBoxes.writeTriangle(this, column, row, triangle & 1, metres + rounding(ray), box);
+        double x = ray.originX() + parameter * ray.directionX();
+        double y = ray.originY() + parameter * ray.directionY();
+        double z = ray.originZ() + parameter * ray.directionZ();
+        return box[0] <= x && x <= box[3] && box[1] <= y && y <= box[4] && box[2] <= z && z <= box[5];
+    }
+
+    /**
+     * How far from a triangle a ray may pass, in metres, that rounding has meet it. The signed volumes of
+     * {@link TriangleMeeting} are products of up to three coordinates relative to the ray's origin: with coordinates up to L
+     * and edges of at least a cell c their zero is off by a few ε L² / c, ε = 2⁻⁵³.
+     */
+    private double rounding(Ray ray) {
+        Aabb all = bounds();
+        double farthest = farther(ray.originX(), all.minX(), all.maxX())
+                + farther(ray.originY(), all.minY(), all.maxY())
+                + farther(ray.originZ(), all.minZ(), all.maxZ());
+        return ROUNDING * farthest * (1 + farthest / cellMetres);
+    }
+
+    private static double farther(double from, double a, double b) {
+        return Math.max(Math.abs(a - from), Math.abs(b - from));
+    }
+
     /**
      * The nearest hit by the caller's own test of a triangle, the lowest triangle among equally near ones: just as if every
      * triangle were tested.
@@ -203,7 +237,7 @@ public final class HeightField {
     public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
         hit.reset(limit);
         if (ray.isCastable()) {
-            new HeightFieldRay(this, ray, ON_SURFACE_METRES, test, hit).walk();
+            new HeightFieldRay(this, ray, 2 * (ON_SURFACE_METRES + rounding(ray)), test, hit).walk();
         }
         return hit.item() >= 0;
     }

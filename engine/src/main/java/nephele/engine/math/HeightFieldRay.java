@@ -1,17 +1,10 @@
 package nephele.engine.math;
 
 /**
- * Finds the nearest triangle of a {@link HeightField} that a ray meets, nearer blocks first. One for each query.
- *
- * <p>Rounding lets a ray meet a triangle that it passes at a small distance: the signed volumes of {@link TriangleMeeting}
- * are products of up to three coordinates relative to the ray's origin, so with coordinates up to L and edges of at least a
- * cell c their zero is off by a few ε L² / c, ε = 2⁻⁵³. Boxes grown by {@link #margin} miss none of these, so that the
- * answer is that of a test of every triangle.
+ * Finds the nearest triangle of a {@link HeightField} that a ray meets, nearer blocks first. One for each query. Boxes are
+ * grown by a margin, so that the answer is that of a test of every triangle.
  */
 final class HeightFieldRay {
-    /** Some ninety ε. */
-    private static final double ROUNDING = 1e-14;
-
     private final HeightField field;
     private final HeightPyramid pyramid;
     private final Ray ray;
@@ -22,27 +15,15 @@ final class HeightFieldRay {
     /** Where the ray enters the four children of the block of each level that is being visited. */
     private final double[] entries;
 
-    /** @param leastMargin by which boxes are grown at least */
-    HeightFieldRay(HeightField field, Ray ray, double leastMargin, ItemRayTest test, RayHit hit) {
+    /** @param margin in metres; more than a ray is away from any triangle that it meets for the test */
+    HeightFieldRay(HeightField field, Ray ray, double margin, ItemRayTest test, RayHit hit) {
         this.field = field;
         this.ray = ray;
+        this.margin = margin;
         this.test = test;
         this.hit = hit;
         pyramid = field.pyramid();
         entries = new double[4 * (pyramid.top() + 1)];
-        margin = 2 * leastMargin + margin(field, ray);
-    }
-
-    private static double margin(HeightField field, Ray ray) {
-        Aabb all = field.bounds();
-        double farthest = farther(ray.originX(), all.minX(), all.maxX())
-                + farther(ray.originY(), all.minY(), all.maxY())
-                + farther(ray.originZ(), all.minZ(), all.maxZ());
-        return ROUNDING * farthest * (1 + farthest / field.cellMetres());
-    }
-
-    private static double farther(double from, double a, double b) {
-        return Math.max(Math.abs(a - from), Math.abs(b - from));
     }
 
     void walk() {
