@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Function;
 import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
@@ -33,7 +34,7 @@ class BeamsTest {
             stage.box("grey", new Vec3(within(8), within(8), within(8)), new Vec3(size(), size(), size()));
         }
         List<Brush> brushes = stage.level().solids().stream().map(Brush::of).toList();
-        return new SurfaceRays(brushes, List.of(), 0, ModelForms.NONE);
+        return new SurfaceRays(StaticShapes.of(brushes), List.of(), 0);
     }
 
     private Beams beams(long mostBytes) {

@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import org.junit.jupiter.api.Test;
@@ -116,8 +116,7 @@ class PortalSightTest {
         float[] wall = facing.towards(middle, new Vec3(0, 1e-3, -1), 1);
         assertEquals(0.9, wall[0], 1e-6);
         EyePath path = new EyePath(
-                new SurfaceRays(
-                        facing.level().solids().stream().map(Brush::of).toList(), List.of(), 0, ModelForms.NONE),
+                new SurfaceRays(StaticShapes.of(facing.level()), List.of(), 0),
                 Portals.of(facing.level()));
         assertTrue(path.walk(middle.toVector(), new Vec3(0, 1e-3, -1).toVector(), 0.05, 1e9));
         assertEquals(1, path.ray().originY(), 3.1e-3, "in the last space, under the upper edge");

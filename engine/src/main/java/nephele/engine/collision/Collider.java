@@ -11,10 +11,7 @@ import nephele.engine.math.Vec3;
  * a level a thousand kilometres out keeps the precision of one at the origin.
  */
 public final class Collider implements ConvexPoints {
-    /** The corners of a {@link ThinSheet}, whose shape is made when it is asked for; {@code null} for others. */
-    private final Vec3[] sheet;
-
-    private ConvexPolyhedron shape;
+    private final ColliderForm form;
     private final String solidId;
     private final Vec3 centre;
     private final double[] vertices;
@@ -26,40 +23,23 @@ public final class Collider implements ConvexPoints {
     private ContactHull contactHull;
 
     public Collider(String solidId, ConvexPolyhedron shape) {
+        this(solidId, new ColliderForm.Solid(shape), shape);
+    }
+
+    /** A {@link ThinSheet}. */
+    Collider(String solidId, Vec3[] sheet) {
+        this(solidId, new ColliderForm.Sheet(sheet), ThinSheet.shape(sheet));
+    }
+
+    private Collider(String solidId, ColliderForm form, ConvexPolyhedron shape) {
         this.solidId = solidId;
-        this.shape = shape;
-        sheet = null;
+        this.form = form;
         bounds = shape.bounds();
         radiusMetres = 0;
         centre = bounds.centre();
         vertices = relativeVertices(shape.vertices(), centre);
         planes = relativePlanes(shape.faces(), centre);
-        edges = edgeDirections(shape.faces());
-    }
-
-    /** A {@link ThinSheet}: meshes have many, and few are ever cut or touched by a body. */
-    Collider(String solidId, Vec3[] sheet) {
-        this.solidId = solidId;
-        this.sheet = sheet;
-        ConvexPolyhedron made = ThinSheet.shape(sheet);
-        bounds = made.bounds();
-        radiusMetres = 0;
-        centre = bounds.centre();
-        vertices = relativeVertices(made.vertices(), centre);
-        planes = relativePlanes(made.faces(), centre);
-        edges = edgesOf(vertices);
-    }
-
-    /** The six edges between four corners. */
-    private static double[] edgesOf(double[] four) {
-        int[] pairs = {0, 1, 1, 2, 2, 0, 0, 3, 1, 3, 2, 3};
-        double[] directions = new double[18];
-        for (int i = 0; i < 18; i++) {
-            int from = pairs[i / 3 * 2];
-            int to = pairs[i / 3 * 2 + 1];
-            directions[i] = four[3 * to + i % 3] - four[3 * from + i % 3];
-        }
-        return directions;
+        edges = form.edges(vertices);
     }
 
     /** Everything within a radius of a segment: a capsule, or a sphere where the ends are one point. */
@@ -67,11 +47,10 @@ public final class Collider implements ConvexPoints {
         this.solidId = solidId;
         this.centre = centre;
         this.radiusMetres = radiusMetres;
-        shape = null;
-        sheet = null;
+        form = new ColliderForm.Round(halfAxis);
         vertices = new double[] {-halfAxis.x(), -halfAxis.y(), -halfAxis.z(), halfAxis.x(), halfAxis.y(), halfAxis.z()};
         planes = new double[0];
-        edges = new double[] {halfAxis.x(), halfAxis.y(), halfAxis.z()};
+        edges = form.edges(vertices);
         bounds = Aabb.around(
                         centre,
                         new Vec3(2 * Math.abs(halfAxis.x()), 2 * Math.abs(halfAxis.y()), 2 * Math.abs(halfAxis.z())))
@@ -109,23 +88,6 @@ public final class Collider implements ConvexPoints {
         return relative;
     }
 
-    /** Each edge once or twice (as two faces see it), as an unnormalised direction. */
-    private static double[] edgeDirections(List<ConvexPolyhedron.Face> faces) {
-        double[] directions =
-                new double[3 * faces.stream().mapToInt(f -> f.polygon().size()).sum()];
-        int at = 0;
-        for (ConvexPolyhedron.Face face : faces) {
-            for (int i = 0; i < face.polygon().size(); i++) {
-                Vec3 a = face.polygon().get(i);
-                Vec3 b = face.polygon().get((i + 1) % face.polygon().size());
-                directions[at++] = b.x() - a.x();
-                directions[at++] = b.y() - a.y();
-                directions[at++] = b.z() - a.z();
-            }
-        }
-        return directions;
-    }
-
     /** For contact points of bodies. */
     public ContactHull contactHull() {
         if (contactHull == null) {
@@ -138,12 +100,9 @@ public final class Collider implements ConvexPoints {
         return solidId;
     }
 
-    /** {@code null} for a round one. */
+    /** @throws IllegalStateException for a sphere or a capsule */
     public ConvexPolyhedron shape() {
-        if (shape == null && sheet != null) {
-            shape = ThinSheet.shape(sheet);
-        }
-        return shape;
+        return form.polyhedron();
     }
 
     public Aabb bounds() {

@@ -1,9 +1,8 @@
 package nephele.engine.collision;
 
-import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemList;
@@ -11,7 +10,6 @@ import nephele.engine.math.ItemRayTest;
 import nephele.engine.math.ItemVisitor;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
-import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
@@ -20,20 +18,21 @@ import org.joml.Vector3dc;
  * a few solids replaced; it shares the rest, and a solid keeps its index.
  */
 public final class CollisionWorld {
-    private final List<Collider> colliders;
-    private final SpatialIndex index;
+    /** Nothing of the base is absent. */
+    private static final long[] ALL = new long[0];
+
+    private final ColliderSet own;
     /** What this one shares; {@code null} for a world of its own. */
     private final CollisionWorld base;
-    /** One bit for each solid of the base that is not here. */
+    /** One bit for each solid of the base, up to the last that is not here: whether it is not. */
     private final long[] absent;
 
     public CollisionWorld(List<Collider> colliders) {
-        this(colliders, null, new long[0]);
+        this(new ListedColliders(colliders), null, ALL);
     }
 
-    private CollisionWorld(List<Collider> own, CollisionWorld base, long[] absent) {
-        colliders = List.copyOf(own);
-        index = SpatialIndex.of(own.stream().map(Collider::bounds).toList());
+    private CollisionWorld(ColliderSet own, CollisionWorld base, long[] absent) {
+        this.own = own;
         this.base = base;
         this.absent = absent;
     }
@@ -47,19 +46,15 @@ public final class CollisionWorld {
         return of(StaticShapes.of(level));
     }
 
-    /** Solids, then models: convex ones as solids too, of others each triangle. */
+    /** Solids and convex models, then each triangle of other models, then each triangle of the ground. */
     public static CollisionWorld of(StaticShapes statics) {
-        List<Collider> colliders = new ArrayList<>();
-        addSolids(statics.solids(), colliders);
-        addSolids(statics.models().solids(), colliders);
-        statics.models()
-                .sheets()
-                .forEach(model -> colliders.addAll(ThinSheet.of(model.said().id(), model.triangles())));
-        return new CollisionWorld(colliders);
-    }
-
-    private static void addSolids(List<Brush> solids, List<Collider> colliders) {
-        solids.forEach(solid -> colliders.add(new Collider(solid.solidId(), solid.shape())));
+        StaticColliders sorted = new StaticColliders();
+        statics.all().forEach(shape -> shape.select(sorted));
+        CollisionWorld world = new CollisionWorld(sorted.listed());
+        for (StaticShape.HeightGrid grid : sorted.ground()) {
+            world = world.with(grid);
+        }
+        return world;
     }
 
     /**
@@ -69,21 +64,31 @@ public final class CollisionWorld {
      * @param added get the indices from {@link #size} on
      */
     CollisionWorld replacing(ItemList without, List<Collider> added) {
-        long[] bits = new long[(size() + 63) / 64];
+        int end = 0;
+        for (int i = 0; i < without.size(); i++) {
+            end = Math.max(end, 1 + (without.get(i) >> 6));
+        }
+        long[] bits = new long[end];
         for (int i = 0; i < without.size(); i++) {
             bits[without.get(i) >> 6] |= 1L << without.get(i);
         }
-        return new CollisionWorld(added, this, bits);
+        return new CollisionWorld(new ListedColliders(added), this, bits);
     }
 
     /** This world and more; they get the indices from {@link #size} on. */
     public CollisionWorld with(List<Collider> added) {
-        return replacing(new ItemList(), added);
+        return new CollisionWorld(new ListedColliders(added), this, ALL);
+    }
+
+    /** This world and ground, whose triangles get the indices from {@link #size} on. */
+    private CollisionWorld with(StaticShape.HeightGrid grid) {
+        Math.addExact(size(), grid.field().triangles());
+        return new CollisionWorld(new HeightFieldColliders(grid.id(), grid.field()), this, ALL);
     }
 
     /** One more than the greatest index. */
     public int size() {
-        return shared() + colliders.size();
+        return shared() + own.size();
     }
 
     private int shared() {
@@ -92,35 +97,40 @@ public final class CollisionWorld {
 
     /** A solid by its index; one that was replaced is still told. */
     public Collider collider(int item) {
-        return item < shared() ? base.collider(item) : colliders.get(item - shared());
+        return item < shared() ? base.collider(item) : own.collider(item - shared());
     }
 
     /** Around everything, replaced solids too; empty for an empty world. */
     public Aabb extent() {
-        return base == null ? index.bounds() : base.extent().union(index.bounds());
+        return base == null ? own.bounds() : base.extent().union(own.bounds());
     }
 
     private boolean isAbsent(int item) {
-        return (absent[item >> 6] & 1L << item) != 0;
+        return item >> 6 < absent.length && (absent[item >> 6] & 1L << item) != 0;
     }
 
     /** The nearest hit by the caller's own test. */
     boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
         if (base == null) {
-            return index.nearest(ray, limit, test, hit);
+            return own.nearest(ray, limit, test, hit);
         }
-        RayHit own = new RayHit();
+        RayHit ownHit = new RayHit();
         int offset = shared();
-        index.nearest(ray, limit, (r, item, most) -> test.hit(r, item + offset, most), own);
+        own.nearest(ray, limit, (r, item, most) -> test.hit(r, item + offset, most), ownHit);
         base.nearest(
                 ray,
                 limit,
                 (r, item, most) -> isAbsent(item) ? Double.POSITIVE_INFINITY : test.hit(r, item, most),
                 hit);
-        if (own.item() >= 0) {
-            hit.offer(own.item() + offset, own.distance());
+        if (ownHit.item() >= 0) {
+            hit.offer(ownHit.item() + offset, ownHit.distance());
         }
         return hit.item() >= 0;
+    }
+
+    /** The ray parameter at which a ray enters one solid, infinity for a miss. */
+    double entry(Ray ray, int item, RayCast by) {
+        return item < shared() ? base.entry(ray, item, by) : own.entry(ray, item - shared(), by);
     }
 
     /** Fills {@code found} with the solids whose boxes overlap or touch {@code box}, in ascending order. */
@@ -134,7 +144,7 @@ public final class CollisionWorld {
         if (base != null) {
             base.collect(box, present(found));
         }
-        index.overlapping(box, own(found));
+        own.overlapping(box, own(found));
     }
 
     /** The same for six numbers of an array from {@code at} on: three least, three greatest. */
@@ -148,7 +158,7 @@ public final class CollisionWorld {
         if (base != null) {
             base.collect(box, at, present(found));
         }
-        index.overlapping(box, at, own(found));
+        own.overlapping(box, at, own(found));
     }
 
     /**
@@ -173,7 +183,7 @@ public final class CollisionWorld {
         if (base != null) {
             base.collectSwept(box, motion, present(found));
         }
-        index.swept(box, motion, own(found));
+        own.swept(box, motion, own(found));
     }
 
     private ItemVisitor present(ItemVisitor found) {

@@ -30,17 +30,18 @@ public final class RayCast {
     /** True when something is hit up to the ray parameter {@code limit}. */
     public boolean cast(CollisionWorld in, Ray ray, double limit) {
         world = in;
-        return in.nearest(ray, limit, (r, item, most) -> entry(r, in.collider(item)), hit);
+        return in.nearest(ray, limit, (r, item, most) -> in.entry(r, item, this), hit);
     }
 
     /** Which of {@code shape().faces()} of the solid that was hit the ray entered. */
     public int face(Ray ray) {
-        entry(ray, world.collider(hit.item()));
+        entered = 0;
+        world.entry(ray, hit.item(), this);
         return entered;
     }
 
     /** The ray parameter at which the solid is entered, at least 0; infinity for a miss. */
-    private double entry(Ray ray, Collider solid) {
+    double entry(Ray ray, Collider solid) {
         double x = ray.originX() - solid.centre().x();
         double y = ray.originY() - solid.centre().y();
         double z = ray.originZ() - solid.centre().z();

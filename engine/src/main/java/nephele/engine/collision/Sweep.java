@@ -74,14 +74,10 @@ public final class Sweep {
     }
 
     private void castAgainst(int index, RoundedHull shape, Vector3dc from, Vector3dc way, double length) {
+        Collider solid = world.collider(index);
         double t = 0;
         for (int i = 0; i < MAX_STEPS; i++) {
-            separation.measure(
-                    shape,
-                    from.x() + t * way.x(),
-                    from.y() + t * way.y(),
-                    from.z() + t * way.z(),
-                    world.collider(index));
+            separation.measure(shape, from.x() + t * way.x(), from.y() + t * way.y(), from.z() + t * way.z(), solid);
             double approach =
                     -(separation.normalX() * way.x() + separation.normalY() * way.y() + separation.normalZ() * way.z());
             double gap = separation.metres() - SKIN_METRES;
@@ -89,7 +85,7 @@ public final class Sweep {
                 return;
             }
             if (gap <= TOUCH_METRES || i == MAX_STEPS - 1) {
-                keep(index, t);
+                keep(index, solid, t);
                 return;
             }
             t += gap / approach;
@@ -99,7 +95,7 @@ public final class Sweep {
         }
     }
 
-    private void keep(int index, double t) {
+    private void keep(int index, Collider solid, double t) {
         // At the start several may be touched: the lowest index is kept, the others are found by the next slide.
         if (collider >= 0 && t >= fraction) {
             return;
@@ -109,7 +105,6 @@ public final class Sweep {
         normal.set(separation.normalX(), separation.normalY(), separation.normalZ());
         point.set(separation.onCollider(0), separation.onCollider(1), separation.onCollider(2));
         int face = separation.upmostFace(SAME_POINT_METRES);
-        Collider solid = world.collider(index);
         if (face >= 0) {
             upmostNormal.set(solid.plane(face, 0), solid.plane(face, 1), solid.plane(face, 2));
         } else {

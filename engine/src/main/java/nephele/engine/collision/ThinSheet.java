@@ -15,7 +15,7 @@ import nephele.engine.math.Vec3;
  */
 final class ThinSheet {
     /** At its middle; a fraction of the triangle's size where that is small. */
-    private static final double DEPTH_METRES = 0.02;
+    static final double DEPTH_METRES = 0.02;
 
     private static final double DEPTH_SHARE = 0.25;
 
@@ -24,11 +24,16 @@ final class ThinSheet {
     static List<Collider> of(String id, WorldTriangles mesh) {
         List<Collider> sheets = new ArrayList<>(mesh.count());
         for (int i = 0; i < mesh.count(); i++) {
-            Vec3[] corners = {mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), null};
-            corners[3] = apex(corners, mesh.faceNormal(i));
-            sheets.add(new Collider(id, corners));
+            sheets.add(of(id, mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), mesh.faceNormal(i)));
         }
         return sheets;
+    }
+
+    /** @param normal unit, of the side from which the corners lie counter-clockwise */
+    static Collider of(String id, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
+        Vec3[] corners = {a, b, c, null};
+        corners[3] = apex(corners, normal);
+        return new Collider(id, corners);
     }
 
     /** Below the middle of the circle within the triangle: the three sides are equally steep there. */

@@ -198,14 +198,7 @@ public final class SpatialIndex {
 
     /** Every item whose box {@code box} may touch on its way along {@code motion}, in the order of the tree. */
     public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
-        Aabb whole = box.union(new Aabb(
-                box.minX() + motion.x(),
-                box.minY() + motion.y(),
-                box.minZ() + motion.z(),
-                box.maxX() + motion.x(),
-                box.maxY() + motion.y(),
-                box.maxZ() + motion.z()));
-        Sweep sweep = new Sweep(box, motion, whole);
+        Sweep sweep = Sweep.of(box, motion);
         swept(sweep, 0, tree.unbounded(), found);
         if (tree.nodes() > 0 && !box.isEmpty()) {
             swept(sweep, 0, found);

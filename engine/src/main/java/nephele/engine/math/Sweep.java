@@ -5,6 +5,17 @@ record Sweep(Aabb box, Vec3 motion, Aabb whole) {
     /** Bound of the rounding in one slab distance and the sums before it. */
     private static final double GROWTH = 1 + 8 * 0x1p-53;
 
+    static Sweep of(Aabb box, Vec3 motion) {
+        Aabb whole = box.union(new Aabb(
+                box.minX() + motion.x(),
+                box.minY() + motion.y(),
+                box.minZ() + motion.z(),
+                box.maxX() + motion.x(),
+                box.maxY() + motion.y(),
+                box.maxZ() + motion.z()));
+        return new Sweep(box, motion, whole);
+    }
+
     /**
      * Whether a box is touched during the motion: slabs of the box grown by the moving one (its Minkowski sum), a little
      * too often rather than too seldom.

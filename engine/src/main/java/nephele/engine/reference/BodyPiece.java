@@ -8,6 +8,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.reference.BodyForm.Span;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /**
  * A body where it stands, or its image behind a portal that it reaches through.
@@ -15,9 +16,11 @@ import org.joml.Vector3d;
  * @param body index in the level
  * @param cuts only what lies before all of them is there
  */
-record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, List<Plane> cuts) {
-    /** The parameter at which the ray comes in; infinity where it does so before {@code least}, in a cut, or never. */
-    double entry(Ray ray, double least) {
+record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, List<Plane> cuts)
+        implements TracedShape {
+    /** Infinity also for a ray that comes in in a cut. */
+    @Override
+    public double entry(Ray ray, double least) {
         Span inside = span(ray);
         if (!(inside.enter() < inside.leave() && inside.enter() >= least)) {
             return Double.POSITIVE_INFINITY;
@@ -28,8 +31,8 @@ record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, L
                 : Double.POSITIVE_INFINITY;
     }
 
-    /** Whether the ray has any point of what is there up to the parameter {@code limit}. */
-    boolean meets(Ray ray, double limit) {
+    @Override
+    public boolean meets(Ray ray, double limit) {
         Span inside = span(ray);
         double enter = Math.max(inside.enter(), 0);
         double leave = Math.min(inside.leave(), limit);
@@ -45,6 +48,16 @@ record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, L
             }
         }
         return enter <= leave;
+    }
+
+    @Override
+    public boolean shadesItself() {
+        return false;
+    }
+
+    @Override
+    public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceLooks looks) {
+        return looks.bodies().at(path.item(), this, place, toEye);
     }
 
     private Span span(Ray ray) {
@@ -65,7 +78,8 @@ record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, L
         return form.reach(worldFromBody.transformTranspose(new Vector3d(x, y, z)));
     }
 
-    Aabb bounds() {
+    @Override
+    public Aabb bounds() {
         return Aabb.around(centre, new Vec3(2 * reach(1, 0, 0), 2 * reach(0, 1, 0), 2 * reach(0, 0, 1)));
     }
 }

@@ -17,8 +17,10 @@ import nephele.engine.reference.Skins.Spot;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** A model's triangles. No ray passes between two that share an edge. */
-final class ModelForm {
+/**
+ * A model's triangles. No ray passes between two that share an edge. The eye sees their fronts; they shade from both sides.
+ */
+final class ModelForm implements TracedShape {
     private final PlacedModel model;
     private final WorldTriangles mesh;
     private final double[] corners;
@@ -40,12 +42,14 @@ final class ModelForm {
         };
     }
 
-    Aabb bounds() {
+    @Override
+    public Aabb bounds() {
         return model.bounds();
     }
 
-    /** The parameter of the first front; infinity where that is met before {@code least}, or never. */
-    double entry(Ray ray, double least) {
+    /** Of the first front. */
+    @Override
+    public double entry(Ray ray, double least) {
         RayHit hit = new RayHit();
         return nearest(ray, least, hit) ? hit.distance() : Double.POSITIVE_INFINITY;
     }
@@ -63,13 +67,20 @@ final class ModelForm {
         return parameter >= Math.max(least, 0) ? parameter : Double.POSITIVE_INFINITY;
     }
 
-    boolean meets(Ray ray, double limit) {
+    @Override
+    public boolean meets(Ray ray, double limit) {
         return index.anyHit(ray, limit, meets);
     }
 
-    SurfacePoint at(int item, Ray ray, double entry, Vec3 place, Vector3dc toEye, Skins skins) {
+    @Override
+    public boolean shadesItself() {
+        return true;
+    }
+
+    @Override
+    public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceLooks looks) {
         RayHit hit = new RayHit();
-        nearest(ray, entry, hit);
+        nearest(path.ray(), path.end(), hit);
         int triangle = hit.item();
         double[] weights = new double[3];
         TriangleMeeting.weights(place, corners, 9 * triangle, weights);
@@ -86,7 +97,7 @@ final class ModelForm {
         MeshTexture texture = MeshTexture.of(mesh, triangle);
         Spot spot = new Spot(
                 s, t, texture.across(smooth).toVector(), texture.up(smooth).toVector());
-        Bare bare = new Bare(item, place, normal, mesh.faceNormal(triangle).toVector(), toEye);
-        return Skins.covered(bare, skins.skin(model.said().material()), spot);
+        Bare bare = new Bare(path.item(), place, normal, mesh.faceNormal(triangle).toVector(), toEye);
+        return Skins.covered(bare, looks.skins().skin(model.said().material()), spot);
     }
 }

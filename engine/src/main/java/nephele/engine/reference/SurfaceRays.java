@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
@@ -13,38 +13,33 @@ import nephele.engine.math.SpatialIndex;
 import org.joml.Vector3dc;
 
 /**
- * What rays meet of convex solids, bodies and models. Each solid is taken as what lies behind all its planes: exact at edges, so
- * that touching solids leave no gap. Only outsides are seen: a ray that begins inside a thing does not see it. Items are
- * numbered solids first, then the pieces of bodies, then models. Safe to share between threads.
+ * All that rays meet of a level. Items are numbered solids first, then the pieces of bodies, then models. Safe to share
+ * between threads.
  */
 final class SurfaceRays {
-    /** Two faces that a ray meets within this share of its way are met on their edge. */
-    private static final double EDGE = 1e-12;
-
     /** By this factor of its way a ray goes on behind a surface before nothing there can be in front by rounding. */
     private static final double BEHIND = 1 + 1e-9;
 
-    private final double[][] planes;
-    private final BodyPiece[] pieces;
-    private final int bodies;
-    private final ModelForms models;
-    /** The number of the first model. */
-    private final int firstModel;
-
+    private final TracedShape[] items;
+    private final int[] surfaces;
+    private final int solids;
     private final double[] bounds;
     private final SpatialIndex index;
 
     /** @param bodies how many there are, whatever portals cut them into */
-    SurfaceRays(List<Brush> brushes, List<BodyPiece> pieces, int bodies, ModelForms models) {
-        this.bodies = bodies;
-        this.models = models;
-        firstModel = brushes.size() + pieces.size();
-        planes = brushes.stream().map(brush -> brush.shape().flatPlanes()).toArray(double[][]::new);
-        this.pieces = pieces.toArray(BodyPiece[]::new);
-        List<Aabb> boxes = new ArrayList<>();
-        brushes.forEach(brush -> boxes.add(brush.shape().bounds()));
-        pieces.forEach(piece -> boxes.add(piece.bounds()));
-        boxes.addAll(models.bounds());
+    SurfaceRays(StaticShapes statics, List<BodyPiece> pieces, int bodies) {
+        TracedStatics traced = new TracedStatics(statics);
+        List<TracedShape> all = new ArrayList<>(traced.solids());
+        all.addAll(pieces);
+        all.addAll(traced.models());
+        items = all.toArray(TracedShape[]::new);
+        solids = traced.solids().size();
+        surfaces = IntStream.concat(
+                        IntStream.concat(
+                                IntStream.range(0, solids), pieces.stream().mapToInt(piece -> solids + piece.body())),
+                        IntStream.range(0, traced.models().size()).map(model -> solids + bodies + model))
+                .toArray();
+        List<Aabb> boxes = all.stream().map(TracedShape::bounds).toList();
         bounds = boxes.stream()
                 .flatMapToDouble(b -> DoubleStream.of(b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()))
                 .toArray();
@@ -55,36 +50,27 @@ final class SurfaceRays {
         return new Ray(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
     }
 
-    /** {@code null} for what is not of a body. */
-    BodyPiece piece(int item) {
-        return item < planes.length || item >= firstModel ? null : pieces[item - planes.length];
+    TracedShape shape(int item) {
+        return items[item];
     }
 
-    /** The number of a model; negative for what is none. */
-    int model(int item) {
-        return item - firstModel;
-    }
-
-    /** What need not be looked at for the light on an item: itself, where it is convex; −1 for a model. */
+    /** What need not be looked at for the light on an item, −1 for none: itself, where it is convex; −1 for any other. */
     int withoutOwnShade(int item) {
-        return item < firstModel ? item : -1;
+        return item < 0 || items[item].shadesItself() ? -1 : item;
     }
 
     /** The index of a solid, the number of solids plus that of a body, or the number of both plus that of a model. */
     int surface(int item) {
-        if (item >= firstModel) {
-            return planes.length + bodies + item - firstModel;
-        }
-        return item < planes.length ? item : planes.length + piece(item).body();
+        return surfaces[item];
     }
 
-    boolean isSolid(int item) {
-        return item >= 0 && item < planes.length;
+    boolean isSolid(int surface) {
+        return surface >= 0 && surface < solids;
     }
 
     /** The parameter at which a ray from outside enters a solid; infinity where it does not. */
     double entry(Ray ray, int solid) {
-        return entry(ray, planes[solid], 0);
+        return items[solid].entry(ray, 0);
     }
 
     /**
@@ -94,39 +80,12 @@ final class SurfaceRays {
      *     answer does not depend on it
      */
     boolean nearest(Ray ray, double least, double most, int likely, RayHit hit) {
-        double behind = likely < 0 ? Double.POSITIVE_INFINITY : BEHIND * entry(ray, likely, least);
+        double behind = likely < 0 ? Double.POSITIVE_INFINITY : BEHIND * items[likely].entry(ray, least);
         return behind < most && nearest(ray, least, behind, hit) || nearest(ray, least, most, hit);
     }
 
     private boolean nearest(Ray ray, double least, double most, RayHit hit) {
-        return index.nearest(ray, most, (r, item, limit) -> entry(r, item, least), hit);
-    }
-
-    private double entry(Ray ray, int item, double least) {
-        if (item >= firstModel) {
-            return models.entry(ray, item - firstModel, least);
-        }
-        return item < planes.length
-                ? entry(ray, planes[item], least)
-                : piece(item).entry(ray, least);
-    }
-
-    /** Which of its faces the ray enters a solid by; on an edge, the one that it meets more squarely. */
-    int face(Ray ray, int solid) {
-        double[] p = planes[solid];
-        int entered = 0;
-        double latest = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < p.length; i += 4) {
-            double rate = rate(ray, p, i);
-            double parameter = -inFront(ray, p, i) / rate;
-            double same = EDGE * Math.abs(parameter);
-            boolean isSquarer = parameter > latest - same && rate < rate(ray, p, 4 * entered);
-            if (rate < 0 && (parameter > latest + same || isSquarer)) {
-                latest = parameter;
-                entered = i / 4;
-            }
-        }
-        return entered;
+        return index.nearest(ray, most, (r, item, limit) -> items[item].entry(r, least), hit);
     }
 
     /** Whether the ray meets any item but {@code except} up to the parameter {@code limit}: one that it does, or −1. */
@@ -175,12 +134,7 @@ final class SurfaceRays {
 
     /** Whether the ray meets one item up to the parameter {@code limit}. */
     boolean isBlockedBy(int item, Ray ray, double limit) {
-        if (item >= firstModel) {
-            return models.meets(ray, item - firstModel, limit);
-        }
-        return item < planes.length
-                ? meets(ray, planes[item], limit)
-                : piece(item).meets(ray, limit);
+        return items[item].meets(ray, limit);
     }
 
     private final class Blocker implements nephele.engine.math.ItemRayTest {
@@ -199,49 +153,5 @@ final class SurfaceRays {
             item = candidate;
             return 0;
         }
-    }
-
-    /** The parameter at which the ray comes in; infinity where it does so before {@code least}, or never. */
-    private static double entry(Ray ray, double[] p, double least) {
-        double enter = Double.NEGATIVE_INFINITY;
-        double leave = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < p.length && enter <= leave; i += 4) {
-            double rate = rate(ray, p, i);
-            double front = inFront(ray, p, i);
-            if (rate < 0) {
-                enter = Math.max(enter, -front / rate);
-            } else if (rate > 0) {
-                leave = Math.min(leave, -front / rate);
-            } else if (front > 0) {
-                return Double.POSITIVE_INFINITY;
-            }
-        }
-        return enter < leave && enter >= least ? enter : Double.POSITIVE_INFINITY;
-    }
-
-    /** Clips the ray from 0 to {@code limit} by every plane (Cyrus and Beck 1978): what is left lies inside. */
-    private static boolean meets(Ray ray, double[] p, double limit) {
-        double enter = 0;
-        double leave = limit;
-        for (int i = 0; i < p.length && enter <= leave; i += 4) {
-            double rate = rate(ray, p, i);
-            double front = inFront(ray, p, i);
-            if (rate < 0) {
-                enter = Math.max(enter, -front / rate);
-            } else if (rate > 0) {
-                leave = Math.min(leave, -front / rate);
-            } else if (front > 0) {
-                return false;
-            }
-        }
-        return enter <= leave;
-    }
-
-    private static double rate(Ray ray, double[] p, int plane) {
-        return p[plane] * ray.directionX() + p[plane + 1] * ray.directionY() + p[plane + 2] * ray.directionZ();
-    }
-
-    private static double inFront(Ray ray, double[] p, int plane) {
-        return p[plane] * ray.originX() + p[plane + 1] * ray.originY() + p[plane + 2] * ray.originZ() - p[plane + 3];
     }
 }

@@ -1,10 +1,8 @@
 package nephele.engine.reference;
 
-import java.util.List;
 import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.FogVeil;
@@ -18,26 +16,20 @@ import org.joml.Vector3dc;
 /** A level made ready for rays, its bodies as they begin; immutable, shared by all threads. */
 public final class TracedLevel {
     private final SurfaceRays rays;
-    private final Surfaces surfaces;
-    private final BodySurfaces bodies;
-    private final ModelForms models;
-    private final Skins skins;
+    private final SurfaceLooks looks;
     private final Illumination light;
     private final Beams beams;
     private final Optional<SkyRadiance> sky;
     private final Optional<FogVeil> fog;
     private final Portals portals;
 
-    private TracedLevel(Level level, AssetSource assets, Portals portals, Decoding decoding) {
-        StaticShapes statics = StaticShapes.of(level, assets);
-        List<Brush> brushes = statics.solids();
+    private TracedLevel(Level level, StaticShapes statics, AssetSource assets, Portals portals, Decoding decoding) {
         this.portals = portals;
-        models = new ModelForms(statics.models().all());
         rays = new SurfaceRays(
-                brushes, BodyPieces.of(level, portals), level.bodies().size(), models);
-        skins = new Skins(level.materials(), assets, decoding);
-        surfaces = new Surfaces(brushes, skins);
-        bodies = new BodySurfaces(level.bodies(), skins);
+                statics, BodyPieces.of(level, portals), level.bodies().size());
+        Skins skins = new Skins(level.materials(), assets, decoding);
+        looks = new SurfaceLooks(
+                new Surfaces(statics.solids(), skins), new BodySurfaces(level.bodies(), skins), skins);
         sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         fog = FogVeil.of(level.environment());
         light = new Illumination(level, sky);
@@ -51,7 +43,12 @@ public final class TracedLevel {
      * @throws nephele.engine.asset.AssetException naming a picture or a mesh that is missing or cannot be used
      */
     public static TracedLevel of(Level level, AssetSource assets, Decoding decoding) {
-        return new TracedLevel(level, assets, Portals.of(level), decoding);
+        return of(level, StaticShapes.of(level, assets), assets, decoding);
+    }
+
+    /** The same for static shapes that were derived from the level before. */
+    public static TracedLevel of(Level level, StaticShapes statics, AssetSource assets, Decoding decoding) {
+        return new TracedLevel(level, statics, assets, Portals.of(level), decoding);
     }
 
     Tracer tracer(Pinhole eye) {
@@ -69,14 +66,7 @@ public final class TracedLevel {
 
     /** What a path has ended on. */
     SurfacePoint surface(EyePath path, Vec3 place, Vector3dc toEye) {
-        int model = rays.model(path.item());
-        if (model >= 0) {
-            return models.at(path.item(), model, path.ray(), path.end(), toEye, skins);
-        }
-        BodyPiece piece = rays.piece(path.item());
-        return piece == null
-                ? surfaces.at(path.item(), rays.face(path.ray(), path.item()), place, toEye)
-                : bodies.at(path.item(), piece, place, toEye);
+        return rays.shape(path.item()).at(path, place, toEye, looks);
     }
 
     Vector3d sky(Vector3dc away) {

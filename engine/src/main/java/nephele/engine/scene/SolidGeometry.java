@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.SpatialIndex;
@@ -52,9 +53,8 @@ public final class SolidGeometry {
     }
 
     private SolidGeometry(StaticShapes statics, SceneMaterials materials, SkyVisibility sky) {
-        List<Aabb> boxes = new ArrayList<>();
-        statics.solids().forEach(brush -> boxes.add(brush.shape().bounds()));
-        statics.models().all().forEach(model -> boxes.add(model.bounds()));
+        List<StaticShape> shapes = statics.all();
+        List<Aabb> boxes = shapes.stream().map(StaticShape::bounds).toList();
         index = SpatialIndex.of(boxes);
         origin = boxes.stream().reduce(Aabb.EMPTY, Aabb::union).centre();
         lightMapped = sky != null;
@@ -64,13 +64,9 @@ public final class SolidGeometry {
         SolidMesher solidMesher = new SolidMesher(statics.solids(), materials, lightMap, solidBatches);
         ModelMesher modelMesher =
                 new ModelMesher(statics.models().all(), materials, sky == null ? null : sky.ofModels(), modelBatches);
+        StaticShape.Cases mesher = new StaticMesher(solidMesher, modelMesher);
         for (int slot = 0; slot < index.size(); slot++) {
-            int item = index.itemAt(slot);
-            if (item < statics.solids().size()) {
-                solidMesher.add(item);
-            } else {
-                modelMesher.add(item - statics.solids().size());
-            }
+            shapes.get(index.itemAt(slot)).select(mesher);
             solidBatches.endSlot(slot);
             modelBatches.endSlot(slot);
         }
@@ -78,6 +74,24 @@ public final class SolidGeometry {
         solids = solidMesher.finished(solidBatches.finish(all));
         models = modelMesher.finished(modelBatches.finish(all));
         batches = List.copyOf(all);
+    }
+
+    /** Adds each shape to the mesh of its kind. */
+    private record StaticMesher(SolidMesher solids, ModelMesher models) implements StaticShape.Cases {
+        @Override
+        public void convexHull(StaticShape.ConvexHull hull) {
+            solids.add(hull.index());
+        }
+
+        @Override
+        public void triangleMesh(StaticShape.TriangleMesh mesh) {
+            models.add(mesh.model().index());
+        }
+
+        @Override
+        public void heightGrid(StaticShape.HeightGrid grid) {
+            // Ground is not drawn yet.
+        }
     }
 
     /** @param sky how much of it is seen where, or {@code null} where its light falls on nothing */

@@ -18,6 +18,7 @@ public final class Proofs {
             new ShadowEdgesProof(),
             new SceneCullingProof(),
             new RayProof(),
+            new HeightFieldProof(4097),
             new RotationProof(),
             new PlacementProof(),
             new RetriangulationProof(),

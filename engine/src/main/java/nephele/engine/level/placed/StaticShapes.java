@@ -1,16 +1,26 @@
 package nephele.engine.level.placed;
 
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.math.Aabb;
 
-/** What of a level never moves, as shapes in the world: its solids in their order, and its models. */
-public record StaticShapes(List<Brush> solids, PlacedModels models) {
+/**
+ * The shapes of a level that never move, in the world; immutable. Built once, they serve scene, simulation and oracle.
+ *
+ * @param solids in the level's order
+ */
+public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticShape.HeightGrid> ground) {
+    public StaticShapes {
+        solids = List.copyOf(solids);
+        ground = List.copyOf(ground);
+    }
+
     /** @throws nephele.engine.asset.AssetException naming a mesh that is missing or cannot be used */
     public static StaticShapes of(Level level, AssetSource assets) {
-        return new StaticShapes(brushes(level), PlacedModels.of(level, assets));
+        return new StaticShapes(brushes(level), PlacedModels.of(level, assets), List.of());
     }
 
     /**
@@ -26,7 +36,7 @@ public record StaticShapes(List<Brush> solids, PlacedModels models) {
     }
 
     public static StaticShapes of(List<Brush> solids) {
-        return new StaticShapes(solids, PlacedModels.NONE);
+        return new StaticShapes(solids, PlacedModels.NONE, List.of());
     }
 
     private static List<Brush> brushes(Level level) {
@@ -35,18 +45,22 @@ public record StaticShapes(List<Brush> solids, PlacedModels models) {
 
     /** As {@link PlacedModels#split}. */
     public StaticShapes split(double edgeMetres) {
-        return models.isEmpty() ? this : new StaticShapes(solids, models.split(edgeMetres));
+        return models.isEmpty() ? this : new StaticShapes(solids, models.split(edgeMetres), ground);
+    }
+
+    /** Every shape: solids, models, ground. */
+    public List<StaticShape> all() {
+        List<StaticShape> all = new ArrayList<>(solids.size() + models.all().size() + ground.size());
+        for (int i = 0; i < solids.size(); i++) {
+            all.add(new StaticShape.ConvexHull(i, solids.get(i)));
+        }
+        models.all().forEach(model -> all.add(new StaticShape.TriangleMesh(model)));
+        all.addAll(ground);
+        return all;
     }
 
     /** Around everything; empty for nothing. */
     public Aabb bounds() {
-        Aabb all = Aabb.EMPTY;
-        for (Brush solid : solids) {
-            all = all.union(solid.shape().bounds());
-        }
-        for (PlacedModel model : models.all()) {
-            all = all.union(model.bounds());
-        }
-        return all;
+        return all().stream().map(StaticShape::bounds).reduce(Aabb.EMPTY, Aabb::union);
     }
 }

@@ -70,7 +70,7 @@ final class ModelVisibility {
             int found = Arrays.binarySearch(end, triangle + 1);
             int model = found < 0 ? -found - 1 : found;
             WorldTriangles mesh = models.get(model).triangles();
-            sample.visibility(mesh, triangle - end[model] + mesh.count(), 0, sample.itemOf(model));
+            sample.visibility(mesh, triangle - end[model] + mesh.count(), 0, occluders.itemOfModel(model));
         });
     }
 
@@ -81,7 +81,7 @@ final class ModelVisibility {
         short[][] byModel = new short[count][];
         AtomicInteger done = new AtomicInteger();
         IntStream.range(0, count).parallel().forEach(i -> {
-            byModel[i] = bake.model(statics.models().all().get(i), bake.itemOf(i));
+            byModel[i] = bake.model(statics.models().all().get(i), bake.occluders.itemOfModel(i));
             progress.accept((double) done.incrementAndGet() / count);
         });
         short[] all = new short
@@ -92,15 +92,6 @@ final class ModelVisibility {
             at += values.length;
         }
         return all;
-    }
-
-    /** What a convex model does not shade: itself. −1 for others. */
-    private int itemOf(int model) {
-        int item = statics.solids().size();
-        for (int i = 0; i < model; i++) {
-            item += statics.models().all().get(i).solid() == null ? 0 : 1;
-        }
-        return statics.models().all().get(model).solid() == null ? -1 : item;
     }
 
     private short[] model(PlacedModel model, int item) {

@@ -1,25 +1,25 @@
 package nephele.engine.scene.light;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import nephele.engine.level.Brush;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemRayTest;
 import nephele.engine.math.Ray;
 import nephele.engine.math.SpatialIndex;
-import nephele.engine.math.TriangleMeeting;
-import nephele.engine.math.Vec3;
 
 /**
- * Answers whether a half-line meets anything that never moves. Convex solids are tested as what lies behind all their
- * planes: exact at edges, so that touching solids leave no gap. Items are the level's solids, then its convex models,
- * then the triangles of the others. Immutable and safe to share between threads.
+ * Answers whether a half-line meets anything that never moves. Items are the level's solids, each at its index, then its
+ * convex models, then the triangles of the others. Immutable and safe to share between threads.
  */
 final class Occluders {
-    private final double[][] planes;
-    private final double[] triangles;
+    /** No item at all. */
+    static final int NONE = -1;
+
+    private final Occluder[] items;
+    private final Map<Integer, Integer> itemOfModel;
     private final SpatialIndex index;
 
     Occluders(List<Brush> brushes) {
@@ -27,22 +27,17 @@ final class Occluders {
     }
 
     Occluders(StaticShapes shapes) {
-        List<Brush> convex = new ArrayList<>(shapes.solids());
-        convex.addAll(shapes.models().solids());
-        planes = convex.stream().map(brush -> brush.shape().flatPlanes()).toArray(double[][]::new);
-        triangles = shapes.models().sheets().stream()
-                .flatMapToDouble(model -> Arrays.stream(model.triangles().corners()))
-                .toArray();
+        SortedOccluders sorted = new SortedOccluders();
+        shapes.all().forEach(shape -> shape.select(sorted));
         List<Aabb> boxes = new ArrayList<>();
-        convex.forEach(brush -> boxes.add(brush.shape().bounds()));
-        for (int at = 0; at < triangles.length; at += 9) {
-            boxes.add(Aabb.of(List.of(corner(at), corner(at + 3), corner(at + 6))));
-        }
+        items = sorted.items(boxes).toArray(Occluder[]::new);
+        itemOfModel = sorted.itemOfModel();
         index = SpatialIndex.of(boxes);
     }
 
-    private Vec3 corner(int at) {
-        return new Vec3(triangles[at], triangles[at + 1], triangles[at + 2]);
+    /** The item that a model of the level is where it is convex, {@link #NONE} for any other. */
+    int itemOfModel(int model) {
+        return itemOfModel.getOrDefault(model, NONE);
     }
 
     /** Inside or on the surface of a solid other than {@code except}; nothing is inside a surface that is not closed. */
@@ -50,7 +45,7 @@ final class Occluders {
         boolean[] inside = new boolean[1];
         index.passing(
                 (boxes, at) -> !inside[0] && holds(boxes, at, p),
-                item -> inside[0] |= item != except && item < planes.length && behindAll(planes[item], p));
+                item -> inside[0] |= item != except && items[item].holds(p));
         return inside[0];
     }
 
@@ -61,15 +56,6 @@ final class Occluders {
                 && p[1] <= boxes[at + 4]
                 && boxes[at + 2] <= p[2]
                 && p[2] <= boxes[at + 5];
-    }
-
-    private static boolean behindAll(double[] solid, double[] p) {
-        for (int i = 0; i < solid.length; i += 4) {
-            if (solid[i] * p[0] + solid[i + 1] * p[1] + solid[i + 2] * p[2] > solid[i + 3]) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** Whether the half-line from {@code o} along {@code d} meets an item other than {@code except}. */
@@ -130,32 +116,6 @@ final class Occluders {
     }
 
     private boolean meets(int item, double[] o, double[] d, double length) {
-        if (item < planes.length) {
-            return meetsSolid(planes[item], o, d, length);
-        }
-        int at = 9 * (item - planes.length);
-        double t = TriangleMeeting.parameter(o[0], o[1], o[2], d[0], d[1], d[2], triangles, at);
-        return t >= 0 && t <= length;
-    }
-
-    /** Clips o + t · d, 0 ≤ t ≤ length, by every plane (Cyrus and Beck 1978); what is left lies inside. */
-    private static boolean meetsSolid(double[] solid, double[] o, double[] d, double length) {
-        double enter = 0;
-        double leave = length;
-        for (int i = 0; i < solid.length; i += 4) {
-            double along = solid[i] * d[0] + solid[i + 1] * d[1] + solid[i + 2] * d[2];
-            double distance = solid[i + 3] - solid[i] * o[0] - solid[i + 1] * o[1] - solid[i + 2] * o[2];
-            if (along > 0) {
-                leave = Math.min(leave, distance / along);
-            } else if (along < 0) {
-                enter = Math.max(enter, distance / along);
-            } else if (distance < 0) {
-                return false;
-            }
-            if (enter > leave) {
-                return false;
-            }
-        }
-        return true;
+        return items[item].meets(o, d, length);
     }
 }

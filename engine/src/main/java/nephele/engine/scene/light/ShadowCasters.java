@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
 import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
-import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.SpatialIndex;
@@ -21,16 +21,13 @@ public final class ShadowCasters {
     private static final double TOUCH_METRES = 1e-6;
 
     private final List<Brush> brushes;
-    private final List<PlacedModel> models;
+    private final List<StaticShape> shapes;
     private final SpatialIndex index;
 
     private ShadowCasters(StaticShapes statics) {
         brushes = statics.solids();
-        models = statics.models().all();
-        List<Aabb> boxes = new ArrayList<>();
-        brushes.forEach(brush -> boxes.add(brush.shape().bounds()));
-        models.forEach(model -> boxes.add(model.bounds()));
-        index = SpatialIndex.of(boxes);
+        shapes = statics.all();
+        index = SpatialIndex.of(shapes.stream().map(StaticShape::bounds).toList());
     }
 
     /** The corners of all that can throw a shadow. */
@@ -81,11 +78,11 @@ public final class ShadowCasters {
     }
 
     private boolean isAnyOtherBelow(int brush, Plane plane) {
-        boolean[] found = {false};
+        OtherBelow search = new OtherBelow(brush, plane);
         index.passing(
-                (boxes, at) -> !found[0] && mayReachBelow(boxes, at, plane),
-                other -> found[0] |= other != brush && reachesBelow(other, plane));
-        return found[0];
+                (boxes, at) -> !search.isFound && mayReachBelow(boxes, at, plane),
+                other -> shapes.get(other).select(search));
+        return search.isFound;
     }
 
     /** Whether the box that stands in {@code boxes} from {@code at} on has a corner under the plane. */
@@ -96,24 +93,42 @@ public final class ShadowCasters {
         return plane.nx() * x + plane.ny() * y + plane.nz() * z < plane.distance();
     }
 
-    private boolean reachesBelow(int other, Plane plane) {
-        if (other >= brushes.size()) {
-            return reachesBelow(models.get(other - brushes.size()).triangles(), plane);
-        }
-        for (Vec3 p : brushes.get(other).shape().vertices()) {
-            if (plane.signedDistance(p) < -TOUCH_METRES) {
-                return true;
-            }
-        }
-        return false;
-    }
+    /** Looks for a shape other than one solid that reaches below a plane. */
+    private static final class OtherBelow implements StaticShape.Cases {
+        private final int solid;
+        private final Plane plane;
+        private boolean isFound;
 
-    private static boolean reachesBelow(WorldTriangles mesh, Plane plane) {
-        for (int i = 0; i < 3 * mesh.count(); i++) {
-            if (plane.signedDistance(mesh.corner(i / 3, i % 3)) < -TOUCH_METRES) {
-                return true;
+        OtherBelow(int solid, Plane plane) {
+            this.solid = solid;
+            this.plane = plane;
+        }
+
+        @Override
+        public void convexHull(StaticShape.ConvexHull hull) {
+            if (hull.index() == solid) {
+                return;
+            }
+            for (Vec3 p : hull.brush().shape().vertices()) {
+                isFound |= isBelow(p);
             }
         }
-        return false;
+
+        @Override
+        public void triangleMesh(StaticShape.TriangleMesh mesh) {
+            WorldTriangles triangles = mesh.model().triangles();
+            for (int i = 0; i < 3 * triangles.count() && !isFound; i++) {
+                isFound = isBelow(triangles.corner(i / 3, i % 3));
+            }
+        }
+
+        @Override
+        public void heightGrid(StaticShape.HeightGrid grid) {
+            // Ground neither throws nor takes shadows yet.
+        }
+
+        private boolean isBelow(Vec3 p) {
+            return plane.signedDistance(p) < -TOUCH_METRES;
+        }
     }
 }

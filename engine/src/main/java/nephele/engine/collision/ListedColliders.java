@@ -1,0 +1,61 @@
+package nephele.engine.collision;
+
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ItemRayTest;
+import nephele.engine.math.ItemVisitor;
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayHit;
+import nephele.engine.math.SpatialIndex;
+import nephele.engine.math.Vec3;
+
+/** Colliders one by one. */
+final class ListedColliders implements ColliderSet {
+    private final List<Collider> colliders;
+    private final SpatialIndex index;
+
+    ListedColliders(List<Collider> colliders) {
+        this.colliders = List.copyOf(colliders);
+        index = SpatialIndex.of(colliders.stream().map(Collider::bounds).toList());
+    }
+
+    @Override
+    public int size() {
+        return colliders.size();
+    }
+
+    @Override
+    public Collider collider(int item) {
+        return colliders.get(item);
+    }
+
+    @Override
+    public Aabb bounds() {
+        return index.bounds();
+    }
+
+    @Override
+    public double entry(Ray ray, int item, RayCast by) {
+        return by.entry(ray, colliders.get(item));
+    }
+
+    @Override
+    public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
+        return index.nearest(ray, limit, test, hit);
+    }
+
+    @Override
+    public void overlapping(Aabb box, ItemVisitor found) {
+        index.overlapping(box, found);
+    }
+
+    @Override
+    public void overlapping(double[] box, int at, ItemVisitor found) {
+        index.overlapping(box, at, found);
+    }
+
+    @Override
+    public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
+        index.swept(box, motion, found);
+    }
+}

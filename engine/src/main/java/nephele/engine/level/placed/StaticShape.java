@@ -1,0 +1,68 @@
+package nephele.engine.level.placed;
+
+import nephele.engine.level.Brush;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.HeightField;
+
+/**
+ * One shape that never moves. What treats the kinds differently implements {@link Cases}, so that a new kind is a compile
+ * error wherever nothing is said about it yet.
+ */
+public sealed interface StaticShape {
+    Aabb bounds();
+
+    /** Calls the case of this kind. */
+    void select(Cases cases);
+
+    /** One method for each kind. */
+    interface Cases {
+        void convexHull(ConvexHull hull);
+
+        void triangleMesh(TriangleMesh mesh);
+
+        void heightGrid(HeightGrid grid);
+    }
+
+    /**
+     * A solid of the level.
+     *
+     * @param index in the level's list
+     */
+    record ConvexHull(int index, Brush brush) implements StaticShape {
+        @Override
+        public Aabb bounds() {
+            return brush.shape().bounds();
+        }
+
+        @Override
+        public void select(Cases cases) {
+            cases.convexHull(this);
+        }
+    }
+
+    /** A model of the level; one that is convex and closed is solid all through. */
+    record TriangleMesh(PlacedModel model) implements StaticShape {
+        @Override
+        public Aabb bounds() {
+            return model.bounds();
+        }
+
+        @Override
+        public void select(Cases cases) {
+            cases.triangleMesh(this);
+        }
+    }
+
+    /** A piece of ground. It is solid; no level has one yet, and nothing draws, traces or shades it. */
+    record HeightGrid(String id, HeightField field) implements StaticShape {
+        @Override
+        public Aabb bounds() {
+            return field.bounds();
+        }
+
+        @Override
+        public void select(Cases cases) {
+            cases.heightGrid(this);
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package nephele.engine.math;
+
+/**
+ * Finds the nearest triangle of a {@link HeightField} that a ray meets, nearer blocks first. One for each query. Boxes are
+ * grown by a margin, so that the answer is that of a test of every triangle.
+ */
+final class HeightFieldRay {
+    private final HeightField field;
+    private final HeightPyramid pyramid;
+    private final Ray ray;
+    private final ItemRayTest test;
+    private final RayHit hit;
+    private final double margin;
+    private final double[] box = new double[6];
+    /** Where the ray enters the four children of the block of each level that is being visited. */
+    private final double[] entries;
+
+    /** @param margin in metres; more than a ray is away from any triangle that it meets for the test */
+    HeightFieldRay(HeightField field, Ray ray, double margin, ItemRayTest test, RayHit hit) {
+        this.field = field;
+        this.ray = ray;
+        this.margin = margin;
+        this.test = test;
+        this.hit = hit;
+        pyramid = field.pyramid();
+        entries = new double[4 * (pyramid.top() + 1)];
+    }
+
+    void walk() {
+        if (isAhead(blockEntry(pyramid.top(), 0, 0))) {
+            visit(pyramid.top(), 0, 0);
+        }
+    }
+
+    private boolean isAhead(double entry) {
+        return entry < Double.POSITIVE_INFINITY && entry <= hit.distance();
+    }
+
+    private double blockEntry(int level, int column, int row) {
+        if (!pyramid.has(level, column, row)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        HeightFieldBoxes.writeBlock(field, level, column, row, margin, box);
+        return ray.boxEntry(box, 0, hit.distance());
+    }
+
+    private void visit(int level, int column, int row) {
+        if (level == 0) {
+            visitCells(column, row);
+            return;
+        }
+        int from = 4 * level;
+        for (int child = 0; child < 4; child++) {
+            entries[from + child] = blockEntry(level - 1, 2 * column + (child & 1), 2 * row + (child >> 1));
+        }
+        int child = nearestChild(from);
+        while (isAhead(entries[from + child])) {
+            entries[from + child] = Double.POSITIVE_INFINITY;
+            visit(level - 1, 2 * column + (child & 1), 2 * row + (child >> 1));
+            child = nearestChild(from);
+        }
+    }
+
+    private int nearestChild(int from) {
+        int nearest = 0;
+        for (int child = 1; child < 4; child++) {
+            nearest = entries[from + child] < entries[from + nearest] ? child : nearest;
+        }
+        return nearest;
+    }
+
+    private void visitCells(int blockColumn, int blockRow) {
+        int endRow = HeightFieldBoxes.endCell(blockRow, 0, field.cellRows());
+        int endColumn = HeightFieldBoxes.endCell(blockColumn, 0, field.cellColumns());
+        for (int row = HeightFieldBoxes.firstCell(blockRow, 0); row < endRow; row++) {
+            for (int column = HeightFieldBoxes.firstCell(blockColumn, 0); column < endColumn; column++) {
+                for (int half = 0; half < 2; half++) {
+                    visitTriangle(column, row, half);
+                }
+            }
+        }
+    }
+
+    private void visitTriangle(int column, int row, int half) {
+        HeightFieldBoxes.writeTriangle(field, column, row, half, margin, box);
+        if (isAhead(ray.boxEntry(box, 0, hit.distance()))) {
+            int triangle = HeightFieldBoxes.triangle(field, column, row, half);
+            double distance = test.hit(ray, triangle, hit.distance());
+            if (distance < Double.POSITIVE_INFINITY) {
+                hit.offer(triangle, distance);
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package nephele.engine.reference;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.placed.StaticShape;
+import nephele.engine.level.placed.StaticShapes;
+
+/** Makes what rays meet of static shapes. */
+final class TracedStatics implements StaticShape.Cases {
+    private final List<TracedSolid> solids = new ArrayList<>();
+    private final List<ModelForm> models = new ArrayList<>();
+
+    TracedStatics(StaticShapes statics) {
+        statics.all().forEach(shape -> shape.select(this));
+    }
+
+    @Override
+    public void convexHull(StaticShape.ConvexHull hull) {
+        solids.add(new TracedSolid(hull.brush().shape()));
+    }
+
+    @Override
+    public void triangleMesh(StaticShape.TriangleMesh mesh) {
+        models.add(new ModelForm(mesh.model()));
+    }
+
+    @Override
+    public void heightGrid(StaticShape.HeightGrid grid) {
+        // Ground is not seen yet.
+    }
+
+    List<TracedSolid> solids() {
+        return solids;
+    }
+
+    List<ModelForm> models() {
+        return models;
+    }
+}

@@ -1,0 +1,16 @@
+package nephele.lab.prove;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** A small part of the full count, on a smaller large field. */
+class HeightFieldProofTest {
+    @Test
+    void raysAndSweepsMeetWhatATestOfEveryTriangleFinds() {
+        ProofResult result = new HeightFieldProof(257).run(0, 120, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(0, result.failures());
+    }
+}
