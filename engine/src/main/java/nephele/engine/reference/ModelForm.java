@@ -97,7 +97,8 @@ final class ModelForm implements TracedShape {
         MeshTexture texture = MeshTexture.of(mesh, triangle);
         Spot spot = new Spot(
                 s, t, texture.across(smooth).toVector(), texture.up(smooth).toVector());
-        Bare bare = new Bare(path.item(), place, normal, mesh.faceNormal(triangle).toVector(), toEye);
+        Bare bare =
+                new Bare(path.item(), place, normal, mesh.faceNormal(triangle).toVector(), toEye);
         return Skins.covered(bare, looks.skins().skin(model.said().material()), spot);
     }
 }

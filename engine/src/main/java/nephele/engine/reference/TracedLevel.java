@@ -28,8 +28,7 @@ public final class TracedLevel {
         rays = new SurfaceRays(
                 statics, BodyPieces.of(level, portals), level.bodies().size());
         Skins skins = new Skins(level.materials(), assets, decoding);
-        looks = new SurfaceLooks(
-                new Surfaces(statics.solids(), skins), new BodySurfaces(level.bodies(), skins), skins);
+        looks = new SurfaceLooks(new Surfaces(statics.solids(), skins), new BodySurfaces(level.bodies(), skins), skins);
         sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         fog = FogVeil.of(level.environment());
         light = new Illumination(level, sky);

@@ -33,8 +33,12 @@ public record Scene(
 
     /** @param bakeProgress the done fraction, 0–1, of a bake of sky visibility; not called where none is due */
     public static Scene of(Level level, AssetSource assets, DoubleConsumer bakeProgress) {
+        return of(level, StaticShapes.of(level, assets), assets, bakeProgress);
+    }
+
+    /** The same for static shapes that were derived from the level before. */
+    public static Scene of(Level level, StaticShapes statics, AssetSource assets, DoubleConsumer bakeProgress) {
         SceneMaterials materials = SceneMaterials.of(level.materials(), assets);
-        StaticShapes statics = StaticShapes.of(level, assets);
         if (!LightNeeds.skyVisibility(level)) {
             return new Scene(level, assets, statics, materials, SolidGeometry.of(statics, materials, null), null);
         }

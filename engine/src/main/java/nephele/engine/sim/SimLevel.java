@@ -39,7 +39,8 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
         return of(level, StaticShapes.of(level));
     }
 
-    private static SimLevel of(Level level, StaticShapes statics) {
+    /** Of a level and the static shapes that were derived from it before. */
+    public static SimLevel of(Level level, StaticShapes statics) {
         return new SimLevel(
                 CollisionWorld.of(statics),
                 level.player(),

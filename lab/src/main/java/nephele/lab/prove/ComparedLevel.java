@@ -7,6 +7,7 @@ import java.util.function.BiConsumer;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
@@ -36,9 +37,10 @@ final class ComparedLevel<W> implements AutoCloseable {
     /** @param ways in the order in which they are drawn */
     ComparedLevel(GlContext gl, Level level, AssetSource assets, Decoding decoding, Map<W, RenderSettings> ways) {
         this.gl = gl;
-        traced = TracedLevel.of(level, assets, decoding);
+        var statics = StaticShapes.of(level, assets);
+        traced = TracedLevel.of(level, statics, assets, decoding);
         cameras = new SeededCameras(level, traced, 16.0 / 9);
-        var scene = Scene.of(level, assets);
+        var scene = Scene.of(level, statics, assets, done -> {});
         try {
             ways.forEach((way, settings) -> renderers.put(way, Renderer.load(gl, scene, settings)));
         } catch (RuntimeException failure) {

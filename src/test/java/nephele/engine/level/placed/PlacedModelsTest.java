@@ -3,6 +3,7 @@ package nephele.engine.level.placed;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelJson;
 import nephele.engine.level.LevelRules;
@@ -22,9 +24,13 @@ import nephele.engine.level.ModelPlacement.TransformStep.Rotate;
 import nephele.engine.level.ModelPlacement.TransformStep.Scale;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Problem;
+import nephele.engine.level.appearance.Decoding;
+import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
+import nephele.engine.reference.Pinhole;
+import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.Scene;
 import nephele.engine.sim.SimLevel;
 import org.joml.Matrix4d;
@@ -292,6 +298,30 @@ class PlacedModelsTest {
         assertEquals(List.of(), told(start + a + "," + b.formatted("0.0005", "1") + "]"));
         assertEquals(List.of("portals[1].centre"), told(start + a + "," + b.formatted("0.002", "1") + "]"));
         assertEquals(List.of("portals[1].centre"), told(start + a + "," + b.formatted("0", "-1") + "]"));
+    }
+
+    /** Without their files nobody could derive them again. */
+    @Test
+    void staticShapesThatWereBuiltOnceServeSceneSimulationAndOracle() {
+        Level level = level(List.of(model("m", "box_1_1.3d", null, new Translate(new Vec3(0, 2, 0)))));
+        StaticShapes statics = StaticShapes.of(level, NoFiles.AT_ALL);
+        AssetSource unread = new AssetSource() {
+            @Override
+            public byte[] bytes(String assetId) {
+                throw new AssertionError(assetId + " is read again");
+            }
+
+            @Override
+            public boolean exists(String assetId) {
+                return false;
+            }
+        };
+        assertSame(statics, Scene.of(level, statics, unread, done -> {}).statics());
+        assertEquals(1, SimLevel.of(level, statics).statics().size());
+        TracedLevel traced = TracedLevel.of(level, statics, unread, Decoding.SRGB);
+        Basis ahead = new Basis(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));
+        Pinhole eye = new Pinhole(new Vec3(0, 2, 9), ahead, 1, 1, 0.1, 100);
+        assertEquals(0, traced.sight(eye).at(0.5, 0.5));
     }
 
     /** As many as a level may name, each with twelve triangles: drawn and solid. */

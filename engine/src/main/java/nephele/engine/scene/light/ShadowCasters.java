@@ -79,9 +79,8 @@ public final class ShadowCasters {
 
     private boolean isAnyOtherBelow(int brush, Plane plane) {
         OtherBelow search = new OtherBelow(brush, plane);
-        index.passing(
-                (boxes, at) -> !search.isFound && mayReachBelow(boxes, at, plane),
-                other -> shapes.get(other).select(search));
+        index.passing((boxes, at) -> !search.isFound && mayReachBelow(boxes, at, plane), other -> shapes.get(other)
+                .select(search));
         return search.isFound;
     }
 
