@@ -5,16 +5,13 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.light.LampTable;
 import nephele.engine.scene.light.LightNeeds;
 
 /** The lamps' part of {@code surface-light.glsl}, with the shadows of what never moves. */
 final class LampLight implements AutoCloseable {
-    private static final int SHADOW_UNIT = 3;
-    private static final int TEXELS_UNIT = 5;
-    private static final int GRID_UNIT = 6;
-
     private final Vec3 anchor;
     private final boolean shadow;
     private final LampTable table;
@@ -53,22 +50,22 @@ final class LampLight implements AutoCloseable {
 
     void set(Uniforms uniforms) {
         if (table != null) {
-            uniforms.sampler("lampTexels", TEXELS_UNIT);
-            uniforms.sampler("lampGridCells", GRID_UNIT);
+            uniforms.sampler("lampTexels", TextureUnit.LAMPS);
+            uniforms.sampler("lampGridCells", TextureUnit.LAMP_GRID);
             LightUniforms.setLampGrid(uniforms, table.grid(), anchor);
         }
         if (shadow) {
-            uniforms.sampler("lampShadowMaps", SHADOW_UNIT);
+            uniforms.sampler("lampShadowMaps", TextureUnit.LAMP_SHADOW);
         }
     }
 
     void bind(SharedResources shared) {
         if (shadow) {
-            shared.texture(Target.LAMP_SHADOW).bind(SHADOW_UNIT);
+            shared.texture(Target.LAMP_SHADOW).bind(TextureUnit.LAMP_SHADOW);
         }
         if (table != null) {
-            texels.bind(TEXELS_UNIT);
-            grid.bind(GRID_UNIT);
+            texels.bind(TextureUnit.LAMPS);
+            grid.bind(TextureUnit.LAMP_GRID);
         }
     }
 

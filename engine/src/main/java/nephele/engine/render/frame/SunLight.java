@@ -5,6 +5,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.ShadowCasters;
@@ -12,8 +13,6 @@ import nephele.engine.scene.light.ShadowFrame;
 
 /** The sun's part of {@code surface-light.glsl}, with the shadows of what never moves. */
 final class SunLight {
-    private static final int SHADOW_UNIT = 2;
-
     private final Level level;
     private final ShadowFrame frame;
 
@@ -54,14 +53,14 @@ final class SunLight {
             LightUniforms.setSun(uniforms, level.environment().sun());
         }
         if (hasShadow()) {
-            uniforms.sampler("sunShadowMap", SHADOW_UNIT);
+            uniforms.sampler("sunShadowMap", TextureUnit.SUN_SHADOW);
             LightUniforms.setSunShadow(uniforms, frame);
         }
     }
 
     void bind(SharedResources shared) {
         if (hasShadow()) {
-            shared.texture(Target.SUN_SHADOW).bind(SHADOW_UNIT);
+            shared.texture(Target.SUN_SHADOW).bind(TextureUnit.SUN_SHADOW);
         }
     }
 }

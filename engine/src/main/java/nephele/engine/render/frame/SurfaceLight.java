@@ -9,6 +9,7 @@ import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LampTable;
@@ -21,8 +22,6 @@ import nephele.engine.scene.light.SkyIrradiance;
  * All of it is static; positions are relative to the {@link #anchor}, so it does not move with the eye.
  */
 public final class SurfaceLight implements AutoCloseable {
-    private static final int SKY_VISIBILITY_UNIT = 4;
-
     private final Level level;
     private final Scene scene;
     private final SunLight sun;
@@ -122,7 +121,7 @@ public final class SurfaceLight implements AutoCloseable {
     public void set(Uniforms uniforms) {
         setLights(uniforms);
         if (scene.skyVisibility() != null) {
-            uniforms.sampler("skyVisibilityMap", SKY_VISIBILITY_UNIT);
+            uniforms.sampler("skyVisibilityMap", TextureUnit.SKY_VISIBILITY);
             LightUniforms.setSky(uniforms, skyIrradiance());
         }
     }
@@ -165,7 +164,7 @@ public final class SurfaceLight implements AutoCloseable {
     public void bind(SharedResources shared) {
         bindForThings(shared);
         if (scene.skyVisibility() != null) {
-            shared.texture(Target.SKY_VISIBILITY).bind(SKY_VISIBILITY_UNIT);
+            shared.texture(Target.SKY_VISIBILITY).bind(TextureUnit.SKY_VISIBILITY);
         }
     }
 

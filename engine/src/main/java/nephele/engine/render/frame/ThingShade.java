@@ -3,6 +3,7 @@ package nephele.engine.render.frame;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.light.LightNeeds;
@@ -18,8 +19,6 @@ import org.joml.Vector3d;
 public final class ThingShade implements AutoCloseable {
     public static final int BINDING = 3;
 
-    private static final int SUN_UNIT = 10;
-    private static final int LAMP_UNIT = 11;
     /** One float for each layer of the lamps' depth texture, four to a vector. */
     private static final int MOST_LAYERS = 512;
 
@@ -53,10 +52,10 @@ public final class ThingShade implements AutoCloseable {
 
     void set(Uniforms uniforms) {
         if (sun) {
-            uniforms.sampler("thingSunMap", SUN_UNIT);
+            uniforms.sampler("thingSunMap", TextureUnit.THING_SUN_SHADOW);
         }
         if (lamps) {
-            uniforms.sampler("thingLampMaps", LAMP_UNIT);
+            uniforms.sampler("thingLampMaps", TextureUnit.THING_LAMP_SHADOW);
         }
         if (block != null) {
             uniforms.block("ThingShade", BINDING);
@@ -97,10 +96,10 @@ public final class ThingShade implements AutoCloseable {
 
     void bind(SharedResources shared) {
         if (sun) {
-            shared.texture(Target.THING_SUN_SHADOW).bind(SUN_UNIT);
+            shared.texture(Target.THING_SUN_SHADOW).bind(TextureUnit.THING_SUN_SHADOW);
         }
         if (lamps) {
-            shared.texture(Target.THING_LAMP_SHADOW).bind(LAMP_UNIT);
+            shared.texture(Target.THING_LAMP_SHADOW).bind(TextureUnit.THING_LAMP_SHADOW);
         }
         if (block != null) {
             block.bind(BINDING);

@@ -22,6 +22,7 @@ import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.ViewNode;
 
@@ -75,7 +76,7 @@ public final class PortalPass implements Pass {
             switch (frame.nested().filling(child)) {
                 case SKY, VIEW -> drawThrough(frame, child);
                 case PICTURE -> {
-                    frame.nested().picture(child).bind(OpeningPrograms.PICTURE_UNIT);
+                    frame.nested().picture(child).bind(TextureUnit.COLOURS);
                     cover(frame, child, picture);
                 }
                 case MARK -> {

@@ -24,6 +24,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import org.joml.Vector3d;
@@ -33,7 +34,6 @@ public final class SkyboxPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("sky.skybox", SkyboxPass::requiredBy);
 
     private static final String FOLDER = "/nephele/engine/render/pass/sky/";
-    private static final int FACES_UNIT = 0;
     private static final int[][] CORNERS = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
     private static final int[] QUAD = {0, 1, 2, 0, 2, 3};
 
@@ -77,7 +77,7 @@ public final class SkyboxPass implements Pass {
                 ShaderSource.load(FOLDER + "skybox.frag", defines),
                 uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
-                    uniforms.sampler("faces", FACES_UNIT);
+                    uniforms.sampler("faces", TextureUnit.COLOURS);
                     return uniforms;
                 });
     }
@@ -112,7 +112,7 @@ public final class SkyboxPass implements Pass {
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.NONE);
         program.use();
-        faces.bind(FACES_UNIT);
+        faces.bind(TextureUnit.COLOURS);
         cube.draw(0, 36);
     }
 

@@ -17,13 +17,13 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.light.LightNeeds;
 
@@ -113,10 +113,10 @@ public final class SolidPass implements Pass {
         program.uniforms().cell(cell, light.anchor());
         materials.bind(batch.kind().materialBlock());
         if (batch.kind().isTextured()) {
-            colours.get(batch.kind().colourArray()).bind(SurfaceVariant.COLOUR_UNIT);
+            colours.get(batch.kind().colourArray()).bind(TextureUnit.COLOURS);
         }
         if (batch.kind().isNormalMapped()) {
-            normals.get(batch.kind().normalArray()).bind(SurfaceVariant.NORMAL_UNIT);
+            normals.get(batch.kind().normalArray()).bind(TextureUnit.NORMALS);
         }
         mesh.draw(index, frame.visible());
     }

@@ -11,13 +11,13 @@ import nephele.engine.render.frame.PictureArrays;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.frame.ThingMeshes;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.thing.ThingGroup;
@@ -104,10 +104,10 @@ final class ThingDraw implements AutoCloseable {
         program.uniforms().view(eye, seamPerMetre, clarity);
         materials.bind(kind.materialBlock());
         if (kind.isTextured()) {
-            colours.get(kind.colourArray()).bind(SurfaceVariant.COLOUR_UNIT);
+            colours.get(kind.colourArray()).bind(TextureUnit.COLOURS);
         }
         if (kind.isNormalMapped()) {
-            normals.get(kind.normalArray()).bind(SurfaceVariant.NORMAL_UNIT);
+            normals.get(kind.normalArray()).bind(TextureUnit.NORMALS);
         }
         meshes.draw(visible, run, program.uniforms().run());
     }

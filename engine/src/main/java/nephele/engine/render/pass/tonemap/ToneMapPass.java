@@ -11,6 +11,7 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 
 /** Exposure, tone curve, sRGB and dither over the whole picture; exists only for output HDR. */
 public final class ToneMapPass implements Pass {
@@ -21,7 +22,6 @@ public final class ToneMapPass implements Pass {
     public static final Required FOR_OUTPUT_HDR = new Required("output: hdr was asked for", ToneMapPass::new);
 
     private static final String FOLDER = "/nephele/engine/render/pass/tonemap/";
-    private static final int LINEAR_UNIT = 0;
 
     private final FullScreenDrawing drawing;
 
@@ -42,14 +42,14 @@ public final class ToneMapPass implements Pass {
     @Override
     public void load(LoadContext context) {
         drawing.load(context, FOLDER, new FullScreenDrawing.Stages("tonemap.vert", "tonemap.frag"), uniforms -> {
-            uniforms.sampler("linearPicture", LINEAR_UNIT);
+            uniforms.sampler("linearPicture", TextureUnit.COLOURS);
             return uniforms;
         });
     }
 
     @Override
     public void draw(FrameContext frame) {
-        frame.surface().colour().bind(LINEAR_UNIT);
+        frame.surface().colour().bind(TextureUnit.COLOURS);
         drawing.draw(frame.picture(), Depth.OFF);
     }
 
