@@ -5,6 +5,7 @@ import nephele.app.levels.LevelName;
 import nephele.app.terminal.ExitCode;
 import nephele.app.terminal.Terminal;
 import nephele.engine.render.FramePlan;
+import nephele.engine.render.frame.FrameRequest;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
@@ -25,7 +26,7 @@ final class ExplainCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) {
         var opened = new LevelName(level).open();
-        FramePlan.forLevel(opened.level(), Outputs.requiredBy(opened.level()))
+        FramePlan.of(FrameRequest.of(opened.level(), Outputs.requiredBy(opened.level())))
                 .explain()
                 .forEach(terminal.out()::println);
         return ExitCode.DONE;

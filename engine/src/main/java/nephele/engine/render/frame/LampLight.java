@@ -22,9 +22,10 @@ final class LampLight implements AutoCloseable {
      * @param statics of the level
      * @param anchor what positions in shaders are relative to
      */
-    LampLight(GlContext gl, Level level, StaticShapes statics, Vec3 anchor) {
+    LampLight(GlContext gl, FrameRequest request, StaticShapes statics, Vec3 anchor) {
         this.anchor = anchor;
-        shadow = LightNeeds.lampShadow(level);
+        Level level = request.level();
+        shadow = request.lightMaps().has(Target.LAMP_SHADOW);
         table = LightNeeds.lamps(level) ? LampTable.of(level.lights(), statics) : null;
         texels = table == null ? null : BufferTexture.ofFloats(gl, "lamps", table.packed(anchor));
         grid = table == null ? null : grid(gl);
@@ -59,10 +60,8 @@ final class LampLight implements AutoCloseable {
         }
     }
 
-    void bind(SharedResources shared) {
-        if (shadow) {
-            shared.texture(Target.LAMP_SHADOW).bind(TextureUnit.LAMP_SHADOW);
-        }
+    /** Binds the lists of lamps; their depth pictures are {@link LightMaps}. */
+    void bind() {
         if (table != null) {
             texels.bind(TextureUnit.LAMPS);
             grid.bind(TextureUnit.LAMP_GRID);

@@ -20,19 +20,20 @@ final class SunLight {
      * @param statics of the level
      * @param anchor what positions in shaders are relative to
      */
-    SunLight(Level level, StaticShapes statics, Vec3 anchor, Quality quality) {
-        this.level = level;
-        frame = LightNeeds.sunCasts(level) ? frame(level.environment().sun(), statics, anchor, quality) : null;
+    SunLight(FrameRequest request, StaticShapes statics, Vec3 anchor) {
+        level = request.level();
+        boolean casts = request.lightMaps().has(Target.SUN_SHADOW);
+        frame = casts ? frame(level.environment().sun(), statics, anchor, request.quality()) : null;
     }
 
     private static ShadowFrame frame(Sun sun, StaticShapes statics, Vec3 anchor, Quality quality) {
         Vec3 towardsSun = sun.directionTowardsSun();
         List<Vec3> corners = ShadowCasters.corners(statics, towardsSun);
-        if (corners.isEmpty() && !statics.models().isEmpty()) {
+        if (corners.isEmpty()) {
             // The frame plan knows the level only, not that all its meshes are empty.
             corners = List.of(anchor);
         }
-        return corners.isEmpty() ? null : ShadowFrame.fit(corners, towardsSun, anchor, quality.shadowTexels());
+        return ShadowFrame.fit(corners, towardsSun, anchor, quality.shadowTexels());
     }
 
     /** {@code null} without a sun that casts. */
@@ -55,12 +56,6 @@ final class SunLight {
         if (hasShadow()) {
             uniforms.sampler("sunShadowMap", TextureUnit.SUN_SHADOW);
             LightUniforms.setSunShadow(uniforms, frame);
-        }
-    }
-
-    void bind(SharedResources shared) {
-        if (hasShadow()) {
-            shared.texture(Target.SUN_SHADOW).bind(TextureUnit.SUN_SHADOW);
         }
     }
 }

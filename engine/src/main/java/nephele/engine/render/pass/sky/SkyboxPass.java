@@ -5,16 +5,18 @@ import java.nio.ByteOrder;
 import java.nio.IntBuffer;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Level;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -48,11 +50,17 @@ public final class SkyboxPass implements Pass {
         this.sky = sky;
     }
 
-    private static List<Required> requiredBy(Level level) {
-        boolean isSeen = FogVeil.of(level.environment()).isEmpty();
-        return isSeen && level.environment().sky() instanceof Sky.Skybox skybox
+    private static List<Required> requiredBy(FrameRequest request) {
+        Environment environment = request.level().environment();
+        boolean isSeen = FogVeil.of(environment).isEmpty();
+        return isSeen && environment.sky() instanceof Sky.Skybox skybox
                 ? List.of(new Required("environment.sky: a skybox", gl -> new SkyboxPass(gl, skybox)))
                 : List.of();
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.IN_VIEWS;
     }
 
     @Override
