@@ -10,6 +10,7 @@ import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
 import org.joml.Vector3d;
@@ -81,8 +82,10 @@ class FogGlTest {
         Sky sky = new Sky.Gradient(TestLevel.grey(1), TestLevel.grey(0.2), TestLevel.grey(0));
         Level foggy = new TestLevel().sky(sky).fog(1e-6, FOG).level();
         Level clear = new TestLevel().sky(sky).fog(0, FOG).level();
-        assertEquals(List.of(), FramePlan.forLevel(foggy, Output.PLAIN).required());
-        assertEquals(1, FramePlan.forLevel(clear, Output.PLAIN).required().size());
+        assertEquals(
+                List.of(), FramePlan.of(FrameRequest.of(foggy, Output.PLAIN)).required());
+        assertEquals(
+                1, FramePlan.of(FrameRequest.of(clear, Output.PLAIN)).required().size());
         try (Offscreen offscreen = new Offscreen(4, 4)) {
             View view = offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1));
             for (int pixel : offscreen.pixels(foggy, view, Output.PLAIN)) {

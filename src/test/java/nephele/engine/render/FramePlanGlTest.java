@@ -4,12 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
-import java.util.EnumSet;
 import java.util.List;
-import java.util.Set;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
@@ -17,10 +14,7 @@ import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
-import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.Target;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -49,21 +43,6 @@ class FramePlanGlTest {
 
     private static TestAssets tiles() {
         return new TestAssets().picture("tiles.png", 8, 8, (x, y) -> 0x808080);
-    }
-
-    @Test
-    void everyTargetReadIsWrittenEarlier() {
-        try (Offscreen offscreen = new Offscreen(8, 8)) {
-            Set<Target> written = EnumSet.noneOf(Target.class);
-            for (Required required :
-                    FramePlan.forLevel(everything().level(), Output.HDR).required()) {
-                try (Pass pass = required.build().apply(offscreen.gl)) {
-                    assertTrue(written.containsAll(pass.reads()), pass.getClass() + " reads " + pass.reads());
-                    written.addAll(pass.writes());
-                }
-            }
-            assertTrue(written.contains(Target.PICTURE));
-        }
     }
 
     /** Loading and closing 100 levels brings the count of live objects back to the baseline. */

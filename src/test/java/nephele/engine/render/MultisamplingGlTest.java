@@ -154,7 +154,7 @@ class MultisamplingGlTest {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
             var before = offscreen.gl.live().counts();
             assertNull(RenderTarget.multisampled(offscreen.gl, PixelFormat.DEPTH24, 8, 8, 4));
-            try (Multisampling samples = new Multisampling(offscreen.gl, 4)) {
+            try (Multisampling samples = new Multisampling(offscreen.gl, 4, false)) {
                 assertSame(offscreen.picture, samples.inPlaceOf(offscreen.picture, PixelFormat.DEPTH24));
                 samples.resolve(offscreen.picture);
             }
@@ -165,7 +165,7 @@ class MultisamplingGlTest {
     @Test
     void moreSamplesThanThereAreBecomeTheMost() {
         try (Offscreen offscreen = new Offscreen(8, 8);
-                Multisampling samples = new Multisampling(offscreen.gl, 16384)) {
+                Multisampling samples = new Multisampling(offscreen.gl, 16384, false)) {
             assertNotNull(samples.inPlaceOf(offscreen.picture, PixelFormat.RGBA8));
             offscreen.gl.requireNoError("16384 samples");
         }

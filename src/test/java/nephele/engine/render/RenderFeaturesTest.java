@@ -14,7 +14,9 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.thing.FigurePresence;
 import org.junit.jupiter.api.Test;
 
@@ -22,7 +24,7 @@ import org.junit.jupiter.api.Test;
 class RenderFeaturesTest {
     @Test
     void theEmptyLevelRequiresNothing() {
-        FramePlan plan = FramePlan.forLevel(new TestLevel().level(), Output.DIRECT);
+        FramePlan plan = FramePlan.of(FrameRequest.of(new TestLevel().level(), Output.DIRECT));
         assertEquals(List.of(), plan.required());
         assertEquals(RenderFeatures.ALL.size(), plan.explain().size());
         assertTrue(plan.explain().stream().allMatch(line -> line.endsWith(": not required")));
@@ -31,7 +33,8 @@ class RenderFeaturesTest {
     @Test
     void aConstantSkyRequiresNothing() {
         Level level = new TestLevel().sky(new Sky.Constant(new Vec3(1, 0, 0))).level();
-        assertEquals(List.of(), FramePlan.forLevel(level, Output.DIRECT).required());
+        assertEquals(
+                List.of(), FramePlan.of(FrameRequest.of(level, Output.DIRECT)).required());
     }
 
     @Test
@@ -69,9 +72,10 @@ class RenderFeaturesTest {
                 Arrays.stream(Sky.class.getPermittedSubclasses()).collect(Collectors.toSet());
         assertEquals(permitted, skies().keySet());
         skies().forEach((kind, sky) -> {
-            List<String> lines = FramePlan.forLevel(new TestLevel().sky(sky).level(), Output.DIRECT).explain().stream()
-                    .filter(line -> line.contains(": required by environment.sky: "))
-                    .toList();
+            List<String> lines =
+                    FramePlan.of(FrameRequest.of(new TestLevel().sky(sky).level(), Output.DIRECT)).explain().stream()
+                            .filter(line -> line.contains(": required by environment.sky: "))
+                            .toList();
             assertEquals(kind == Sky.Constant.class ? 0 : 1, lines.size(), kind + " " + lines);
         });
     }
@@ -85,7 +89,7 @@ class RenderFeaturesTest {
     }
 
     private static Set<String> required(Level level) {
-        return FramePlan.forLevel(level, Output.DIRECT).steps().stream()
+        return FramePlan.of(FrameRequest.of(level, Output.DIRECT)).steps().stream()
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())
                 .collect(Collectors.toSet());
@@ -101,7 +105,7 @@ class RenderFeaturesTest {
     }
 
     private static boolean isHeldDrawn(Level level, FigurePresence figure) {
-        return FramePlan.forLevel(level, Output.DIRECT, figure)
+        return FramePlan.of(FrameRequest.of(level, Output.DIRECT, Quality.HIGH, figure))
                 .explain()
                 .contains("thing.held: required by player: a body that is held");
     }
@@ -109,10 +113,10 @@ class RenderFeaturesTest {
     @Test
     void outputHdrRequiresTheToneMapAndDirectDoesNot() {
         Level level = new TestLevel().level();
-        assertTrue(FramePlan.forLevel(level, Output.HDR)
+        assertTrue(FramePlan.of(FrameRequest.of(level, Output.HDR))
                 .explain()
                 .contains("tonemap: required by output: hdr was asked for"));
-        assertTrue(FramePlan.forLevel(level, Output.DIRECT).explain().contains("tonemap: not required"));
+        assertTrue(FramePlan.of(FrameRequest.of(level, Output.DIRECT)).explain().contains("tonemap: not required"));
     }
 
     @Test

@@ -13,6 +13,7 @@ import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.Lamp;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.Projection;
@@ -268,7 +269,7 @@ class ShadowGlTest {
     }
 
     private static List<String> names(TestLevel level) {
-        return FramePlan.forLevel(level.level(), Output.DIRECT).steps().stream()
+        return FramePlan.of(FrameRequest.of(level.level(), Output.DIRECT)).steps().stream()
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())
                 .toList();

@@ -12,6 +12,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 
 /** Runs one include's function over many inputs, a pixel each, into 32-bit floats. */
@@ -34,13 +35,13 @@ public final class TwinProgram {
                         ShaderSource.load(FOLDER + "twin.vert", Map.of()),
                         ShaderSource.load(FOLDER + shader, Map.of()),
                         uniforms -> {
-                            uniforms.sampler("inputs", 0);
+                            uniforms.sampler("inputs", TextureUnit.COLOURS);
                             setUp.accept(uniforms);
                             return uniforms;
                         })) {
             target.clear(-1, -1, -1);
             gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
-            texels.bind(0);
+            texels.bind(TextureUnit.COLOURS);
             program.use();
             triangle.draw();
             gl.requireNoError(shader);

@@ -3,6 +3,7 @@ package nephele.app.command;
 import nephele.engine.draw.Outputs;
 import nephele.engine.named.LevelName;
 import nephele.engine.render.FramePlan;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Mixin;
@@ -25,7 +26,7 @@ final class ExplainCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) {
         var opened = new LevelName(level).open();
-        FramePlan.forLevel(opened.level(), Outputs.requiredBy(opened.level()))
+        FramePlan.of(FrameRequest.of(opened.level(), Outputs.requiredBy(opened.level())))
                 .explain()
                 .forEach(terminal.out()::println);
         return ExitCode.DONE;

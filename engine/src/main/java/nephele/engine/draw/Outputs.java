@@ -1,6 +1,7 @@
 package nephele.engine.draw;
 
 import nephele.engine.level.Level;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 
@@ -10,6 +11,11 @@ public final class Outputs {
 
     /** HDR where something in the level requires tone mapping as a pass, else DIRECT. */
     public static Output requiredBy(Level level) {
-        return ToneMapPass.FEATURE.requiredBy().apply(level).isEmpty() ? Output.DIRECT : Output.HDR;
+        return ToneMapPass.FEATURE
+                        .requiredBy()
+                        .apply(FrameRequest.of(level, Output.DIRECT))
+                        .isEmpty()
+                ? Output.DIRECT
+                : Output.HDR;
     }
 }

@@ -2,47 +2,24 @@ package nephele.engine.render;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.level.Level;
-import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.pass.shadow.ThingShadowPass;
-import nephele.engine.render.pass.thing.HeldPass;
-import nephele.engine.render.pass.thing.ThingPass;
-import nephele.engine.render.pass.tonemap.ToneMapPass;
-import nephele.engine.scene.thing.FigurePresence;
 
-/** Which passes a level requires, in frame order, and why. */
+/** Which passes a request requires, in frame order, and why. */
 public record FramePlan(List<Step> steps) {
     /** One registered feature; {@code required} is empty when nothing asks for it. */
     public record Step(RenderFeature feature, List<Required> required) {}
 
-    public static FramePlan forLevel(Level level, Output output) {
-        return forLevel(level, output, FigurePresence.NEVER);
-    }
-
-    public static FramePlan forLevel(Level level, Output output, FigurePresence figure) {
-        return forLevel(level, output, figure, RenderFeatures.ALL);
+    public static FramePlan of(FrameRequest request) {
+        return of(request, RenderFeatures.ALL);
     }
 
     /** As if no other feature were registered than these. */
-    static FramePlan forLevel(Level level, Output output, FigurePresence figure, List<RenderFeature> features) {
+    static FramePlan of(FrameRequest request, List<RenderFeature> features) {
         List<Step> steps = new ArrayList<>();
         for (RenderFeature feature : features) {
-            List<Required> required = new ArrayList<>(feature.requiredBy().apply(level));
-            if (feature == ToneMapPass.FEATURE && output == Output.HDR && required.isEmpty()) {
-                required.add(ToneMapPass.FOR_OUTPUT_HDR);
-            }
-            if (feature == ThingPass.FEATURE && figure == FigurePresence.POSSIBLE && required.isEmpty()) {
-                required.add(ThingPass.forFigure(level));
-            }
-            if (feature == ThingShadowPass.FEATURE && figure == FigurePresence.POSSIBLE && required.isEmpty()) {
-                required.addAll(ThingShadowPass.forFigure(level));
-            }
-            if (feature == HeldPass.FEATURE && figure == FigurePresence.POSSIBLE) {
-                required.addAll(HeldPass.forHands(level));
-            }
-            steps.add(new Step(feature, List.copyOf(required)));
+            steps.add(new Step(feature, feature.requiredBy().apply(request)));
         }
         return new FramePlan(List.copyOf(steps));
     }

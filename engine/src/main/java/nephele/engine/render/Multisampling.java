@@ -6,25 +6,29 @@ import nephele.engine.render.gl.RenderTarget;
 
 /**
  * Draws surfaces with several coverage samples a pixel and averages them. Where OpenGL cannot, or one sample is asked
- * for, surfaces are drawn straight into their target.
+ * for, surfaces are drawn straight into their target; but for a window whose pixels are to be read.
  */
 final class Multisampling implements AutoCloseable {
     private final GlContext gl;
     private final int samples;
+    private final boolean isRead;
     private RenderTarget many;
     private RenderTarget averaged;
     private PixelFormat format;
     private int width;
     private int height;
 
-    Multisampling(GlContext gl, int samples) {
+    /** @param isRead whether passes read copies of what is drawn, which a window does not give away */
+    Multisampling(GlContext gl, int samples, boolean isRead) {
         this.gl = gl;
+        this.isRead = isRead;
         this.samples = Math.min(samples, gl.limits().maxSamples());
     }
 
-    /** What to draw into instead of {@code surface}: that itself when its pixels have one sample. */
+    /** What to draw into instead of {@code surface}: that itself when its pixels have one sample and can be copied. */
     RenderTarget inPlaceOf(RenderTarget surface, PixelFormat surfaceFormat) {
-        if (samples <= 1) {
+        boolean isHidden = isRead && surface.isWindow();
+        if (samples <= 1 && !isHidden) {
             return surface;
         }
         if (width != surface.width() || height != surface.height() || format != surfaceFormat) {
@@ -32,7 +36,10 @@ final class Multisampling implements AutoCloseable {
             width = surface.width();
             height = surface.height();
             format = surfaceFormat;
-            many = RenderTarget.multisampled(gl, format, width, height, samples);
+            many = samples <= 1 ? null : RenderTarget.multisampled(gl, format, width, height, samples);
+        }
+        if (many == null && isHidden) {
+            many = RenderTarget.picture(gl, "surface", format, width, height);
         }
         return many == null ? surface : many;
     }
@@ -42,7 +49,7 @@ final class Multisampling implements AutoCloseable {
         if (many == null) {
             return;
         }
-        if (surface.colour() != null) {
+        if (surface.colour() != null || many.colour() != null) {
             many.copyTo(surface);
             return;
         }

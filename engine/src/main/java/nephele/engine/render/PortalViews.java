@@ -11,7 +11,6 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.Moment;
@@ -28,8 +27,12 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private final RenderSettings settings;
     private final SharedResources shared;
     private final Scene scene;
-    private final List<Pass> passes;
+    private final ViewPasses passes;
     private final List<Pass> skies;
+    private final ViewCopies copies;
+    /** Of views that have pictures of their own, and perhaps another size. */
+    private final ViewCopies pictureCopies;
+
     private final ClearColour clearColour;
     private final double exposure;
     private final PortalPictures pictures;
@@ -42,20 +45,28 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private ViewTree tree;
     private RenderTarget frameBuffer;
 
-    /** @param passes of every view, in frame order */
-    PortalViews(GlContext gl, RenderSettings settings, SharedResources shared, Scene scene, List<Pass> passes) {
+    /** @param copies of views that are drawn into the same target as the main one */
+    PortalViews(
+            GlContext gl,
+            RenderSettings settings,
+            SharedResources shared,
+            Scene scene,
+            ViewPasses passes,
+            ViewCopies copies) {
         this.gl = gl;
         this.settings = settings;
         this.shared = shared;
         this.scene = scene;
         this.passes = passes;
-        skies = passes.stream().filter(Pass::isSky).toList();
+        this.copies = copies;
+        pictureCopies = copies.another();
+        skies = passes.skies();
         clearColour = ClearColour.of(scene.level().environment(), settings.output());
         exposure = ClearColour.exposure(scene.level().environment());
         pictures = new PortalPictures(
                 gl, technique().copies() ? 1 : settings.quality().portalResolution());
         previous = new PreviousPicture(gl);
-        multisampling = new Multisampling(gl, settings.quality().samples());
+        multisampling = new Multisampling(gl, settings.quality().samples(), false);
     }
 
     /** Chooses the views of a frame. */
@@ -77,10 +88,10 @@ final class PortalViews implements NestedViews, AutoCloseable {
      *
      * @param drawn the frame buffer: what is in it is lost
      */
-    void drawPictures(Moment moment, RenderTarget picture, RenderTarget drawn, PixelFormat format) {
+    void drawPictures(Moment moment, RenderTarget picture, RenderTarget drawn) {
         if (technique().hasPictures()) {
             frameBuffer = drawn;
-            pictures.begin(format, picture.width(), picture.height());
+            pictures.begin(drawn.format(), picture.width(), picture.height());
             drawPictures(tree.root(), moment, picture);
             enter(tree.root());
         }
@@ -91,12 +102,12 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     /** Tells what the frame looks like before anything is drawn over it. */
-    void end(Moment moment, RenderTarget surface, PixelFormat format) {
+    void end(Moment moment, RenderTarget surface) {
         int drawn = tree.views().size() - 1;
         boolean mayEndSoon = drawn > 0 && 2 * (drawn + 1) > settings.quality().viewBudget();
         if (settings.deepest() == Deepest.HISTORY
                 && (mayEndSoon || !tree.terminals().isEmpty())) {
-            previous.remember(tree, moment, surface, format);
+            previous.remember(tree, moment, surface);
         } else {
             previous.forget();
         }
@@ -130,7 +141,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     @Override
     public void draw(FrameContext frame, ViewNode child) {
         enter(child);
-        drawPasses(child, frame.moment(), frame.surface(), frame.picture());
+        drawPasses(child, frame.moment(), frame.surface(), frame.picture(), copies);
         enter(frame.node());
     }
 
@@ -174,9 +185,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
 
     private void drawPicture(ViewNode node, Moment moment, RenderTarget picture) {
         RenderTarget own = pictures.take(node);
-        RenderTarget target = technique().copies()
-                ? frameBuffer
-                : multisampling.inPlaceOf(own, own.colour().format());
+        RenderTarget target = technique().copies() ? frameBuffer : multisampling.inPlaceOf(own, own.format());
         shared.frameUniforms().upload(node.view(), exposure);
         if (settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
@@ -187,7 +196,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
                     target.height() / (double) picture.height());
         }
         target.clearWithinScissor(clearColour.red(), clearColour.green(), clearColour.blue());
-        drawPasses(node, moment, target, picture);
+        drawPasses(node, moment, target, picture, pictureCopies);
         copy(target, own);
         gl.state().noScissor();
         for (int i = 0; i < node.children().size(); i++) {
@@ -217,14 +226,13 @@ final class PortalViews implements NestedViews, AutoCloseable {
         gl.state().scissor(Math.max(x, 0), Math.max(y, 0), right - Math.max(x, 0), top - Math.max(y, 0));
     }
 
-    private void drawPasses(ViewNode node, Moment moment, RenderTarget surface, RenderTarget picture) {
+    private void drawPasses(
+            ViewNode node, Moment moment, RenderTarget surface, RenderTarget picture, ViewCopies viewCopies) {
         VisibleSet seen = scene.solids().isEmpty() ? null : see(node);
         FrameContext context = context(node.depth());
         context.into(moment, surface, picture);
         context.see(node.view(), node, seen, settings.limits(node));
-        for (int i = 0; i < passes.size(); i++) {
-            passes.get(i).draw(context);
-        }
+        passes.draw(context, viewCopies);
     }
 
     private FrameContext context(int depth) {
@@ -252,5 +260,6 @@ final class PortalViews implements NestedViews, AutoCloseable {
         pictures.close();
         previous.close();
         multisampling.close();
+        pictureCopies.close();
     }
 }

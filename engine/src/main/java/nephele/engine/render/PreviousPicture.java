@@ -1,7 +1,6 @@
 package nephele.engine.render;
 
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
@@ -18,7 +17,6 @@ final class PreviousPicture implements AutoCloseable {
 
     private ViewTree kept = new ViewTree();
     private RenderTarget copy;
-    private PixelFormat format;
 
     PreviousPicture(GlContext gl) {
         this.gl = gl;
@@ -36,15 +34,14 @@ final class PreviousPicture implements AutoCloseable {
         history.match(tree, moment.portals());
     }
 
-    void remember(ViewTree tree, Moment moment, RenderTarget surface, PixelFormat surfaceFormat) {
+    void remember(ViewTree tree, Moment moment, RenderTarget surface) {
         if (copy == null
                 || copy.width() != surface.width()
                 || copy.height() != surface.height()
-                || format != surfaceFormat) {
+                || copy.format() != surface.format()) {
             close();
-            format = surfaceFormat;
             copy = RenderTarget.picture(
-                    gl, "previous picture", format, surface.width(), surface.height(), Sampling.LINEAR_CLAMP);
+                    gl, "previous picture", surface.format(), surface.width(), surface.height(), Sampling.LINEAR_CLAMP);
         }
         surface.copyTo(copy);
         history.remember(tree, moment.portals());

@@ -17,13 +17,15 @@ import nephele.engine.render.pass.thing.HeldPass;
 import nephele.engine.render.pass.thing.ThingPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 
-/** Everything that can be drawn, in frame order. */
+/** Everything that can be drawn, in frame order: by {@link nephele.engine.render.frame.Stage}, and in each as listed. */
 public final class RenderFeatures {
     public static final List<RenderFeature> ALL = List.of(
+            // Once a frame.
             SunShadowPass.FEATURE,
             LampShadowPass.FEATURE,
             ThingShadowPass.FEATURE,
             SkyVisibilityPass.FEATURE,
+            // In each view.
             OpeningDepthPass.FEATURE,
             SolidPass.FEATURE,
             ThingPass.FEATURE,
@@ -32,7 +34,9 @@ public final class RenderFeatures {
             RimPass.FEATURE,
             PortalPass.FEATURE,
             UnfilledPass.FEATURE,
+            // In each view after its opaque surfaces.
             HeldPass.FEATURE,
+            // After all.
             ToneMapPass.FEATURE);
 
     private RenderFeatures() {}

@@ -5,14 +5,16 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Moment;
 import nephele.engine.scene.Scene;
@@ -31,8 +33,13 @@ public final class Renderer implements AutoCloseable {
     private final ClearColour clearColour;
     private final VisibleSet visible;
     private final Moment start;
-    private final Multisampling multisampling;
     private final LinearTarget linear;
+    // Known when the passes are.
+    private List<Pass> onceAFrame;
+    private ViewPasses views;
+    private List<Pass> afterAll;
+    private ViewCopies copies;
+    private Multisampling multisampling;
     /** {@code null} in a level where portals cannot be. */
     private PortalViews portals;
 
@@ -44,7 +51,6 @@ public final class Renderer implements AutoCloseable {
         this.settings = settings;
         this.shared = new SharedResources(gl, scene);
         this.linear = new LinearTarget(gl);
-        this.multisampling = new Multisampling(gl, settings.quality().samples());
         this.clearColour = ClearColour.of(scene.level().environment(), settings.output());
         this.start = Moment.atStart(scene.level());
         this.visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
@@ -77,12 +83,15 @@ public final class Renderer implements AutoCloseable {
     }
 
     private void buildPasses(List<RenderFeature> features) {
-        passes.load(
-                new LoadContext(gl, scene, settings.output(), settings.quality(), settings.figure(), shared),
-                settings,
-                features);
+        FrameRequest request = FrameRequest.of(scene.level(), settings.output(), settings.quality(), settings.figure());
+        passes.load(new LoadContext(gl, scene, request, shared), settings.decoration(), features);
+        onceAFrame = passes.of(Stage.ONCE_A_FRAME);
+        views = passes.views();
+        afterAll = passes.of(Stage.AFTER_ALL);
+        copies = new ViewCopies(gl, shared, passes.reads());
+        multisampling = new Multisampling(gl, settings.quality().samples(), copies.areRead());
         if (ViewTree.mayGrow(scene.level())) {
-            portals = new PortalViews(gl, settings, shared, scene, passes.inEveryView());
+            portals = new PortalViews(gl, settings, shared, scene, views, copies);
         }
         frame = new FrameContext(portals);
     }
@@ -134,21 +143,22 @@ public final class Renderer implements AutoCloseable {
         gl.state().stencil(Stencil.OFF, 0);
         gl.state().depthOf(DepthOf.SURFACE);
         RenderTarget surface = settings.output() == Output.HDR ? linear.ofSizeOf(picture) : picture;
-        RenderTarget drawn = multisampling.inPlaceOf(surface, surfaceFormat(picture));
+        RenderTarget drawn = multisampling.inPlaceOf(surface, surface.format());
         if (!passes.isEmpty()) {
             begin(view, moment, picture, drawn);
             drawOnce(listener);
         }
         if (portals != null) {
             // Pictures of their own come first: drawing on in a target after another one is costly.
-            portals.drawPictures(moment, picture, drawn, surfaceFormat(picture));
+            portals.drawPictures(moment, picture, drawn);
         }
         drawn.clear(clearColour.red(), clearColour.green(), clearColour.blue());
-        if (passes.surfacesBegin() == passes.surfacesEnd()) {
+        if (views.passes().isEmpty()) {
             average(surface);
         }
-        listener.submitted(passes.surfacesBegin());
-        drawPasses(surface, listener);
+        listener.submitted(onceAFrame.size());
+        drawView(surface, listener);
+        drawAfterAll(listener);
     }
 
     private void begin(View view, Moment moment, RenderTarget picture, RenderTarget drawn) {
@@ -161,21 +171,29 @@ public final class Renderer implements AutoCloseable {
         frame.see(view, root, visible, settings.limits(root));
     }
 
-    /** What every view uses: before the first view, whichever that is. */
     private void drawOnce(StepListener listener) {
-        for (int i = 0; i < passes.surfacesBegin(); i++) {
-            passes.get(i).draw(frame);
+        for (int i = 0; i < onceAFrame.size(); i++) {
+            onceAFrame.get(i).draw(frame);
             listener.submitted(i);
         }
     }
 
-    private void drawPasses(RenderTarget surface, StepListener listener) {
-        for (int i = passes.surfacesBegin(); i < passes.size(); i++) {
-            passes.get(i).draw(frame);
-            if (i + 1 == passes.surfacesEnd()) {
+    private void drawView(RenderTarget surface, StepListener listener) {
+        int size = views.passes().size();
+        for (int i = 0; i < size; i++) {
+            views.draw(i, frame, copies);
+            if (i + 1 == size) {
                 average(surface);
             }
-            listener.submitted(i + 1);
+            listener.submitted(onceAFrame.size() + 1 + i);
+        }
+    }
+
+    private void drawAfterAll(StepListener listener) {
+        int first = onceAFrame.size() + 1 + views.passes().size();
+        for (int i = 0; i < afterAll.size(); i++) {
+            afterAll.get(i).draw(frame);
+            listener.submitted(first + i);
         }
     }
 
@@ -188,7 +206,7 @@ public final class Renderer implements AutoCloseable {
 
     private void remember(RenderTarget surface) {
         if (portals != null && !passes.isEmpty()) {
-            portals.end(frame.moment(), surface, surfaceFormat(frame.picture()));
+            portals.end(frame.moment(), surface);
         }
     }
 
@@ -197,13 +215,6 @@ public final class Renderer implements AutoCloseable {
         if (portals != null) {
             portals.forget();
         }
-    }
-
-    private PixelFormat surfaceFormat(RenderTarget picture) {
-        if (settings.output() == Output.HDR) {
-            return PixelFormat.RGBA16F;
-        }
-        return picture.colour() == null ? PixelFormat.RGBA8 : picture.colour().format();
     }
 
     /** Linear radiance before exposure of the last frame, RGB, the bottom row first; only for output HDR. */
@@ -230,8 +241,11 @@ public final class Renderer implements AutoCloseable {
     public void close() {
         passes.close();
         shared.close();
-        multisampling.close();
         linear.close();
+        if (copies != null) {
+            copies.close();
+            multisampling.close();
+        }
         if (portals != null) {
             portals.close();
         }

@@ -1,7 +1,7 @@
 /**
  * Draws levels: {@code Renderer.load(gl, level, assets, settings)}, then {@code draw(view, target)} for each frame,
  * {@code Capture} for pictures. {@code RenderFeatures.ALL} is the frame order and the only registration; {@code
- * FramePlan.forLevel} says what a level requires and why ({@code explain}).
+ * FramePlan.of} says what a level requires and why ({@code explain}).
  *
  * <pre>{@code
  * try (GlContext gl = GlContext.offscreen();

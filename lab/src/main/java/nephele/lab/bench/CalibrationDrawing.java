@@ -13,6 +13,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import org.lwjgl.system.MemoryUtil;
 
@@ -39,7 +40,7 @@ public final class CalibrationDrawing implements Drawing {
                 ShaderSource.load(FOLDER + "calibrate.vert", Map.of()),
                 ShaderSource.load(FOLDER + "calibrate.frag", Map.of()),
                 uniforms -> {
-                    uniforms.sampler("checks", 0);
+                    uniforms.sampler("checks", TextureUnit.COLOURS);
                     return uniforms;
                 });
     }
@@ -64,7 +65,7 @@ public final class CalibrationDrawing implements Drawing {
         gl.state().resetCounts();
         picture.clear(0, 0, 0);
         gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
-        checks.bind(0);
+        checks.bind(TextureUnit.COLOURS);
         program.use();
         triangle.draw();
     }

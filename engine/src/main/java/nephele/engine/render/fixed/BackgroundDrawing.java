@@ -10,6 +10,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.TextureUnit;
 
 /** A picture that fills the window behind the scene. */
 final class BackgroundDrawing implements AutoCloseable {
@@ -27,14 +28,14 @@ final class BackgroundDrawing implements AutoCloseable {
                 ShaderSource.load(FixedProgram.FOLDER + "background.vert", Map.of()),
                 ShaderSource.load(FixedProgram.FOLDER + "background.frag", Map.of()),
                 uniforms -> {
-                    uniforms.sampler("picture", FixedProgram.PICTURE_UNIT);
+                    uniforms.sampler("picture", TextureUnit.SCENE_PICTURE);
                     return uniforms;
                 });
     }
 
     void draw() {
         gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
-        picture.bind(FixedProgram.PICTURE_UNIT);
+        picture.bind(TextureUnit.SCENE_PICTURE);
         program.use();
         triangle.draw();
     }

@@ -4,6 +4,7 @@ import java.util.Map;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.render.gl.Uniforms.Matrix4;
 import nephele.engine.render.gl.Uniforms.Vector3;
@@ -14,19 +15,13 @@ import nephele.engine.render.gl.Uniforms.Whole;
 final class FixedProgram implements AutoCloseable {
     static final String FOLDER = "/nephele/engine/render/fixed/";
 
-    static final int VISIBLE_UNIT = 0;
-    static final int PLACES_UNIT = 1;
-    static final int LOOKS_UNIT = 2;
-    static final int LIGHTS_UNIT = 3;
-    static final int PICTURE_UNIT = 4;
-
     private final GlProgram<Inputs> program;
 
     /** @param light {@code null} where nothing is lit */
     record Inputs(Whole firstVisible, Whole firstPlace, Vector3 eye, Matrix4 clipFromRelative, LightInputs light) {
         static Inputs of(Uniforms uniforms, Shading shading) {
-            uniforms.sampler("visibleModels", VISIBLE_UNIT);
-            uniforms.sampler("places", PLACES_UNIT);
+            uniforms.sampler("visibleModels", TextureUnit.SCENE_VISIBLE);
+            uniforms.sampler("places", TextureUnit.SCENE_PLACES);
             return new Inputs(
                     uniforms.whole("firstVisible"),
                     uniforms.whole("firstPlace"),
@@ -38,9 +33,9 @@ final class FixedProgram implements AutoCloseable {
 
     record LightInputs(Vector3 towardsViewer, Vector4 lightTerms) {
         static LightInputs of(Uniforms uniforms) {
-            uniforms.sampler("looks", LOOKS_UNIT);
-            uniforms.sampler("fixedLights", LIGHTS_UNIT);
-            uniforms.sampler("picture", PICTURE_UNIT);
+            uniforms.sampler("looks", TextureUnit.SCENE_LOOKS);
+            uniforms.sampler("fixedLights", TextureUnit.SCENE_LIGHTS);
+            uniforms.sampler("picture", TextureUnit.SCENE_PICTURE);
             return new LightInputs(uniforms.vector3("towardsViewer"), uniforms.vector4("lightTerms"));
         }
     }

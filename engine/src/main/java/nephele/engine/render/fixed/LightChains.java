@@ -3,6 +3,7 @@ package nephele.engine.render.fixed;
 import java.nio.FloatBuffer;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.xmlscene.PosedScene;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
@@ -55,7 +56,7 @@ final class LightChains implements AutoCloseable {
     }
 
     void bind() {
-        texels.bind(FixedProgram.LIGHTS_UNIT);
+        texels.bind(TextureUnit.SCENE_LIGHTS);
     }
 
     @Override

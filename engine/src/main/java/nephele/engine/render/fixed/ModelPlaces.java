@@ -9,6 +9,7 @@ import nephele.engine.model.Mesh;
 import nephele.engine.render.fixed.ModelOrder.Run;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.WorldSpheres;
 import org.joml.Matrix4d;
@@ -101,11 +102,11 @@ final class ModelPlaces implements AutoCloseable {
     }
 
     void bindStaying() {
-        staying.bind(FixedProgram.PLACES_UNIT);
+        staying.bind(TextureUnit.SCENE_PLACES);
     }
 
     void bindMoving() {
-        moving.bind(FixedProgram.PLACES_UNIT);
+        moving.bind(TextureUnit.SCENE_PLACES);
     }
 
     @Override

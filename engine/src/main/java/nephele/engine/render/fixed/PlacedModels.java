@@ -18,6 +18,7 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.XmlModel.Colours;
 import org.joml.Matrix4dc;
@@ -87,7 +88,7 @@ final class PlacedModels implements AutoCloseable {
         }
         visible.bind();
         if (inputs.light() != null) {
-            looks.bind(FixedProgram.LOOKS_UNIT);
+            looks.bind(TextureUnit.SCENE_LOOKS);
         }
         for (int i = 0; i < drawn.size(); i++) {
             if (visible.count(i) > 0) {
@@ -108,7 +109,7 @@ final class PlacedModels implements AutoCloseable {
         Cull cull = kind.handedness() == Handedness.MIRRORED ? Cull.FRONT : Cull.BACK;
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, cull);
         if (inputs.light() != null) {
-            each.picture().bind(FixedProgram.PICTURE_UNIT);
+            each.picture().bind(TextureUnit.SCENE_PICTURE);
         }
         inputs.firstVisible().set(visible.first(number));
         each.mesh().draw(visible.count(number));

@@ -6,6 +6,7 @@ import nephele.engine.math.Frustum;
 import nephele.engine.render.fixed.ModelOrder.Run;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 import org.lwjgl.BufferUtils;
 
 /** The numbers of the models that a frame submits, run by run; the GPU hears of them when they have changed. */
@@ -56,7 +57,7 @@ final class VisibleModels implements AutoCloseable {
             System.arraycopy(numbers, 0, uploaded, 0, size);
             uploadedSize = size;
         }
-        texels.bind(FixedProgram.VISIBLE_UNIT);
+        texels.bind(TextureUnit.SCENE_VISIBLE);
     }
 
     @Override

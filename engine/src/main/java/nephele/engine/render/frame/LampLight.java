@@ -5,16 +5,13 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.light.LampTable;
 import nephele.engine.scene.light.LightNeeds;
 
 /** The lamps' part of {@code surface-light.glsl}, with the shadows of what never moves. */
 final class LampLight implements AutoCloseable {
-    private static final int SHADOW_UNIT = 3;
-    private static final int TEXELS_UNIT = 5;
-    private static final int GRID_UNIT = 6;
-
     private final Vec3 anchor;
     private final boolean shadow;
     private final LampTable table;
@@ -25,9 +22,10 @@ final class LampLight implements AutoCloseable {
      * @param statics of the level
      * @param anchor what positions in shaders are relative to
      */
-    LampLight(GlContext gl, Level level, StaticShapes statics, Vec3 anchor) {
+    LampLight(GlContext gl, FrameRequest request, StaticShapes statics, Vec3 anchor) {
         this.anchor = anchor;
-        shadow = LightNeeds.lampShadow(level);
+        Level level = request.level();
+        shadow = request.lightMaps().has(Target.LAMP_SHADOW);
         table = LightNeeds.lamps(level) ? LampTable.of(level.lights(), statics) : null;
         texels = table == null ? null : BufferTexture.ofFloats(gl, "lamps", table.packed(anchor));
         grid = table == null ? null : grid(gl);
@@ -53,22 +51,20 @@ final class LampLight implements AutoCloseable {
 
     void set(Uniforms uniforms) {
         if (table != null) {
-            uniforms.sampler("lampTexels", TEXELS_UNIT);
-            uniforms.sampler("lampGridCells", GRID_UNIT);
+            uniforms.sampler("lampTexels", TextureUnit.LAMPS);
+            uniforms.sampler("lampGridCells", TextureUnit.LAMP_GRID);
             LightUniforms.setLampGrid(uniforms, table.grid(), anchor);
         }
         if (shadow) {
-            uniforms.sampler("lampShadowMaps", SHADOW_UNIT);
+            uniforms.sampler("lampShadowMaps", TextureUnit.LAMP_SHADOW);
         }
     }
 
-    void bind(SharedResources shared) {
-        if (shadow) {
-            shared.texture(Target.LAMP_SHADOW).bind(SHADOW_UNIT);
-        }
+    /** Binds the lists of lamps; their depth pictures are {@link LightMaps}. */
+    void bind() {
         if (table != null) {
-            texels.bind(TEXELS_UNIT);
-            grid.bind(GRID_UNIT);
+            texels.bind(TextureUnit.LAMPS);
+            grid.bind(TextureUnit.LAMP_GRID);
         }
     }
 

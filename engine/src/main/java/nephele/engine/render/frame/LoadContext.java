@@ -2,8 +2,14 @@ package nephele.engine.render.frame;
 
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.thing.FigurePresence;
 
 /** What a pass is loaded with, once per level. */
-public record LoadContext(
-        GlContext gl, Scene scene, Output output, Quality quality, FigurePresence figure, SharedResources shared) {}
+public record LoadContext(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {
+    public Output output() {
+        return request.output();
+    }
+
+    public Quality quality() {
+        return request.quality();
+    }
+}

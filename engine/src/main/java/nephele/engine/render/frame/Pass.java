@@ -4,17 +4,14 @@ import java.util.Set;
 
 /** One step of a frame; owns its OpenGL objects. */
 public interface Pass extends AutoCloseable {
+    Stage stage();
+
     /** Targets that must have been written earlier in the frame. */
     default Set<Target> reads() {
         return Set.of();
     }
 
     Set<Target> writes();
-
-    /** Whether it is drawn for every view through a portal too, or only once a frame. */
-    default boolean inEveryView() {
-        return writes().contains(Target.SURFACE);
-    }
 
     /** Whether it draws what is seen where nothing else is. */
     default boolean isSky() {

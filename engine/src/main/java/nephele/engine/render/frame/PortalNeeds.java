@@ -10,7 +10,8 @@ public final class PortalNeeds {
     private PortalNeeds() {}
 
     /** @param what of portals the pass draws */
-    public static List<Required> of(Level level, String what, Function<GlContext, Pass> pass) {
+    public static List<Required> of(FrameRequest request, String what, Function<GlContext, Pass> pass) {
+        Level level = request.level();
         if (!level.portals().isEmpty()) {
             return List.of(new Required("portals: " + what, pass));
         }

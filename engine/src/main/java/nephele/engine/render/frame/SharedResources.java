@@ -79,7 +79,8 @@ public final class SharedResources implements AutoCloseable {
     /** What moves, on the GPU. */
     public ThingMeshes things(LoadContext context) {
         if (things == null) {
-            Things all = Things.of(scene.level(), scene.materials(), context.figure());
+            Things all = Things.of(
+                    scene.level(), scene.materials(), context.request().figure());
             things = new ThingMeshes(gl, all, surfaceLight(context).anchor(), skyProbes());
         }
         return things;

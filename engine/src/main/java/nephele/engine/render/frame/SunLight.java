@@ -5,6 +5,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.ShadowCasters;
@@ -12,8 +13,6 @@ import nephele.engine.scene.light.ShadowFrame;
 
 /** The sun's part of {@code surface-light.glsl}, with the shadows of what never moves. */
 final class SunLight {
-    private static final int SHADOW_UNIT = 2;
-
     private final Level level;
     private final ShadowFrame frame;
 
@@ -21,19 +20,20 @@ final class SunLight {
      * @param statics of the level
      * @param anchor what positions in shaders are relative to
      */
-    SunLight(Level level, StaticShapes statics, Vec3 anchor, Quality quality) {
-        this.level = level;
-        frame = LightNeeds.sunCasts(level) ? frame(level.environment().sun(), statics, anchor, quality) : null;
+    SunLight(FrameRequest request, StaticShapes statics, Vec3 anchor) {
+        level = request.level();
+        boolean casts = request.lightMaps().has(Target.SUN_SHADOW);
+        frame = casts ? frame(level.environment().sun(), statics, anchor, request.quality()) : null;
     }
 
     private static ShadowFrame frame(Sun sun, StaticShapes statics, Vec3 anchor, Quality quality) {
         Vec3 towardsSun = sun.directionTowardsSun();
         List<Vec3> corners = ShadowCasters.corners(statics, towardsSun);
-        if (corners.isEmpty() && !statics.models().isEmpty()) {
+        if (corners.isEmpty()) {
             // The frame plan knows the level only, not that all its meshes are empty.
             corners = List.of(anchor);
         }
-        return corners.isEmpty() ? null : ShadowFrame.fit(corners, towardsSun, anchor, quality.shadowTexels());
+        return ShadowFrame.fit(corners, towardsSun, anchor, quality.shadowTexels());
     }
 
     /** {@code null} without a sun that casts. */
@@ -54,14 +54,8 @@ final class SunLight {
             LightUniforms.setSun(uniforms, level.environment().sun());
         }
         if (hasShadow()) {
-            uniforms.sampler("sunShadowMap", SHADOW_UNIT);
+            uniforms.sampler("sunShadowMap", TextureUnit.SUN_SHADOW);
             LightUniforms.setSunShadow(uniforms, frame);
-        }
-    }
-
-    void bind(SharedResources shared) {
-        if (hasShadow()) {
-            shared.texture(Target.SUN_SHADOW).bind(SHADOW_UNIT);
         }
     }
 }

@@ -1,7 +1,5 @@
 package nephele.engine.render.frame;
 
-import java.util.EnumSet;
-import java.util.Set;
 import java.util.function.Function;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.Level;
@@ -9,6 +7,7 @@ import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.LampTable;
@@ -21,10 +20,9 @@ import nephele.engine.scene.light.SkyIrradiance;
  * All of it is static; positions are relative to the {@link #anchor}, so it does not move with the eye.
  */
 public final class SurfaceLight implements AutoCloseable {
-    private static final int SKY_VISIBILITY_UNIT = 4;
-
     private final Level level;
     private final Scene scene;
+    private final LightMaps maps;
     private final SunLight sun;
     private final LampLight lamps;
     private final ThingShade thingShade;
@@ -36,32 +34,10 @@ public final class SurfaceLight implements AutoCloseable {
         this.pictureOf = pictureOf;
         this.scene = scene;
         level = scene.level();
-        sun = new SunLight(level, scene.statics(), anchor(), context.quality());
-        lamps = new LampLight(gl, level, scene.statics(), anchor());
-        thingShade = new ThingShade(gl, level, context.figure());
-    }
-
-    /** Targets that {@link #bind} binds for a level. */
-    public static Set<Target> targetsRead(Level level) {
-        Set<Target> targets = EnumSet.noneOf(Target.class);
-        if (LightNeeds.sunShadow(level)) {
-            targets.add(Target.SUN_SHADOW);
-        }
-        if (LightNeeds.lampShadow(level)) {
-            targets.add(Target.LAMP_SHADOW);
-        }
-        if (LightNeeds.skyVisibility(level)) {
-            targets.add(Target.SKY_VISIBILITY);
-        }
-        if (!level.bodies().isEmpty()
-                && LightNeeds.sun(level)
-                && level.environment().sun().castsShadow()) {
-            targets.add(Target.THING_SUN_SHADOW);
-        }
-        if (!level.bodies().isEmpty() && LightNeeds.lampShadow(level)) {
-            targets.add(Target.THING_LAMP_SHADOW);
-        }
-        return targets;
+        maps = context.request().lightMaps();
+        sun = new SunLight(context.request(), scene.statics(), anchor());
+        lamps = new LampLight(gl, context.request(), scene.statics(), anchor());
+        thingShade = new ThingShade(gl, maps);
     }
 
     /** World position that positions in light shaders are relative to. */
@@ -84,9 +60,13 @@ public final class SurfaceLight implements AutoCloseable {
         return lamps.table();
     }
 
+    private boolean hasSkyVisibility() {
+        return maps.has(Target.SKY_VISIBILITY);
+    }
+
     /** Whether light differs from point to point of a face. */
     public boolean variesOverFaces() {
-        return needsPositions() || scene.skyVisibility() != null;
+        return needsPositions() || hasSkyVisibility();
     }
 
     /** Whether shaders need to know where on the level they are. */
@@ -97,15 +77,13 @@ public final class SurfaceLight implements AutoCloseable {
     public Defines addTo(Defines defines) {
         return addLights(defines)
                 .withIf(needsPositions(), "ANCHOR_POSITION")
-                .withIf(scene.skyVisibility() != null, "SKY_AMBIENT")
-                .withIf(scene.skyVisibility() != null, "SKY_VISIBILITY");
+                .withIf(hasSkyVisibility(), "SKY_AMBIENT")
+                .withIf(hasSkyVisibility(), "SKY_VISIBILITY");
     }
 
     /** The same for models, whose share of the sky stands in their vertices. */
     public Defines addForModels(Defines defines) {
-        return addLights(defines)
-                .withIf(needsPositions(), "ANCHOR_POSITION")
-                .withIf(scene.skyVisibility() != null, "SKY_AMBIENT");
+        return addLights(defines).withIf(needsPositions(), "ANCHOR_POSITION").withIf(hasSkyVisibility(), "SKY_AMBIENT");
     }
 
     /** The same for what moves: it has no place in the light map, so its share of the sky comes otherwise. */
@@ -121,8 +99,8 @@ public final class SurfaceLight implements AutoCloseable {
     /** Sets what a program compiled with {@link #addTo} needs, once and for all. */
     public void set(Uniforms uniforms) {
         setLights(uniforms);
-        if (scene.skyVisibility() != null) {
-            uniforms.sampler("skyVisibilityMap", SKY_VISIBILITY_UNIT);
+        if (hasSkyVisibility()) {
+            uniforms.sampler("skyVisibilityMap", TextureUnit.SKY_VISIBILITY);
             LightUniforms.setSky(uniforms, skyIrradiance());
         }
     }
@@ -130,7 +108,7 @@ public final class SurfaceLight implements AutoCloseable {
     /** Sets what a program compiled with {@link #addForModels} needs, once and for all. */
     public void setForModels(Uniforms uniforms) {
         setLights(uniforms);
-        if (scene.skyVisibility() != null) {
+        if (hasSkyVisibility()) {
             LightUniforms.setSky(uniforms, skyIrradiance());
         }
     }
@@ -161,19 +139,15 @@ public final class SurfaceLight implements AutoCloseable {
         return skyIrradiance;
     }
 
-    /** Binds the textures; call before drawing with a program made with {@link #addTo}. */
-    public void bind(SharedResources shared) {
-        bindForThings(shared);
-        if (scene.skyVisibility() != null) {
-            shared.texture(Target.SKY_VISIBILITY).bind(SKY_VISIBILITY_UNIT);
-        }
-    }
-
-    /** As {@link #bind}, for programs made with {@link #addForThings}. */
-    public void bindForThings(SharedResources shared) {
-        sun.bind(shared);
-        lamps.bind(shared);
-        thingShade.bind(shared);
+    /**
+     * Binds what a program needs that was made with {@link #addTo}, {@link #addForModels} or {@link #addForThings}.
+     *
+     * @param reads of {@link LightMaps}, as the pass declares them
+     */
+    public void bind(SharedResources shared, TargetReads reads) {
+        reads.bind(shared);
+        lamps.bind();
+        thingShade.bind();
     }
 
     @Override

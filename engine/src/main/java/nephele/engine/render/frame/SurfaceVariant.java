@@ -1,13 +1,11 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.SolidBatch;
 
 /** Which code for materials a shader holds, of solids or of things. */
 public record SurfaceVariant(boolean lambert, boolean textured, boolean normalMapped) {
-    public static final int COLOUR_UNIT = 0;
-    public static final int NORMAL_UNIT = 1;
-
     public static SurfaceVariant of(SolidBatch.Kind kind) {
         return new SurfaceVariant(kind.lambert(), kind.isTextured(), kind.isNormalMapped());
     }
@@ -25,10 +23,10 @@ public record SurfaceVariant(boolean lambert, boolean textured, boolean normalMa
         uniforms.block("Frame", FrameUniforms.BINDING);
         uniforms.block("Materials", MaterialBlocks.BINDING);
         if (textured) {
-            uniforms.sampler("colours", COLOUR_UNIT);
+            uniforms.sampler("colours", TextureUnit.COLOURS);
         }
         if (normalMapped) {
-            uniforms.sampler("normals", NORMAL_UNIT);
+            uniforms.sampler("normals", TextureUnit.NORMALS);
         }
     }
 }

@@ -5,6 +5,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GpuMesh;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.render.gl.Uniforms.Whole;
 import nephele.engine.render.gl.VertexFormat;
@@ -21,9 +22,6 @@ import org.lwjgl.BufferUtils;
  * thing-position.glsl} and {@code thing-instance.glsl}.
  */
 public final class ThingMeshes implements AutoCloseable {
-    /** Beyond those of {@link SurfaceLight}. */
-    public static final int INSTANCES_UNIT = 9;
-
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
 
     private final Things things;
@@ -70,13 +68,13 @@ public final class ThingMeshes implements AutoCloseable {
     /** What a program that includes {@code thing-position.glsl} is told for each run of instances. */
     public record RunUniforms(Whole firstInstance, Whole partsPerThing) {
         public static RunUniforms of(Uniforms uniforms) {
-            uniforms.sampler("thingInstances", INSTANCES_UNIT);
+            uniforms.sampler("thingInstances", TextureUnit.THING_INSTANCES);
             return new RunUniforms(uniforms.whole("firstInstance"), uniforms.whole("partsPerThing"));
         }
     }
 
     public void bind() {
-        instances.bind(INSTANCES_UNIT);
+        instances.bind(TextureUnit.THING_INSTANCES);
     }
 
     /** Draws one run with the program that is set and its uniforms. */

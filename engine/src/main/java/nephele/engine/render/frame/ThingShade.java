@@ -1,12 +1,10 @@
 package nephele.engine.render.frame;
 
-import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.render.gl.Uniforms;
-import nephele.engine.scene.light.LightNeeds;
-import nephele.engine.scene.thing.FigurePresence;
 import nephele.engine.scene.thing.ThingSunMap;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -18,8 +16,6 @@ import org.joml.Vector3d;
 public final class ThingShade implements AutoCloseable {
     public static final int BINDING = 3;
 
-    private static final int SUN_UNIT = 10;
-    private static final int LAMP_UNIT = 11;
     /** One float for each layer of the lamps' depth texture, four to a vector. */
     private static final int MOST_LAYERS = 512;
 
@@ -32,10 +28,9 @@ public final class ThingShade implements AutoCloseable {
     private final float[] values = new float[FLOATS];
     private final Matrix4d map = new Matrix4d();
 
-    ThingShade(GlContext gl, Level level, FigurePresence figure) {
-        boolean things = !level.bodies().isEmpty() || figure == FigurePresence.POSSIBLE;
-        sun = things && LightNeeds.sun(level) && level.environment().sun().castsShadow();
-        lamps = things && LightNeeds.lampShadow(level);
+    ThingShade(GlContext gl, LightMaps maps) {
+        sun = maps.has(Target.THING_SUN_SHADOW);
+        lamps = maps.has(Target.THING_LAMP_SHADOW);
         block = sun || lamps ? new UniformBuffer(gl, "shadows of things", FLOATS) : null;
     }
 
@@ -53,10 +48,10 @@ public final class ThingShade implements AutoCloseable {
 
     void set(Uniforms uniforms) {
         if (sun) {
-            uniforms.sampler("thingSunMap", SUN_UNIT);
+            uniforms.sampler("thingSunMap", TextureUnit.THING_SUN_SHADOW);
         }
         if (lamps) {
-            uniforms.sampler("thingLampMaps", LAMP_UNIT);
+            uniforms.sampler("thingLampMaps", TextureUnit.THING_LAMP_SHADOW);
         }
         if (block != null) {
             uniforms.block("ThingShade", BINDING);
@@ -95,13 +90,8 @@ public final class ThingShade implements AutoCloseable {
         values[at + 3] = w;
     }
 
-    void bind(SharedResources shared) {
-        if (sun) {
-            shared.texture(Target.THING_SUN_SHADOW).bind(SUN_UNIT);
-        }
-        if (lamps) {
-            shared.texture(Target.THING_LAMP_SHADOW).bind(LAMP_UNIT);
-        }
+    /** Binds the block; the depth textures are {@link LightMaps}. */
+    void bind() {
         if (block != null) {
             block.bind(BINDING);
         }

@@ -157,10 +157,10 @@ public final class BareFrame implements AutoCloseable {
         }
 
         @Override
-        public void copied(int from, int to, int width, int height) {
+        public void copied(int from, int to, int width, int height, Copied copied) {
             bindAll();
-            words.add("copy " + from + " " + to + " " + width + " " + height);
-            calls.add(() -> RenderTarget.copyColours(from, to, width, height));
+            words.add("copy " + copied + " " + from + " " + to + " " + width + " " + height);
+            calls.add(() -> RenderTarget.copyPixels(from, to, width, height, copied));
         }
 
         private void bindAll() {

@@ -6,9 +6,7 @@ import java.util.Arrays;
 
 /** Which object is bound where, and the viewport; calls OpenGL only for what differs. */
 final class Bindings {
-    static final int TEXTURE_UNITS = 16;
-
-    private final int[] textures = new int[TEXTURE_UNITS];
+    private final int[] textures = new int[TextureUnit.COUNT];
     private int activeUnit;
     private int program;
     private int vertexArray;
@@ -30,7 +28,8 @@ final class Bindings {
         }
     }
 
-    void texture(int unit, int target, int id) {
+    void texture(TextureUnit at, int target, int id) {
+        int unit = at.number();
         if (textures[unit] != id) {
             if (activeUnit != unit) {
                 glActiveTexture(GL_TEXTURE0 + unit);
@@ -61,7 +60,7 @@ final class Bindings {
             case VERTEX_ARRAY -> vertexArray = vertexArray == id ? 0 : vertexArray;
             case FRAMEBUFFER -> framebuffer = framebuffer == id ? 0 : framebuffer;
             case TEXTURE -> {
-                for (int unit = 0; unit < TEXTURE_UNITS; unit++) {
+                for (int unit = 0; unit < TextureUnit.COUNT; unit++) {
                     textures[unit] = textures[unit] == id ? 0 : textures[unit];
                 }
             }

@@ -155,7 +155,7 @@ record BoundState(List<Step> steps) {
             {GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER}
         };
         int active = glGetInteger(GL_ACTIVE_TEXTURE);
-        for (int unit = 0; unit < Bindings.TEXTURE_UNITS; unit++) {
+        for (int unit = 0; unit < TextureUnit.COUNT; unit++) {
             int name = GL_TEXTURE0 + unit;
             glActiveTexture(name);
             for (int[] target : targets) {

@@ -80,11 +80,11 @@ public final class BufferTexture implements AutoCloseable {
     }
 
     private void attach(int format) {
-        bind(0);
+        bind(TextureUnit.UPLOAD);
         glTexBuffer(GL_TEXTURE_BUFFER, format, buffer.id());
     }
 
-    public void bind(int unit) {
+    public void bind(TextureUnit unit) {
         gl.bindings().texture(unit, GL_TEXTURE_BUFFER, texture.id());
     }
 

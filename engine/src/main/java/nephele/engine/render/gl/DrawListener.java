@@ -23,6 +23,6 @@ interface DrawListener {
     /** The full-screen triangle is about to be drawn with what is bound. */
     void drawnFullScreen();
 
-    /** The colours of framebuffer {@code from} are about to be copied to the bound one, of the same size. */
-    void copied(int from, int to, int width, int height);
+    /** Pixels of framebuffer {@code from} are about to be copied to the bound one, of the same size. */
+    void copied(int from, int to, int width, int height, Copied copied);
 }

@@ -4,38 +4,35 @@ import static org.lwjgl.opengl.GL41C.*;
 
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
+import java.util.List;
 import org.lwjgl.BufferUtils;
 
 /** Where a pass draws: an offscreen picture with its own textures, one layer of a depth array, or the window. */
 public final class RenderTarget implements AutoCloseable {
     private final GlContext gl;
     private final GlHandle framebuffer;
-    private final GlHandle depth;
     private final Texture colour;
-    private final GlHandle colourSamples;
+    private final Texture depth;
+    /** What is drawn into but never looked up. */
+    private final List<GlHandle> renderbuffers;
+
+    private final PixelFormat format;
     private final int width;
     private final int height;
 
-    private RenderTarget(GlContext gl, GlHandle framebuffer, GlHandle depth, Texture colour, int width, int height) {
-        this(gl, framebuffer, depth, colour, null, width, height);
-    }
-
-    private RenderTarget(
-            GlContext gl,
-            GlHandle framebuffer,
-            GlHandle depth,
-            Texture colour,
-            GlHandle colourSamples,
-            int width,
-            int height) {
+    private RenderTarget(GlContext gl, GlHandle framebuffer, Attachments attached, int width, int height) {
         this.gl = gl;
         this.framebuffer = framebuffer;
-        this.depth = depth;
-        this.colour = colour;
-        this.colourSamples = colourSamples;
+        this.colour = attached.colour;
+        this.depth = attached.depth;
+        this.renderbuffers = attached.renderbuffers;
+        this.format = attached.format;
         this.width = width;
         this.height = height;
     }
+
+    /** What a target draws into and owns; {@code format} is that of its colours. */
+    private record Attachments(PixelFormat format, Texture colour, Texture depth, List<GlHandle> renderbuffers) {}
 
     /** Colour texture of the given format, 24 bits of depth and 8 of stencil. */
     public static RenderTarget picture(GlContext gl, String name, PixelFormat format, int width, int height) {
@@ -55,7 +52,34 @@ public final class RenderTarget implements AutoCloseable {
         gl.bindings().framebuffer(framebuffer.id(), width, height);
         glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.id(), 0);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.id());
-        return complete(name, new RenderTarget(gl, framebuffer, depth, colour, width, height));
+        Attachments attached = new Attachments(format, colour, null, List.of(depth));
+        return complete(name, new RenderTarget(gl, framebuffer, attached, width, height));
+    }
+
+    /**
+     * Depth that can be looked up, to be {@link #copyTo copied} into.
+     *
+     * @param format of colours beside it; {@code null} for none
+     */
+    public static RenderTarget readable(GlContext gl, String name, PixelFormat format, int width, int height) {
+        Texture colour = format == null ? null : flat(gl, name, format, width, height);
+        Texture depth = flat(gl, name, PixelFormat.DEPTH24_STENCIL8, width, height);
+        GlHandle framebuffer = newFramebuffer(gl, name);
+        gl.bindings().framebuffer(framebuffer.id(), width, height);
+        glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, depth.id(), 0);
+        if (colour == null) {
+            glDrawBuffer(GL_NONE);
+            glReadBuffer(GL_NONE);
+        } else {
+            glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, colour.id(), 0);
+        }
+        Attachments attached = new Attachments(format, colour, depth, List.of());
+        return complete(name, new RenderTarget(gl, framebuffer, attached, width, height));
+    }
+
+    private static Texture flat(GlContext gl, String name, PixelFormat format, int width, int height) {
+        Texture.Extent extent = Texture.Extent.flat(width, height);
+        return new Texture(gl, name, Texture.Shape.FLAT, format, extent, Sampling.NEAREST_CLAMP);
     }
 
     /**
@@ -70,7 +94,8 @@ public final class RenderTarget implements AutoCloseable {
         gl.bindings().framebuffer(framebuffer.id(), width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.id());
-        RenderTarget target = new RenderTarget(gl, framebuffer, depth, null, colour, width, height);
+        Attachments attached = new Attachments(format, null, null, List.of(colour, depth));
+        RenderTarget target = new RenderTarget(gl, framebuffer, attached, width, height);
         if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
             target.close();
             return null;
@@ -94,12 +119,14 @@ public final class RenderTarget implements AutoCloseable {
         glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depthArray.id(), 0, layer);
         glDrawBuffer(GL_NONE);
         glReadBuffer(GL_NONE);
-        return complete(name, new RenderTarget(gl, framebuffer, null, null, extent.width(), extent.height()));
+        Attachments attached = new Attachments(null, null, null, List.of());
+        return complete(name, new RenderTarget(gl, framebuffer, attached, extent.width(), extent.height()));
     }
 
     /** The window's own framebuffer, 8 bits a channel with depth. */
     public static RenderTarget window(GlContext gl, int width, int height) {
-        return new RenderTarget(gl, null, null, null, width, height);
+        Attachments attached = new Attachments(PixelFormat.RGBA8, null, null, List.of());
+        return new RenderTarget(gl, null, attached, width, height);
     }
 
     private static GlHandle newFramebuffer(GlContext gl, String name) {
@@ -124,9 +151,24 @@ public final class RenderTarget implements AutoCloseable {
         return height;
     }
 
-    /** What was drawn, for a later pass to sample; {@code null} for the window and for depth layers. */
+    /** What was drawn, for a later pass to sample; {@code null} for the window, samples and depth alone. */
     public Texture colour() {
         return colour;
+    }
+
+    /** Depth to sample; {@code null} for all but {@link #readable} targets. */
+    public Texture depth() {
+        return depth;
+    }
+
+    /** Of the colours: of the window the nearest to what the system chose, {@code null} for depth alone. */
+    public PixelFormat format() {
+        return format;
+    }
+
+    /** Whether this is the window's own framebuffer, whose depth nothing can be copied from. */
+    public boolean isWindow() {
+        return framebuffer == null;
     }
 
     /** All drawing goes here from now on. */
@@ -162,24 +204,30 @@ public final class RenderTarget implements AutoCloseable {
         glClear(GL_DEPTH_BUFFER_BIT);
     }
 
-    /**
-     * Copies the colours to a target of the same size, averaging the samples of a pixel, and binds that. From samples
-     * only to a {@link #picture} of the same format: a window's own format is not known.
-     */
+    /** Copies the colours, as {@link #copyTo(RenderTarget, Copied)}. */
     public void copyTo(RenderTarget target) {
+        copyTo(target, Copied.COLOUR);
+    }
+
+    /**
+     * Copies to a target of the same size, within the scissor, and binds that. The samples of a pixel become one: the
+     * average of their colours, the depth of one. Colours of samples only to a target of the same format, depth never
+     * from or to a window: its own formats are not known.
+     */
+    public void copyTo(RenderTarget target, Copied copied) {
         target.bind();
         int from = framebuffer == null ? 0 : framebuffer.id();
         int to = target.framebuffer == null ? 0 : target.framebuffer.id();
         if (gl.state().listener() != null) {
-            gl.state().listener().copied(from, to, width, height);
+            gl.state().listener().copied(from, to, width, height, copied);
         }
-        copyColours(from, to, width, height);
+        copyPixels(from, to, width, height, copied);
     }
 
     /** Leaves {@code to} bound for reading too, as {@link #bind} does. */
-    static void copyColours(int from, int to, int width, int height) {
+    static void copyPixels(int from, int to, int width, int height, Copied copied) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
-        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, copied.buffers, GL_NEAREST);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, to);
     }
 
@@ -214,14 +262,12 @@ public final class RenderTarget implements AutoCloseable {
         if (framebuffer != null) {
             framebuffer.close();
         }
-        if (depth != null) {
-            depth.close();
-        }
         if (colour != null) {
             colour.close();
         }
-        if (colourSamples != null) {
-            colourSamples.close();
+        if (depth != null) {
+            depth.close();
         }
+        renderbuffers.forEach(GlHandle::close);
     }
 }

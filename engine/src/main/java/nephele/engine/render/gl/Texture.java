@@ -44,7 +44,7 @@ public final class Texture implements AutoCloseable {
         this.extent = extent;
         this.sampling = sampling;
         handle = new GlHandle(gl, GlKind.TEXTURE, name, glGenTextures(), id -> glDeleteTextures(id));
-        bind(0);
+        bind(TextureUnit.UPLOAD);
         sampling.apply(shape.target);
         if (!sampling.isMipmapped()) {
             glTexParameteri(shape.target, GL_TEXTURE_MAX_LEVEL, 0);
@@ -117,7 +117,7 @@ public final class Texture implements AutoCloseable {
 
     /** Replaces one layer or cube face; rows as stored, the first at t = 0. {@code texels} is direct. */
     public void upload(int layer, ByteBuffer texels) {
-        bind(0);
+        bind(TextureUnit.UPLOAD);
         if (shape == Shape.ARRAY) {
             glTexSubImage3D(
                     shape.target, 0, 0, 0, layer, extent.width, extent.height, 1, format.pixels, format.type, texels);
@@ -129,13 +129,13 @@ public final class Texture implements AutoCloseable {
 
     /** Has the driver make the smaller images of a mipmapped flat texture from the largest. */
     public void generateLevels() {
-        bind(0);
+        bind(TextureUnit.UPLOAD);
         glGenerateMipmap(shape.target);
     }
 
     /** Replaces a smaller image of one layer of an array; level 1 has half the sides, rounded down but never to 0. */
     public void uploadLevel(int level, int layer, ByteBuffer texels) {
-        bind(0);
+        bind(TextureUnit.UPLOAD);
         int width = Math.max(extent.width >> level, 1);
         int height = Math.max(extent.height >> level, 1);
         glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, layer, width, height, 1, format.pixels, format.type, texels);
@@ -144,13 +144,13 @@ public final class Texture implements AutoCloseable {
     /** How many samples across a slanted surface may take, where the driver can. */
     public void anisotropy(float most) {
         if (gl.limits().maxAnisotropy() > 1) {
-            bind(0);
+            bind(TextureUnit.UPLOAD);
             float level = Math.min(most, gl.limits().maxAnisotropy());
             glTexParameterf(shape.target, TEXTURE_MAX_ANISOTROPY, Math.max(1, level));
         }
     }
 
-    public void bind(int unit) {
+    public void bind(TextureUnit unit) {
         gl.bindings().texture(unit, shape.target, handle.id());
     }
 

@@ -68,8 +68,8 @@ public final class Uniforms {
     }
 
     /** Ties a sampler to a texture unit for good. */
-    public void sampler(String name, int unit) {
-        glProgramUniform1i(program, location(name), unit);
+    public void sampler(String name, TextureUnit unit) {
+        glProgramUniform1i(program, location(name), unit.number());
     }
 
     /** Ties a uniform block to a binding point for good. */

@@ -13,6 +13,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
@@ -25,7 +26,6 @@ import org.lwjgl.system.MemoryUtil;
 public final class OverlayPass implements AutoCloseable {
     private static final String FOLDER = "/nephele/engine/render/pass/overlay/";
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT4, Attribute.FLOAT4);
-    private static final int LETTERS_UNIT = 0;
 
     private final GlContext gl;
     private final Lettering lettering;
@@ -55,7 +55,7 @@ public final class OverlayPass implements AutoCloseable {
         }
         picture.bind();
         gl.state().set(Depth.OFF, Blend.OVER, Cull.NONE);
-        letters.bind(LETTERS_UNIT);
+        letters.bind(TextureUnit.COLOURS);
         program.use();
         program.uniforms().set(picture.width(), picture.height(), 0, 0);
         quads.draw();
@@ -77,7 +77,7 @@ public final class OverlayPass implements AutoCloseable {
                 ShaderSource.load(FOLDER + "overlay.vert", defines),
                 ShaderSource.load(FOLDER + "overlay.frag", defines),
                 uniforms -> {
-                    uniforms.sampler("letters", LETTERS_UNIT);
+                    uniforms.sampler("letters", TextureUnit.COLOURS);
                     return uniforms.vector4("pictureSize");
                 });
         quads = new QuadStream(gl, "overlay", FORMAT);

@@ -8,6 +8,7 @@ import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -21,7 +22,7 @@ import nephele.engine.scene.ViewNode;
 public final class OpeningDepthPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
             "portal.depth",
-            level -> PortalNeeds.of(level, "where openings hide what is behind", OpeningDepthPass::new));
+            request -> PortalNeeds.of(request, "where openings hide what is behind", OpeningDepthPass::new));
 
     private final GlContext gl;
     private GlProgram<Object> program;
@@ -29,6 +30,11 @@ public final class OpeningDepthPass implements Pass {
 
     private OpeningDepthPass(GlContext gl) {
         this.gl = gl;
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.IN_VIEWS;
     }
 
     @Override

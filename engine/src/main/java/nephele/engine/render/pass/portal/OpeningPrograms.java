@@ -6,12 +6,11 @@ import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 
 /** Programs that place openings alike, to the last bit of their depth. */
 final class OpeningPrograms {
-    static final int PICTURE_UNIT = 0;
-
     private static final String FOLDER = "/nephele/engine/render/pass/portal/";
 
     private OpeningPrograms() {}
@@ -29,7 +28,7 @@ final class OpeningPrograms {
     /** A picture, looked up. */
     static GlProgram<Object> picture(LoadContext context) {
         return program(context, "picture.frag", uniforms -> {
-            uniforms.sampler("shown", PICTURE_UNIT);
+            uniforms.sampler("shown", TextureUnit.COLOURS);
             return uniforms;
         });
     }

@@ -13,6 +13,7 @@ import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -22,6 +23,7 @@ import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.ViewNode;
 
@@ -32,7 +34,7 @@ import nephele.engine.scene.ViewNode;
  */
 public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE =
-            new RenderFeature("portal", level -> PortalNeeds.of(level, "openings to see through", PortalPass::new));
+            new RenderFeature("portal", request -> PortalNeeds.of(request, "openings to see through", PortalPass::new));
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
 
@@ -47,6 +49,11 @@ public final class PortalPass implements Pass {
 
     private PortalPass(GlContext gl) {
         this.gl = gl;
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.IN_VIEWS;
     }
 
     @Override
@@ -75,7 +82,7 @@ public final class PortalPass implements Pass {
             switch (frame.nested().filling(child)) {
                 case SKY, VIEW -> drawThrough(frame, child);
                 case PICTURE -> {
-                    frame.nested().picture(child).bind(OpeningPrograms.PICTURE_UNIT);
+                    frame.nested().picture(child).bind(TextureUnit.COLOURS);
                     cover(frame, child, picture);
                 }
                 case MARK -> {

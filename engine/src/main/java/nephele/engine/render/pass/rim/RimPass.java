@@ -2,13 +2,14 @@ package nephele.engine.render.pass.rim;
 
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Level;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -35,8 +36,13 @@ public final class RimPass implements Pass {
         shapes = new RimShapes(gl);
     }
 
-    private static List<Required> requiredBy(Level level) {
-        return PortalNeeds.of(level, "rims of openings", RimPass::new);
+    private static List<Required> requiredBy(FrameRequest request) {
+        return PortalNeeds.of(request, "rims of openings", RimPass::new);
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.IN_VIEWS;
     }
 
     @Override

@@ -2,8 +2,8 @@ package nephele.engine.render.pass.rim;
 
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Level;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.OpeningMesh;
@@ -11,6 +11,7 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -35,8 +36,13 @@ public final class UnfilledPass implements Pass {
         this.gl = gl;
     }
 
-    private static List<Required> requiredBy(Level level) {
-        return PortalNeeds.of(level, "openings that nothing fills", UnfilledPass::new);
+    private static List<Required> requiredBy(FrameRequest request) {
+        return PortalNeeds.of(request, "openings that nothing fills", UnfilledPass::new);
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.IN_VIEWS;
     }
 
     @Override

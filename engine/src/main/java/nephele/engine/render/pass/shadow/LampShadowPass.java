@@ -5,10 +5,12 @@ import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Lamp;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
@@ -30,8 +32,15 @@ public final class LampShadowPass implements Pass {
         this.gl = gl;
     }
 
-    private static List<Required> requiredBy(Level level) {
-        return LightNeeds.lampShadow(level) ? List.of(new Required(because(level), LampShadowPass::new)) : List.of();
+    private static List<Required> requiredBy(FrameRequest request) {
+        return request.lightMaps().has(Target.LAMP_SHADOW)
+                ? List.of(new Required(because(request.level()), LampShadowPass::new))
+                : List.of();
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.ONCE_A_FRAME;
     }
 
     @Override

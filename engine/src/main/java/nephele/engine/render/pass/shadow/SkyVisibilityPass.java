@@ -4,12 +4,13 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Level;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -29,11 +30,17 @@ public final class SkyVisibilityPass implements Pass {
         this.gl = gl;
     }
 
-    private static List<Required> requiredBy(Level level) {
-        return LightNeeds.skyVisibility(level)
+    private static List<Required> requiredBy(FrameRequest request) {
+        return request.lightMaps().has(Target.SKY_VISIBILITY)
                 ? List.of(new Required(
-                        "environment.sky: its light falls on " + LightNeeds.surfaces(level), SkyVisibilityPass::new))
+                        "environment.sky: its light falls on " + LightNeeds.surfaces(request.level()),
+                        SkyVisibilityPass::new))
                 : List.of();
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.ONCE_A_FRAME;
     }
 
     @Override

@@ -2,12 +2,13 @@ package nephele.engine.render.pass.shadow;
 
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Level;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -28,12 +29,17 @@ public final class SunShadowPass implements Pass {
         this.gl = gl;
     }
 
-    private static List<Required> requiredBy(Level level) {
-        return LightNeeds.sunShadow(level)
+    private static List<Required> requiredBy(FrameRequest request) {
+        return request.lightMaps().has(Target.SUN_SHADOW)
                 ? List.of(new Required(
-                        "environment.sun.castsShadow: " + LightNeeds.surfaces(level) + " that shade others",
+                        "environment.sun.castsShadow: " + LightNeeds.surfaces(request.level()) + " that shade others",
                         SunShadowPass::new))
                 : List.of();
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.ONCE_A_FRAME;
     }
 
     @Override

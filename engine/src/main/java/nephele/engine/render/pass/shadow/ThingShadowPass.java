@@ -3,17 +3,17 @@ package nephele.engine.render.pass.shadow;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Level;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.ThingMeshes;
 import nephele.engine.render.frame.ThingShade;
-import nephele.engine.scene.light.LightNeeds;
 
 /** Depth maps of what moves, for the sun and for lamps; drawn again when something has moved or the eye has gone far. */
 public final class ThingShadowPass implements Pass {
@@ -31,24 +31,20 @@ public final class ThingShadowPass implements Pass {
         this.writes = writes;
     }
 
-    private static List<Required> requiredBy(Level level) {
-        return level.bodies().isEmpty() ? List.of() : required(level, "bodies: things that shade others");
+    private static List<Required> requiredBy(FrameRequest request) {
+        Set<Target> targets = EnumSet.of(Target.THING_SUN_SHADOW, Target.THING_LAMP_SHADOW);
+        targets.removeIf(target -> !request.lightMaps().has(target));
+        if (targets.isEmpty()) {
+            return List.of();
+        }
+        String because =
+                request.hasBodies() ? "bodies: things that shade others" : "player: a figure that casts a shadow";
+        return List.of(new Required(because, gl -> new ThingShadowPass(targets)));
     }
 
-    /** What whoever plays asks for, in a level that asks for nothing itself. */
-    public static List<Required> forFigure(Level level) {
-        return required(level, "player: a figure that casts a shadow");
-    }
-
-    private static List<Required> required(Level level, String because) {
-        Set<Target> targets = EnumSet.noneOf(Target.class);
-        if (LightNeeds.sun(level) && level.environment().sun().castsShadow()) {
-            targets.add(Target.THING_SUN_SHADOW);
-        }
-        if (LightNeeds.lampShadow(level)) {
-            targets.add(Target.THING_LAMP_SHADOW);
-        }
-        return targets.isEmpty() ? List.of() : List.of(new Required(because, gl -> new ThingShadowPass(targets)));
+    @Override
+    public Stage stage() {
+        return Stage.ONCE_A_FRAME;
     }
 
     @Override

@@ -2,16 +2,18 @@ package nephele.engine.render.pass.sky;
 
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Level;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
@@ -31,9 +33,10 @@ public final class GradientSkyPass implements Pass {
         drawing = new FullScreenDrawing(gl, "gradient sky");
     }
 
-    private static List<Required> requiredBy(Level level) {
-        Sky sky = level.environment().sky();
-        if (FogVeil.of(level.environment()).isPresent()) {
+    private static List<Required> requiredBy(FrameRequest request) {
+        Environment environment = request.level().environment();
+        Sky sky = environment.sky();
+        if (FogVeil.of(environment).isPresent()) {
             return List.of();
         } else if (sky instanceof Sky.Gradient gradient) {
             return List.of(new Required("environment.sky: a gradient", gl -> new GradientSkyPass(gl, gradient)));
@@ -43,6 +46,11 @@ public final class GradientSkyPass implements Pass {
                     gl -> new GradientSkyPass(gl, GradientSky.ATMOSPHERE_STAND_IN)));
         }
         return List.of();
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.IN_VIEWS;
     }
 
     @Override

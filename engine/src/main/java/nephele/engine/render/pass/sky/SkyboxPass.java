@@ -5,16 +5,18 @@ import java.nio.ByteOrder;
 import java.nio.IntBuffer;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Level;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -24,6 +26,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
 import org.joml.Vector3d;
@@ -33,7 +36,6 @@ public final class SkyboxPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("sky.skybox", SkyboxPass::requiredBy);
 
     private static final String FOLDER = "/nephele/engine/render/pass/sky/";
-    private static final int FACES_UNIT = 0;
     private static final int[][] CORNERS = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
     private static final int[] QUAD = {0, 1, 2, 0, 2, 3};
 
@@ -48,11 +50,17 @@ public final class SkyboxPass implements Pass {
         this.sky = sky;
     }
 
-    private static List<Required> requiredBy(Level level) {
-        boolean isSeen = FogVeil.of(level.environment()).isEmpty();
-        return isSeen && level.environment().sky() instanceof Sky.Skybox skybox
+    private static List<Required> requiredBy(FrameRequest request) {
+        Environment environment = request.level().environment();
+        boolean isSeen = FogVeil.of(environment).isEmpty();
+        return isSeen && environment.sky() instanceof Sky.Skybox skybox
                 ? List.of(new Required("environment.sky: a skybox", gl -> new SkyboxPass(gl, skybox)))
                 : List.of();
+    }
+
+    @Override
+    public Stage stage() {
+        return Stage.IN_VIEWS;
     }
 
     @Override
@@ -77,7 +85,7 @@ public final class SkyboxPass implements Pass {
                 ShaderSource.load(FOLDER + "skybox.frag", defines),
                 uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
-                    uniforms.sampler("faces", FACES_UNIT);
+                    uniforms.sampler("faces", TextureUnit.COLOURS);
                     return uniforms;
                 });
     }
@@ -112,7 +120,7 @@ public final class SkyboxPass implements Pass {
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.NONE);
         program.use();
-        faces.bind(FACES_UNIT);
+        faces.bind(TextureUnit.COLOURS);
         cube.draw(0, 36);
     }
 

@@ -8,6 +8,7 @@ import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.MaterialBlocks;
 import nephele.engine.render.frame.Pass;
@@ -16,14 +17,16 @@ import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.SolidMesh;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.light.LightNeeds;
 
@@ -32,7 +35,7 @@ public final class SolidPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("solid", SolidPass::requiredBy);
 
     private final GlContext gl;
-    private final Set<Target> reads;
+    private final TargetReads reads;
     private final Map<SolidVariant, GlProgram<SolidUniforms>> programs = new HashMap<>();
     private final List<GlProgram<SolidUniforms>> programOfBatch = new ArrayList<>();
     private final float[] eye = new float[6];
@@ -44,23 +47,29 @@ public final class SolidPass implements Pass {
     private SurfaceLight light;
     private DepthFirst depthFirst;
 
-    private SolidPass(GlContext gl, Set<Target> reads) {
+    private SolidPass(GlContext gl, TargetReads reads) {
         this.gl = gl;
         this.reads = reads;
     }
 
-    private static List<Required> requiredBy(Level level) {
+    private static List<Required> requiredBy(FrameRequest request) {
+        Level level = request.level();
         if (!LightNeeds.hasSurfaces(level)) {
             return List.of();
         }
         String what = LightNeeds.surfaces(level);
-        Set<Target> reads = SurfaceLight.targetsRead(level);
+        TargetReads reads = request.lightMaps().all();
         return List.of(new Required(what + ": surfaces to see", gl -> new SolidPass(gl, reads)));
     }
 
     @Override
+    public Stage stage() {
+        return Stage.IN_VIEWS;
+    }
+
+    @Override
     public Set<Target> reads() {
-        return reads;
+        return reads.declared();
     }
 
     @Override
@@ -95,7 +104,7 @@ public final class SolidPass implements Pass {
             depthFirst.draw(frame, mesh);
             gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         }
-        light.bind(shared);
+        light.bind(shared, reads);
         for (int i = 0; i < programOfBatch.size(); i++) {
             if (frame.visible().size(i) > 0) {
                 drawBatch(frame, i);
@@ -113,10 +122,10 @@ public final class SolidPass implements Pass {
         program.uniforms().cell(cell, light.anchor());
         materials.bind(batch.kind().materialBlock());
         if (batch.kind().isTextured()) {
-            colours.get(batch.kind().colourArray()).bind(SurfaceVariant.COLOUR_UNIT);
+            colours.get(batch.kind().colourArray()).bind(TextureUnit.COLOURS);
         }
         if (batch.kind().isNormalMapped()) {
-            normals.get(batch.kind().normalArray()).bind(SurfaceVariant.NORMAL_UNIT);
+            normals.get(batch.kind().normalArray()).bind(TextureUnit.NORMALS);
         }
         mesh.draw(index, frame.visible());
     }

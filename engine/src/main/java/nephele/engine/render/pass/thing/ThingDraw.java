@@ -11,13 +11,14 @@ import nephele.engine.render.frame.PictureArrays;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.frame.SurfaceLight;
-import nephele.engine.render.frame.SurfaceVariant;
+import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.frame.ThingMeshes;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.thing.ThingGroup;
@@ -33,6 +34,7 @@ final class ThingDraw implements AutoCloseable {
 
     private final GlContext gl;
     private final ThingLook look;
+    private final TargetReads reads;
     private final SharedResources shared;
     private final ThingMeshes meshes;
     private final PictureArrays colours;
@@ -46,8 +48,9 @@ final class ThingDraw implements AutoCloseable {
     private float seamPerMetre;
     private float clarity;
 
-    ThingDraw(LoadContext context, ThingLook look) {
+    ThingDraw(LoadContext context, ThingLook look, TargetReads reads) {
         this.look = look;
+        this.reads = reads;
         gl = context.gl();
         shared = context.shared();
         meshes = shared.things(context);
@@ -76,7 +79,7 @@ final class ThingDraw implements AutoCloseable {
     void draw(FrameContext frame, VisibleThings visible) {
         frame.surface().bind();
         gl.state().set(depth(), blend(), Cull.BACK, cuts ? CLIP_DISTANCES : 0);
-        light.bindForThings(shared);
+        light.bind(shared, reads);
         meshes.bind();
         double pixel =
                 2 * frame.view().projection().tanHalfHeight() / frame.surface().height();
@@ -104,10 +107,10 @@ final class ThingDraw implements AutoCloseable {
         program.uniforms().view(eye, seamPerMetre, clarity);
         materials.bind(kind.materialBlock());
         if (kind.isTextured()) {
-            colours.get(kind.colourArray()).bind(SurfaceVariant.COLOUR_UNIT);
+            colours.get(kind.colourArray()).bind(TextureUnit.COLOURS);
         }
         if (kind.isNormalMapped()) {
-            normals.get(kind.normalArray()).bind(SurfaceVariant.NORMAL_UNIT);
+            normals.get(kind.normalArray()).bind(TextureUnit.NORMALS);
         }
         meshes.draw(visible, run, program.uniforms().run());
     }

@@ -2,14 +2,15 @@ package nephele.engine.render.pass.thing;
 
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Level;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.frame.ThingMeshes;
 import nephele.engine.scene.thing.HeldSight;
 import nephele.engine.scene.thing.VisibleThings;
@@ -18,33 +19,33 @@ import nephele.engine.scene.thing.VisibleThings;
 public final class ThingPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("thing", ThingPass::requiredBy);
 
-    private final Set<Target> reads;
+    private final TargetReads reads;
     private ThingMeshes meshes;
     private VisibleThings visible;
     private HeldSight held;
     private ThingDraw draw;
 
-    private ThingPass(Set<Target> reads) {
+    private ThingPass(TargetReads reads) {
         this.reads = reads;
     }
 
-    private static List<Required> requiredBy(Level level) {
-        return level.bodies().isEmpty() ? List.of() : List.of(required(level, "bodies: things that move"));
+    private static List<Required> requiredBy(FrameRequest request) {
+        if (!request.hasBodies() && !request.mayShowFigure()) {
+            return List.of();
+        }
+        String because = request.hasBodies() ? "bodies: things that move" : "player: a figure to be seen";
+        return List.of(
+                new Required(because, gl -> new ThingPass(request.lightMaps().things())));
     }
 
-    /** What whoever plays asks for, in a level that asks for nothing itself. */
-    public static Required forFigure(Level level) {
-        return required(level, "player: a figure to be seen");
-    }
-
-    private static Required required(Level level, String because) {
-        Set<Target> reads = SurfaceLight.targetsRead(level);
-        return new Required(because, gl -> new ThingPass(reads));
+    @Override
+    public Stage stage() {
+        return Stage.IN_VIEWS;
     }
 
     @Override
     public Set<Target> reads() {
-        return reads;
+        return reads.declared();
     }
 
     @Override
@@ -57,7 +58,7 @@ public final class ThingPass implements Pass {
         meshes = context.shared().things(context);
         visible = new VisibleThings(meshes.things(), meshes.copies());
         held = new HeldSight(meshes.copies());
-        draw = new ThingDraw(context, ThingLook.SOLID);
+        draw = new ThingDraw(context, ThingLook.SOLID, reads);
     }
 
     @Override

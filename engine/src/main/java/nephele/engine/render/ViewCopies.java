@@ -1,0 +1,86 @@
+package nephele.engine.render;
+
+import java.util.Set;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.Copied;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+
+/**
+ * Copies of a view's depth and colours for the passes after its opaque surfaces. One serves all views of a size in turn: a
+ * view is drawn to its end before the one that it is seen in goes on. Where no pass reads them, nothing is made or called.
+ */
+final class ViewCopies implements AutoCloseable {
+    private final GlContext gl;
+    private final SharedResources shared;
+    private final Set<Target> read;
+    private RenderTarget copy;
+
+    /** @param read targets that passes read, of which {@link Target#VIEW_DEPTH} and {@link Target#VIEW_COLOUR} count */
+    ViewCopies(GlContext gl, SharedResources shared, Set<Target> read) {
+        this.gl = gl;
+        this.shared = shared;
+        this.read = read;
+    }
+
+    /** Whether there is anything to copy. */
+    boolean areRead() {
+        return depth() || colour();
+    }
+
+    /** The same for views of another size. */
+    ViewCopies another() {
+        return new ViewCopies(gl, shared, read);
+    }
+
+    private boolean depth() {
+        return read.contains(Target.VIEW_DEPTH);
+    }
+
+    private boolean colour() {
+        return read.contains(Target.VIEW_COLOUR);
+    }
+
+    /** Copies what has been drawn into {@code surface} within the scissor and hands it to the passes. */
+    void take(RenderTarget surface) {
+        if (!areRead()) {
+            return;
+        }
+        fit(surface);
+        surface.copyTo(copy, copied());
+        if (depth()) {
+            shared.publish(Target.VIEW_DEPTH, copy.depth());
+        }
+        if (colour()) {
+            shared.publish(Target.VIEW_COLOUR, copy.colour());
+        }
+    }
+
+    private Copied copied() {
+        if (depth()) {
+            return colour() ? Copied.COLOUR_AND_DEPTH : Copied.DEPTH;
+        }
+        return Copied.COLOUR;
+    }
+
+    private void fit(RenderTarget surface) {
+        PixelFormat format = colour() ? surface.format() : null;
+        if (copy == null
+                || copy.width() != surface.width()
+                || copy.height() != surface.height()
+                || copy.format() != format) {
+            close();
+            copy = RenderTarget.readable(gl, "copy of a view", format, surface.width(), surface.height());
+        }
+    }
+
+    @Override
+    public void close() {
+        if (copy != null) {
+            copy.close();
+            copy = null;
+        }
+    }
+}

@@ -1,0 +1,29 @@
+package nephele.engine.render.frame;
+
+import nephele.engine.level.Level;
+import nephele.engine.scene.thing.FigurePresence;
+
+/**
+ * What the frames of a renderer are asked to show, and how: everything that a pass may depend on.
+ *
+ * @param lightMaps textures that the level's light is looked up in
+ * @param figure whether a player's figure, and what it holds, can appear
+ */
+public record FrameRequest(Level level, LightMaps lightMaps, Output output, Quality quality, FigurePresence figure) {
+    public static FrameRequest of(Level level, Output output, Quality quality, FigurePresence figure) {
+        return new FrameRequest(level, LightMaps.of(level, figure), output, quality, figure);
+    }
+
+    /** With quality HIGH and without a figure. */
+    public static FrameRequest of(Level level, Output output) {
+        return of(level, output, Quality.HIGH, FigurePresence.NEVER);
+    }
+
+    public boolean hasBodies() {
+        return !level.bodies().isEmpty();
+    }
+
+    public boolean mayShowFigure() {
+        return figure == FigurePresence.POSSIBLE;
+    }
+}

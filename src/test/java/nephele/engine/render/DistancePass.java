@@ -1,0 +1,76 @@
+package nephele.engine.render;
+
+import java.util.List;
+import java.util.Set;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FullScreenDrawing;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.TargetReads;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.TextureUnit;
+
+/**
+ * A trial pass that reads its view: red is the distance along the view's axis in 16 m, green the red that was there, blue
+ * the green. So a pixel of the picture shows the distance of up to three views that are seen in each other.
+ */
+final class DistancePass implements Pass {
+    private static final TargetReads READS = TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);
+
+    private final Stage stage;
+    private final FullScreenDrawing drawing;
+    private SharedResources shared;
+
+    private DistancePass(GlContext gl, Stage stage) {
+        this.stage = stage;
+        drawing = new FullScreenDrawing(gl, "distance");
+    }
+
+    static RenderFeature of(Stage stage) {
+        return new RenderFeature(
+                "distance", request -> List.of(new Required("trial", gl -> new DistancePass(gl, stage))));
+    }
+
+    @Override
+    public Stage stage() {
+        return stage;
+    }
+
+    @Override
+    public Set<Target> reads() {
+        return READS.declared();
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.SURFACE);
+    }
+
+    @Override
+    public void load(LoadContext context) {
+        shared = context.shared();
+        var stages = new FullScreenDrawing.Stages("trial.vert", "distance.frag");
+        drawing.load(context, "/nephele/engine/render/trial/", stages, uniforms -> {
+            uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
+            uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
+            return uniforms;
+        });
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        READS.bind(shared);
+        drawing.draw(frame.surface(), Depth.OFF);
+    }
+
+    @Override
+    public void close() {
+        drawing.close();
+    }
+}
