@@ -42,11 +42,11 @@ class PortalsReplayTest {
         assertEquals(
                 List.of(
                         "600 08afb68d65713cbc",
-                        "1200 c76cff36c95387b0",
-                        "1800 7da06606b865b1b5",
-                        "2400 021090ade8b1e9fc",
-                        "3000 2bc8d55235c937f1",
-                        "3434 cfba682151536392"),
+                        "1200 4b61b35f4d78936c",
+                        "1800 71616dcbbad5fcfa",
+                        "2400 428c094d9d2898cd",
+                        "3000 a4baaddf1de80207",
+                        "3434 7b885cf94c8da645"),
                 hashes);
     }
 

@@ -12,7 +12,7 @@ class EnergyProofTest {
         EnergyProof proof = new EnergyProof();
         ProofResult result = proof.judged(proof.run(0, 36, Proof.Progress.NONE));
         assertEquals(0, result.failures(), () -> String.join("\n", result.examples()));
-        assertTrue(result.figure("bodies through portals").orElseThrow().value() > 10);
+        assertTrue(result.figure("bodies through portals").orElseThrow().value() > 5);
     }
 
     private static ProofResult shares(double little, double awake) {

@@ -51,10 +51,13 @@ class ThinBodiesTest {
     /**
      * Piles that once sank, gained energy or rocked for ever: needles and plates across each other (581, 595, 2293), long
      * ones that slide along a portal's rim (2163, 2526, 2970, 3498, 3735), one jammed in the rim (3765), a capsule that
-     * hovers in a portal (3846).
+     * hovers in a portal (3846), a plate whose far end struck before it was looked at (86545), a box in a corner whose
+     * friction went to and fro (204096), a plank pushed out of the wrong side of a rim (202659), capsules that climbed over
+     * a plank's edge (200203, 207215).
      */
     @ParameterizedTest
-    @ValueSource(longs = {581, 595, 2163, 2293, 2526, 2970, 3498, 3735, 3765, 3846})
+    @ValueSource(
+            longs = {581, 595, 2163, 2293, 2526, 2970, 3498, 3735, 3765, 3846, 86545, 200203, 202659, 204096, 207215})
     void pilesThatOnceFailed(long number) {
         DroppedCourse.Seen seen = DroppedCourse.run(DroppedPile.of(number));
         assertEquals(List.of(), seen.failures());

@@ -17,7 +17,7 @@ import nephele.engine.portal.Portal;
  */
 final class Cave {
     /** Thickness of the frame that is left of the host. */
-    static final double FRAME_METRES = 2e-3;
+    static final double FRAME_METRES = 5e-4;
 
     private final Plane front;
     private final Plane frameEnd;

@@ -59,7 +59,8 @@ final class BoxPair {
             edgePoints(reach, out);
             return;
         }
-        for (int attempt = 0; attempt < 3 && gap[face] > Double.NEGATIVE_INFINITY; attempt++) {
+        double leastGap = gap[face] - poses.leastHalf(a) / 2;
+        for (int attempt = 0; attempt < 3 && gap[face] > leastGap; attempt++) {
             if (facePoints(face, reach, out)) {
                 return;
             }

@@ -65,7 +65,8 @@ final class HullPair {
             edgePoints(reach, out);
             return;
         }
-        for (int attempt = 0; attempt < 3 && faceGap[face] > Double.NEGATIVE_INFINITY; attempt++) {
+        double leastGap = faceGap[face] - poses.leastHalf(box) / 2;
+        for (int attempt = 0; attempt < 3 && faceGap[face] > leastGap; attempt++) {
             if (face < faces ? onHullFace(face, reach, out) : onBoxFace(face - faces, reach, out)) {
                 return;
             }

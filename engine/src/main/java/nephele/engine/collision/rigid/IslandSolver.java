@@ -9,7 +9,11 @@ import nephele.engine.math.Vec3;
  * target above zero they are the nearest to the free ones that the contacts allow. Reused.
  */
 final class IslandSolver {
-    private static final int MOST_ROUNDS = 12;
+    private static final int MOST_ROUNDS = 24;
+
+    /** From this round on bounds of friction change by half, for some go to and fro for ever. */
+    private static final int RELAXED_ROUND = 4;
+
     private static final int MOST_NEWTON_STEPS = 40;
     private static final int MOST_LINE_STEPS = 30;
     /** A line search ends where the slope is this share of what it was. */
@@ -112,7 +116,7 @@ final class IslandSolver {
         system.findSpeeds();
         for (int round = 0; round < MOST_ROUNDS; round++) {
             minimise();
-            if (settle()) {
+            if (settle(round >= RELAXED_ROUND)) {
                 break;
             }
         }
@@ -222,7 +226,7 @@ final class IslandSolver {
     }
 
     /** Keeps the impulses found; returns whether they are those that were kept before, as far as it matters. */
-    private boolean settle() {
+    private boolean settle(boolean relaxed) {
         boolean settled = true;
         for (int c = 0; c < rows.manifolds; c++) {
             int friction = rows.firstRow[c] + rows.points(c);
@@ -235,7 +239,7 @@ final class IslandSolver {
             // What a bound changes by acts on the lighter body at once, without any compliance between.
             double change = Math.abs(now - rows.bound[c]) / (IslandRows.COMPLIANCE_SHARE * rows.stiffness[friction]);
             settled &= change <= 1e-4 || now >= rows.bound[c] && sticks(c, friction);
-            rows.bound[c] = now;
+            rows.bound[c] = relaxed ? (now + rows.bound[c]) / 2 : now;
         }
         return settled;
     }

@@ -14,6 +14,9 @@ public final class RigidStep {
 
     private static final int MOST_PARTS = 32;
 
+    /** A part in which a body is struck and turns faster than before is cut again, into at most so many. */
+    private static final int PARTS_AGAIN = 4;
+
     private final BodyTable table;
     private final Vec3 gravity;
     private final TickBodies bodies = new TickBodies();
@@ -71,7 +74,12 @@ public final class RigidStep {
             boolean moves = begin(at, surroundings, influences, part);
             int finer = moves ? Math.min(cut.again, finerParts(part)) : 1;
             if (finer > 1) {
-                at = inParts(at, surroundings, influences, new Cut(finer, later, 1), part);
+                at = inParts(
+                        at,
+                        surroundings,
+                        influences,
+                        new Cut(finer, later, cut.again > PARTS_AGAIN ? PARTS_AGAIN : 1),
+                        part);
             } else if (moves) {
                 at = end(at, surroundings, influences, part);
             } else {

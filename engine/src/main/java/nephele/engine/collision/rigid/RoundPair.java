@@ -19,6 +19,19 @@ final class RoundPair {
 
     private final Separation separation = new Separation();
     private final double[] axesInBox = new double[9];
+    private Collider solid;
+    private double reach;
+    private double radius;
+    /** The shape's centre relative to the solid's. */
+    private double x;
+
+    private double y;
+    private double z;
+    /** From the centre to the end of the capsule's axis. */
+    private double uX;
+
+    private double uY;
+    private double uZ;
 
     /** Two round shapes. */
     void touch(Poses poses, int a, int b, double reach, Manifold out) {
@@ -39,7 +52,8 @@ final class RoundPair {
         if (ha > 0 && hb > 0 && square < FLAT * FLAT) {
             double low = Math.max(-ha, onA - hb);
             double high = Math.min(ha, onA + hb);
-            if (high - low > 0.1 * Math.min(ha, hb)) {
+            boolean crosses = (high - low) * Math.sqrt(square) > FLAT * radii;
+            if (high - low > 0.1 * Math.min(ha, hb) && !crosses) {
                 double turn = dot < 0 ? -1 : 1;
                 between(poses, a, b, low, clamp(turn * (low - onA), hb), radii, reach, 0, out);
                 between(poses, a, b, high, clamp(turn * (high - onA), hb), radii, reach, 1, out);
@@ -87,18 +101,24 @@ final class RoundPair {
     }
 
     /** A round shape and a static solid. */
-    void touch(Poses poses, int a, RoundedHull shape, Collider solid, double reach, Manifold out) {
-        out.clear();
+    void touch(Poses poses, int a, RoundedHull shape, Collider itsSolid, double itsReach, Manifold out) {
+        begin(itsSolid, itsReach, out);
         int c = 3 * a;
         separation.measure(shape, poses.centre[c], poses.centre[c + 1], poses.centre[c + 2], solid);
         if (separation.metres() > reach) {
             return;
         }
         Vec3 m = solid.centre();
-        double x = poses.centre[c] - m.x();
-        double y = poses.centre[c + 1] - m.y();
-        double z = poses.centre[c + 2] - m.z();
-        collect(poses.half[3 * a + 1], poses.half[3 * a + 2], poses.axes, 9 * a + 3, x, y, z, solid, reach, out);
+        x = poses.centre[c] - m.x();
+        y = poses.centre[c + 1] - m.y();
+        z = poses.centre[c + 2] - m.z();
+        collect(poses, a, poses.axes, 9 * a + 3, out);
+    }
+
+    private void begin(Collider itsSolid, double itsReach, Manifold out) {
+        out.clear();
+        solid = itsSolid;
+        reach = itsReach;
     }
 
     /** A round shape and a moving box: measured in the frame of the box, for which {@code solid} stands. */
@@ -108,10 +128,10 @@ final class RoundPair {
             int box,
             RoundedHull inBox,
             RoundedHull upright,
-            Collider solid,
-            double reach,
+            Collider itsSolid,
+            double itsReach,
             Manifold out) {
-        out.clear();
+        begin(itsSolid, itsReach, out);
         double dX = poses.centre[3 * a] - poses.centre[3 * box];
         double dY = poses.centre[3 * a + 1] - poses.centre[3 * box + 1];
         double dZ = poses.centre[3 * a + 2] - poses.centre[3 * box + 2];
@@ -122,15 +142,15 @@ final class RoundPair {
             axesInBox[i] = axes[own] * axes[its] + axes[own + 1] * axes[its + 1] + axes[own + 2] * axes[its + 2];
         }
         int b = 9 * box;
-        double x = dX * axes[b] + dY * axes[b + 1] + dZ * axes[b + 2];
-        double y = dX * axes[b + 3] + dY * axes[b + 4] + dZ * axes[b + 5];
-        double z = dX * axes[b + 6] + dY * axes[b + 7] + dZ * axes[b + 8];
+        x = dX * axes[b] + dY * axes[b + 1] + dZ * axes[b + 2];
+        y = dX * axes[b + 3] + dY * axes[b + 4] + dZ * axes[b + 5];
+        z = dX * axes[b + 6] + dY * axes[b + 7] + dZ * axes[b + 8];
         inBox.turn(upright, axesInBox, 0);
         separation.measure(inBox, x, y, z, solid);
         if (separation.metres() > reach) {
             return;
         }
-        collect(poses.half[3 * a + 1], poses.half[3 * a + 2], axesInBox, 3, x, y, z, solid, reach, out);
+        collect(poses, a, axesInBox, 3, out);
         turnOut(axes, b, out);
     }
 
@@ -152,50 +172,35 @@ final class RoundPair {
         }
     }
 
-    /** The points of the last measurement; x, y, z is the shape's centre relative to the solid's. */
-    private void collect(
-            double halfAxis,
-            double radius,
-            double[] axes,
-            int at,
-            double x,
-            double y,
-            double z,
-            Collider solid,
-            double reach,
-            Manifold out) {
-        double nX = separation.normalX();
-        double nY = separation.normalY();
-        double nZ = separation.normalZ();
-        out.normal(nX, nY, nZ);
+    /**
+     * The points of the last measurement.
+     *
+     * @param axes where, from {@code at} on, the direction of the capsule's axis stands
+     */
+    private void collect(Poses poses, int a, double[] axes, int at, Manifold out) {
+        double halfAxis = poses.half[3 * a + 1];
+        radius = poses.half[3 * a + 2];
+        uX = axes[at] * halfAxis;
+        uY = axes[at + 1] * halfAxis;
+        uZ = axes[at + 2] * halfAxis;
+        out.normal(separation.normalX(), separation.normalY(), separation.normalZ());
         out.code = 1;
-        double uX = axes[at] * halfAxis;
-        double uY = axes[at + 1] * halfAxis;
-        double uZ = axes[at + 2] * halfAxis;
-        double rise = uX * nX + uY * nY + uZ * nZ;
+        double rise = uX * out.nX + uY * out.nY + uZ * out.nZ;
         if (halfAxis > 0) {
             // However it stands over a face: the end that is higher now may come down within the tick.
             boolean lies = Math.abs(rise) <= FLAT * halfAxis;
-            int face = faceAlong(solid.contactHull(), lies ? FLAT * FLAT / 2 : ALONG, nX, nY, nZ);
-            if (face >= 0) {
-                flat(solid.contactHull(), face, radius, uX, uY, uZ, x, y, z, reach, out);
-                if (out.count > 0) {
-                    return;
-                }
+            ContactHull hull = solid.contactHull();
+            int face = faceAlong(hull, lies ? FLAT * FLAT / 2 : ALONG, out);
+            if (face >= 0 && flat(hull, face, out)) {
+                return;
             }
         }
-        double s = 0;
-        if (separation.metres() <= -radius) {
-            s = -Math.signum(rise);
-        } else if (halfAxis > 0) {
-            s = nearestOnAxis(uX, uY, uZ, x, y, z, solid);
-        }
-        double back = radius + separation.metres() / 2;
-        out.add(s * uX - back * nX, s * uY - back * nY, s * uZ - back * nZ, separation.metres(), 0);
+        double s = separation.metres() <= -radius ? -Math.signum(rise) : halfAxis > 0 ? nearestOnAxis() : 0;
+        add(s, separation.metres(), 0, out);
     }
 
     /** Which share of the half axis, −1 to 1, is nearest to the nearest point of the solid. */
-    private double nearestOnAxis(double uX, double uY, double uZ, double x, double y, double z, Collider solid) {
+    private double nearestOnAxis() {
         double pX = separation.onCollider(0) - solid.centre().x() - x;
         double pY = separation.onCollider(1) - solid.centre().y() - y;
         double pZ = separation.onCollider(2) - solid.centre().z() - z;
@@ -203,28 +208,21 @@ final class RoundPair {
         return Math.max(-1, Math.min(1, s));
     }
 
-    private static int faceAlong(ContactHull hull, double tolerance, double nX, double nY, double nZ) {
+    private static int faceAlong(ContactHull hull, double tolerance, Manifold out) {
         for (int face = 0; face < hull.faces(); face++) {
-            if (hull.plane(face, 0) * nX + hull.plane(face, 1) * nY + hull.plane(face, 2) * nZ > 1 - tolerance) {
+            if (alongNormal(hull, face, out) > 1 - tolerance) {
                 return face;
             }
         }
         return -1;
     }
 
-    /** Both ends of what of the axis lies over a face. */
-    private static void flat(
-            ContactHull hull,
-            int face,
-            double radius,
-            double uX,
-            double uY,
-            double uZ,
-            double x,
-            double y,
-            double z,
-            double reach,
-            Manifold out) {
+    private static double alongNormal(ContactHull hull, int face, Manifold out) {
+        return hull.plane(face, 0) * out.nX + hull.plane(face, 1) * out.nY + hull.plane(face, 2) * out.nZ;
+    }
+
+    /** Adds both ends of what of the axis lies over a face, as far as they are near; false where there are none. */
+    private boolean flat(ContactHull hull, int face, Manifold out) {
         double low = -1;
         double high = 1;
         for (int place = hull.ringStart(face); place < hull.ringStart(face + 1); place++) {
@@ -242,19 +240,33 @@ final class RoundPair {
             }
         }
         if (!(low < high)) {
-            return;
+            return false;
         }
         double nX = hull.plane(face, 0);
         double nY = hull.plane(face, 1);
         double nZ = hull.plane(face, 2);
-        out.normal(nX, nY, nZ);
-        for (int end = 0; end < 2; end++) {
-            double s = end == 0 ? low : high;
-            double metres = nX * (x + s * uX) + nY * (y + s * uY) + nZ * (z + s * uZ) - hull.plane(face, 3) - radius;
-            double back = radius + metres / 2;
-            if (metres <= reach) {
-                out.add(s * uX - back * nX, s * uY - back * nY, s * uZ - back * nZ, metres, 1 + end);
-            }
+        double middle = nX * x + nY * y + nZ * z - hull.plane(face, 3) - radius;
+        double rise = nX * uX + nY * uY + nZ * uZ;
+        // An axis that sinks beyond the face's edge touches the edge: with the face's normal it would climb for
+        // nothing.
+        boolean onEdge = separation.metres() > -radius && alongNormal(hull, face, out) <= 1 - ALONG;
+        if (!onEdge) {
+            out.normal(nX, nY, nZ);
         }
+        addEnd(low, middle + low * rise, onEdge && rise > 0, 1, out);
+        addEnd(high, middle + high * rise, onEdge && rise <= 0, 2, out);
+        return out.count > 0;
+    }
+
+    private void addEnd(double s, double metres, boolean isOnEdge, int id, Manifold out) {
+        double gap = isOnEdge ? separation.metres() : metres;
+        if (gap <= reach) {
+            add(isOnEdge ? nearestOnAxis() : s, gap, id, out);
+        }
+    }
+
+    private void add(double s, double metres, int id, Manifold out) {
+        double back = radius + metres / 2;
+        out.add(s * uX - back * out.nX, s * uY - back * out.nY, s * uZ - back * out.nZ, metres, id);
     }
 }

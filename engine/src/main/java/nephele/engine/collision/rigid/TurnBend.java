@@ -6,9 +6,9 @@ package nephele.engine.collision.rigid;
  */
 final class TurnBend {
     /** Where the way of a point of a body that touches something bends by more, contacts are found anew in between. */
-    private static final double BEND_METRES = 3e-5;
+    private static final double BEND_METRES = 3e-6;
 
-    static final int MOST_PARTS = 16;
+    static final int MOST_PARTS = 32;
     /** Finer parts are for few bodies: this many steps of a body in all. */
     private static final int MOST_BODY_STEPS = 64;
 
