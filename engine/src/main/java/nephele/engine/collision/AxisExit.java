@@ -12,7 +12,7 @@ import org.joml.Vector3dc;
  * every query.
  */
 final class AxisExit {
-    /** What touches the shape at its sides is not in its way. */
+    /** A solid that only touches the shape's sides is not in its way. */
     private static final double TOUCH_METRES = 1e-6;
 
     private final ItemList near = new ItemList();

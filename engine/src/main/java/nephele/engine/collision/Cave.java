@@ -11,7 +11,7 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
 /**
- * What is taken out of this side behind an open portal: the aperture's own prism for the first {@link #FRAME_METRES},
+ * The hole in this side's solids behind an open portal: the aperture's own prism for the first {@link #FRAME_METRES},
  * then a box so wide and deep that nothing whose centre is in front reaches its end. So what is left of the wall at the
  * portal's plane is a thin, exact frame, and there is room behind it for the other side.
  */
@@ -114,7 +114,7 @@ final class Cave {
         }
     }
 
-    /** What of a solid is outside at least one of the planes. */
+    /** The parts of a solid that are outside at least one of the planes. */
     private static void takeOut(ConvexPolyhedron solid, List<Plane> planes, List<ConvexPolyhedron> left) {
         if (common(solid, planes) == null) {
             add(solid, left);

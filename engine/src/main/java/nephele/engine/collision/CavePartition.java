@@ -8,7 +8,7 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
 /**
- * Where the caves of two portals would overlap each gets its part: what lies deeper behind it than behind the other;
+ * Divides two caves that would overlap. Each gets its part: what lies deeper behind it than behind the other;
  * behind portals side by side in one wall, what lies on its side of the middle between them.
  */
 final class CavePartition {

@@ -114,7 +114,7 @@ public final class Collider implements ConvexPoints {
         return radiusMetres;
     }
 
-    /** What {@link #vertex}, {@link #plane} and every local offset are relative to. */
+    /** The origin of {@link #vertex}, {@link #plane} and every local offset. */
     public Vec3 centre() {
         return centre;
     }

@@ -4,7 +4,7 @@ import java.util.List;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 
-/** What a {@link Collider} was made from. */
+/** The shape that a {@link Collider} was made from. */
 sealed interface ColliderForm {
     /** The same as a polyhedron, for what cuts it or lies on its faces. */
     ConvexPolyhedron polyhedron();

@@ -22,7 +22,7 @@ public final class CollisionWorld {
     private static final long[] ALL = new long[0];
 
     private final ColliderSet own;
-    /** What this one shares; {@code null} for a world of its own. */
+    /** The world whose solids this one shares; {@code null} for a world of its own. */
     private final CollisionWorld base;
     /** One bit for each solid of the base, up to the last that is not here: whether it is not. */
     private final long[] absent;
@@ -38,7 +38,7 @@ public final class CollisionWorld {
     }
 
     /**
-     * Of a level without models.
+     * Builds the world of a level without models.
      *
      * @throws IllegalArgumentException when a solid encloses no volume; the level rules say so first
      */

@@ -125,7 +125,7 @@ final class Seam {
         return rest;
     }
 
-    /** What is seen through an opening, brought behind it, as far as it touches the box. */
+    /** The solids seen through an opening, brought behind it, as far as they touch the box. */
     private List<Piece> otherSide(Opening opening, Aabb box, int depth) {
         int partner = portals.partner(opening.portal());
         Aabb beyond = moved(box, portals.passage(opening.portal()));

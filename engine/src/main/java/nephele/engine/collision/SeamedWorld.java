@@ -95,7 +95,7 @@ public final class SeamedWorld {
         return mask;
     }
 
-    /** What is solid for a body that is active on these portals; the static world itself for none. Closed ones are wall. */
+    /** The solids for a body that is active on these portals; the static world itself for none. Closed ones are wall. */
     public CollisionWorld around(long activeMask) {
         long mask = activeMask & open;
         if (mask == 0) {

@@ -44,7 +44,7 @@ public final class Separation {
         return axis == 0 ? normalX : axis == 1 ? normalY : normalZ;
     }
 
-    /** Of the collider's faces that hold the nearest point, the one that looks most upwards, or −1. */
+    /** The index of the face that holds the nearest point, or −1; of several the one that looks most upwards. */
     int upmostFace(double toleranceMetres) {
         if (overlapping) {
             return -1;

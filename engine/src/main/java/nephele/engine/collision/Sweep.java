@@ -37,12 +37,12 @@ public final class Sweep {
         return fraction;
     }
 
-    /** Of the surface that was hit, towards the shape; unit length. */
+    /** The normal of the surface that was hit, towards the shape; unit length. */
     public Vector3dc normal() {
         return normal;
     }
 
-    /** Where the solid was hit. */
+    /** The point where the solid was hit. */
     public Vector3dc point() {
         return point;
     }

@@ -100,7 +100,7 @@ public final class BodyTable {
         return kind.length;
     }
 
-    /** As the author wrote it. */
+    /** The body as the author wrote it. */
     public Body body(int body) {
         return bodies.get(body);
     }

@@ -213,7 +213,7 @@ final class BoxPair {
     }
 
     /**
-     * Where the edges cross that are deepest, and where their parallel neighbours do if these are near too: faces that lie
+     * Adds the crossings of the deepest edges, and those of their parallel neighbours if these are near too: faces that lie
      * across each other are held by all corners of what they share.
      */
     private void edgePoints(double reach, Manifold out) {
@@ -245,7 +245,7 @@ final class BoxPair {
     }
 
     /**
-     * Where on the first box's edge, from its middle, the second's crosses; sets where that is on the second's.
+     * Returns where on the first box's edge, from its middle, the second's crosses; sets where that is on the second's.
      *
      * @param which 1 for the other edge of the first, 2 of the second, 3 of both
      */

@@ -42,7 +42,7 @@ final class ContactMemory {
         return impulses[IMPULSES * entry + row];
     }
 
-    /** What impulses of this memory are multiplied by in a step of another length. */
+    /** The factor for impulses of this memory in a step of another length. */
     double scaleTo(double nowSeconds) {
         return nowSeconds / seconds;
     }

@@ -104,7 +104,8 @@ final class ContactSearch {
     private boolean moves(int shape) {
         int owner = poses.owner[shape];
         if (owner < bodies.count) {
-            // What rests beside a sleeper without leaning on it must not wake it, or both wake each other for ever.
+            // A body that rests beside a sleeper without leaning on it must not wake it, or both wake each other for
+            // ever.
             return bodies.isAwake(owner) && bodies.rest[owner] == 0;
         }
         return influences.characterList().get(owner - bodies.count).velocity.lengthSquared() > 1e-4;
@@ -199,7 +200,7 @@ final class ContactSearch {
         return false;
     }
 
-    /** So far contacts are made ahead, whatever the speed. */
+    /** The greatest distance in metres at which contacts are made ahead, whatever the speed. */
     double farMetres(int body) {
         return Math.max(poses.leastHalf(body) / 2, FAR_METRES);
     }
@@ -264,7 +265,7 @@ final class ContactSearch {
         memory.recall(rows, m);
     }
 
-    /** What carried something in this tick, and what sleepers had. */
+    /** The contacts that carried something in this tick, and those that sleepers had. */
     ContactMemory remember(ContactMemory last, TickBodies now, double nowSeconds) {
         int kept = 0;
         for (int i = 0; i < last.size(); i++) {
@@ -295,7 +296,7 @@ final class ContactSearch {
         return new ContactMemory(keys, features, impulses, nowSeconds);
     }
 
-    /** What somebody felt who then went through a portal is of no use behind it. */
+    /** The impulses of a body that then went through a portal are of no use behind it. */
     private boolean isCarried(int m, TickBodies now) {
         int a = ContactKey.first(rows.key[m]);
         int b = ContactKey.second(rows.key[m]);

@@ -206,7 +206,7 @@ final class ContactSolver {
         double nbz = n[h + 5];
         double ia = motions.inverseMass[contacts.slotA[m]];
         double ib = motions.inverseMass[contacts.slotB[m]];
-        // What the normal sees of the linear velocities, and how fast an impulse changes that.
+        // The linear velocities along the normal, and how fast an impulse changes them.
         double parting = nax * v[a] + nay * v[a + 1] + naz * v[a + 2] - nbx * v[b] - nby * v[b + 1] - nbz * v[b + 2];
         double lightness = ia * (nax * nax + nay * nay + naz * naz) + ib * (nbx * nbx + nby * nby + nbz * nbz);
         double wax = v[a + 3];

@@ -9,7 +9,7 @@ final class FaceClip {
 
     private static final double EDGE_METRES = 1e-3;
 
-    /** Of half the thickness of the thinner shape. */
+    /** The share of half the thickness of the thinner shape. */
     private static final double EDGE_SHARE = 0.6;
 
     private double[] p = new double[3 * CAPACITY];
@@ -22,7 +22,7 @@ final class FaceClip {
     private boolean sliver;
 
     /**
-     * By how much less two edges must overlap than faces do for them to be what touches. What lies across a thin shape is
+     * Two edges touch, not the faces, where they overlap by less than the faces by this. A body across a thin shape is
      * held by all of the crossing's corners; by the deepest edge alone, a different one each tick, it would rock for ever.
      */
     static double edgeMargin(double leastHalfMetres) {

@@ -77,7 +77,7 @@ final class FastPairs {
         return free;
     }
 
-    /** What let no share of the way free: out of it, unit length. */
+    /** The unit normal, out of it, of whatever left no share of the way free. */
     Vector3dc normal() {
         return normal;
     }

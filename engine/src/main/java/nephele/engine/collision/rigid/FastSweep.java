@@ -12,7 +12,7 @@ import org.joml.Vector3dc;
 /**
  * How far a fast body gets before it is a little way into a solid (conservative advancement, Mirtich 1996). A little way
  * in, not before it: what it slides along does not stop it, and the contact is there for the solver in the next tick.
- * What it is that far in already it may leave and slide along, but not enter farther. Reused.
+ * A solid that it is that far in already it may leave and slide along, but not enter farther. Reused.
  */
 final class FastSweep {
     /** Going inwards by less than this per metre of the way is sliding: what rounding makes of a tangent. */
@@ -49,7 +49,7 @@ final class FastSweep {
         return free;
     }
 
-    /** What let no share of the way free: out of it, unit length. */
+    /** The unit normal, out of it, of the solid that left no share of the way free. */
     Vector3dc normal() {
         return normal;
     }

@@ -203,7 +203,7 @@ final class Flight {
         }
     }
 
-    /** Who goes farther in a tick could get past something unseen. */
+    /** A body that goes farther than this in a tick could get past something unseen. */
     private double farMetres(int body) {
         return poses.leastHalf(body) / 2;
     }
@@ -322,7 +322,7 @@ final class Flight {
             int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
             poses.turn(body, m[q], m[q + 1], m[q + 2], m[q + 3]);
         }
-        // What the solver was given contacts with it holds off itself, turns included.
+        // Solids and bodies with contacts are held off by the solver, turns included.
         boolean held = !hasCrossed && way.length() <= search.farMetres(body);
         double free =
                 pairs.free(body, place, way, depth(body), hasCrossed, other -> held && search.metOther(body, other));

@@ -268,7 +268,7 @@ final class HullPair {
     }
 
     /**
-     * Where the deepest edge of the box crosses the solid's, and where its parallel neighbour does if that is near too: a
+     * Adds the crossing of the box's deepest edge with the solid's, and that of its parallel neighbour if it is near too: a
      * face that lies on an edge is held by both ends of what they share.
      */
     private void edgePoints(double reach, Manifold out) {

@@ -11,7 +11,7 @@ import nephele.engine.math.Vec3;
 final class IslandSolver {
     private static final int MOST_ROUNDS = 24;
 
-    /** From this round on bounds of friction change by half, for some go to and fro for ever. */
+    /** From this round on bounds of friction change by half: by the whole some go to and fro for ever. */
     private static final int RELAXED_ROUND = 4;
 
     private static final int MOST_NEWTON_STEPS = 40;
@@ -23,10 +23,10 @@ final class IslandSolver {
     /** Overlap is taken back at no more than this. */
     private static final double PUSH_METRES_PER_SECOND = 2;
 
-    /** What may be lost of a gap by going by the mean of two speeds. */
+    /** The share of a gap, in metres, that going by the mean of two speeds may lose. */
     private static final double SMOOTH_METRES = 2e-5;
 
-    /** Of an overlap, in a part of any length: what bends makes a part shallower than the part before lasts nowhere. */
+    /** The share of an overlap that a part takes back, however short it is: a bent way makes new overlap in every part. */
     private static final double PUSH_SHARE = 1 / 3.0;
 
     /** Taking back an overlap moves no body so many times as far: a body stuck in two solids would be thrown away. */
@@ -236,7 +236,7 @@ final class IslandSolver {
                 rows.bias[row] = system.impulse[row];
             }
             double now = friction(c, system.impulse);
-            // What a bound changes by acts on the lighter body at once, without any compliance between.
+            // A change of a bound acts on the lighter body at once, without any compliance between.
             double change = Math.abs(now - rows.bound[c]) / (IslandRows.COMPLIANCE_SHARE * rows.stiffness[friction]);
             settled &= change <= 1e-4 || now >= rows.bound[c] && sticks(c, friction);
             rows.bound[c] = relaxed ? (now + rows.bound[c]) / 2 : now;

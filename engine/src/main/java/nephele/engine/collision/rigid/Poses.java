@@ -11,13 +11,13 @@ final class Poses {
     /** {@link BodyTable#SPHERE}, {@link BodyTable#CAPSULE} or {@link BodyTable#BOX}. */
     int[] kind = new int[0];
 
-    /** Whose motion a contact changes: index of a body, or of a character after the bodies. */
+    /** The owner of the motion that a contact changes: index of a body, or of a character after the bodies. */
     int[] owner = new int[0];
     /** The portal that an image is seen through (the one its owner is active on), or −1. */
     int[] through = new int[0];
 
     double[] centre = new double[0];
-    /** Where the axes of the shape point: x, y, z of each. */
+    /** The directions of the shape's axes: x, y, z of each. */
     double[] axes = new double[0];
 
     double[] half = new double[0];

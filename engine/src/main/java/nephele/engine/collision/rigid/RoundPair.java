@@ -187,7 +187,7 @@ final class RoundPair {
         out.code = 1;
         double rise = uX * out.nX + uY * out.nY + uZ * out.nZ;
         if (halfAxis > 0) {
-            // However it stands over a face: the end that is higher now may come down within the tick.
+            // A capsule that stands steeply over a face has two ends too: the higher one may come down within the tick.
             boolean lies = Math.abs(rise) <= FLAT * halfAxis;
             ContactHull hull = solid.contactHull();
             int face = faceAlong(hull, lies ? FLAT * FLAT / 2 : ALONG, out);

@@ -72,7 +72,7 @@ final class Spin {
         middle = 3 - least - greatest;
     }
 
-    /** As many as the slow turn needs beside the fast one; one where the slow turn could change next to no energy. */
+    /** The number of parts that the slow turn needs beside the fast one; one if it could change next to no energy. */
     private int steps(double seconds, double fast, double slow, double all, double ball) {
         double slowRate = slow * all;
         double change = slowRate * all * seconds;

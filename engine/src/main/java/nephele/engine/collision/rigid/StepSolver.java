@@ -8,7 +8,7 @@ import nephele.engine.math.Vec3;
  * move or sequential impulses would be slow or wrong, in substeps ({@link ContactSolver}) otherwise. Reused.
  */
 final class StepSolver {
-    /** As near as whole numbers of them come to a tick: four at 120 ticks a second. */
+    /** Rounded to a whole number a tick: four at 120 ticks a second. */
     private static final double SUBSTEPS_A_SECOND = 480;
 
     private static final int MOST_SUBSTEPS = 32;
@@ -19,7 +19,7 @@ final class StepSolver {
     /** Edges of a body that differ by less than this factor are even. */
     private static final double EVEN_EDGES = 4;
 
-    /** Where no more bodies are awake, every island is solved exactly. */
+    /** If no more bodies than this are awake, every island is solved exactly. */
     private static final int FEW_BODIES = 32;
 
     /** Products of blocks a body that the exact solver may spend on an island. */

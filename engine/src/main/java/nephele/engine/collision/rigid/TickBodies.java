@@ -10,7 +10,7 @@ final class TickBodies {
     int count;
     /** Masks of the portals that each body is active on; {@code null} where there are no portals. */
     long[] active;
-    /** As in {@link BodyPassages}; {@code null} while nobody crossed. */
+    /** The crossings, laid out as in {@link BodyPassages}; {@code null} while there are none. */
     private byte[] entered;
     /** How many portals each body had gone through before this part of the tick. */
     private int[] enteredBefore = new int[0];

@@ -5,7 +5,7 @@ package nephele.engine.collision.rigid;
  * turning body is not. Reused.
  */
 final class TurnBend {
-    /** Where the way of a point of a body that touches something bends by more, contacts are found anew in between. */
+    /** If the way of a point of a body that touches something bends by more, contacts are found anew in between. */
     private static final double BEND_METRES = 3e-6;
 
     static final int MOST_PARTS = 32;
