@@ -1,12 +1,11 @@
 package nephele.engine.scene.light;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleConsumer;
+import java.util.stream.Stream;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.placed.StaticShapes;
@@ -14,14 +13,17 @@ import nephele.engine.level.placed.StaticShapes;
 /**
  * Finds a baked sky visibility or bakes it. Levels that come with the game carry theirs in {@code baked/} beside them,
  * in the checkout and in the jar; for others it is looked for in {@code cache/} beside the level and in the user's own
- * cache folder, and a new bake is written to the first of these that takes it. A cache that cannot be written costs
- * time, nothing else.
+ * cache folder, and a new bake is written to the first of these that takes it, which drops the longest unused ones above
+ * its limit. A cache that cannot be written costs time, nothing else.
  *
  * @param writable in order of preference
  */
 public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
     /** Beside a level that comes with the game. */
     public static final String SHIPPED = "baked/";
+
+    /** Some thousand levels. */
+    private static final long MOST_BYTES = 64 << 20;
 
     /** Beside a level where there is a folder, else in the user's cache. */
     public static SkyVisibilityCache of(AssetSource assets) {
@@ -60,25 +62,23 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
                     return Optional.of(assets.bytes(folder + name));
                 }
             }
-            for (Path folder : writable) {
-                Path file = folder.resolve(name);
-                if (Files.isRegularFile(file)) {
-                    return Optional.of(Files.readAllBytes(file));
-                }
-            }
-        } catch (IOException | AssetException e) {
+        } catch (AssetException e) {
             return Optional.empty();
         }
-        return Optional.empty();
+        return folders()
+                .map(folder -> folder.find(name))
+                .flatMap(Optional::stream)
+                .findFirst();
+    }
+
+    private Stream<CacheFolder> folders() {
+        return writable.stream().map(path -> new CacheFolder(path, SkyVisibilityFile.NAMES, MOST_BYTES));
     }
 
     private void store(String name, byte[] bytes) {
-        for (Path folder : writable) {
+        for (CacheFolder folder : folders().toList()) {
             try {
-                Files.createDirectories(folder);
-                Path temporary = Files.createTempFile(folder, name, ".tmp");
-                Files.write(temporary, bytes);
-                Files.move(temporary, folder.resolve(name), StandardCopyOption.REPLACE_EXISTING);
+                folder.store(name, bytes);
                 return;
             } catch (IOException e) {
                 // The next folder may be writable.

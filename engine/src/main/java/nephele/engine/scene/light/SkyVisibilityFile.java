@@ -30,6 +30,9 @@ public final class SkyVisibilityFile {
 
     private SkyVisibilityFile() {}
 
+    /** Glob of the names that {@link #nameFor} gives. */
+    static final String NAMES = "sky-visibility-*.bin";
+
     /** The same for the same shapes in the same order, whatever their materials. */
     public static String nameFor(StaticShapes statics) {
         MessageDigest digest = sha256();
