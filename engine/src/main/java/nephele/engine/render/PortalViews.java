@@ -54,7 +54,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         exposure = ClearColour.exposure(scene.level().environment());
         pictures = new PortalPictures(
                 gl, technique().copies() ? 1 : settings.quality().portalResolution());
-        previous = new PreviousPicture(gl);
+        previous = new PreviousPicture(gl, List.of());
         multisampling = new Multisampling(gl, settings.quality().samples());
     }
 
@@ -67,7 +67,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
                 picture.width(),
                 picture.height(),
                 settings.quality().viewBudget());
-        previous.match(tree, moment, picture.width(), picture.height());
+        previous.match(tree, picture.width(), picture.height());
         shared.openings().upload(tree, previous.history());
         return tree.root();
     }
@@ -91,12 +91,12 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     /** Tells what the frame looks like before anything is drawn over it. */
-    void end(Moment moment, RenderTarget surface, PixelFormat format) {
+    void end(RenderTarget surface, PixelFormat format) {
         int drawn = tree.views().size() - 1;
         boolean mayEndSoon = drawn > 0 && 2 * (drawn + 1) > settings.quality().viewBudget();
         if (settings.deepest() == Deepest.HISTORY
                 && (mayEndSoon || !tree.terminals().isEmpty())) {
-            previous.remember(tree, moment, surface, format);
+            previous.remember(tree, surface, format);
         } else {
             previous.forget();
         }

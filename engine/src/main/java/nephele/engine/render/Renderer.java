@@ -188,7 +188,7 @@ public final class Renderer implements AutoCloseable {
 
     private void remember(RenderTarget surface) {
         if (portals != null && !passes.isEmpty()) {
-            portals.end(frame.moment(), surface, surfaceFormat(frame.picture()));
+            portals.end(surface, surfaceFormat(frame.picture()));
         }
     }
 

@@ -2,13 +2,10 @@ package nephele.engine.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.portal.Aperture;
-import nephele.engine.portal.Portal;
-import nephele.engine.portal.Portals;
 
 /**
- * Where in the picture before this one the same portals were seen, for openings that are filled from it. Views are told
- * by where their eyes are before a portal, not by the portals between: the player may have stepped through one since.
+ * Where in the picture before this one the same openings were seen, for those that are filled from it. Views are told by
+ * where their eyes are before an opening, not by the openings between: the player may have stepped through one since.
  */
 public final class ViewHistory {
     /** Of half the picture: a lookup so far beyond an opening's edge still meets its last pixel. */
@@ -20,12 +17,10 @@ public final class ViewHistory {
     private final List<ViewNode> matches = new ArrayList<>();
     private final Reprojection reprojection = new Reprojection();
     private ViewTree before;
-    private Portals portalsBefore;
 
     /** Keeps the views of a picture that stays to be looked at; they must not change from now on. */
-    public void remember(ViewTree tree, Portals portals) {
+    public void remember(ViewTree tree) {
         before = tree;
-        portalsBefore = portals;
     }
 
     public void forget() {
@@ -38,10 +33,10 @@ public final class ViewHistory {
     }
 
     /** Looks for every terminal opening of {@code now}. */
-    public void match(ViewTree now, Portals portals) {
+    public void match(ViewTree now) {
         matches.clear();
         for (int i = 0; i < now.terminals().size(); i++) {
-            matches.add(before == null ? null : best(now.terminals().get(i), portals));
+            matches.add(before == null ? null : best(now.terminals().get(i)));
         }
     }
 
@@ -50,11 +45,7 @@ public final class ViewHistory {
         return matches.get(terminal.terminal());
     }
 
-    private ViewNode best(ViewNode terminal, Portals portals) {
-        int portal = terminal.portal();
-        if (!isAsBefore(portal, portals) || !isAsBefore(portals.partner(portal), portals)) {
-            return null;
-        }
+    private ViewNode best(ViewNode terminal) {
         ViewNode best = null;
         double bestShare = LEAST_SHARE;
         double least = Double.POSITIVE_INFINITY;
@@ -62,7 +53,7 @@ public final class ViewHistory {
             ViewNode shown = before.views().get(i);
             double away =
                     squareDistance(shown.parent().view(), terminal.parent().view());
-            double share = shown.portal() == portal ? coveredShare(shown, terminal) : 0;
+            double share = shown.opening().isSameAs(terminal.opening()) ? coveredShare(shown, terminal) : 0;
             if (share > bestShare || share == bestShare && away < least) {
                 best = shown;
                 bestShare = share;
@@ -70,22 +61,6 @@ public final class ViewHistory {
             }
         }
         return best;
-    }
-
-    private boolean isAsBefore(int portal, Portals portals) {
-        if (portal >= portalsBefore.size() || portalsBefore.partner(portal) != portals.partner(portal)) {
-            return false;
-        }
-        Portal then = portalsBefore.portal(portal);
-        Portal now = portals.portal(portal);
-        return then == now
-                || then.centre().equals(now.centre())
-                        && then.frame().equals(now.frame())
-                        && isSame(then.aperture(), now.aperture());
-    }
-
-    private static boolean isSame(Aperture a, Aperture b) {
-        return a.shape() == b.shape() && a.widthMetres() == b.widthMetres() && a.heightMetres() == b.heightMetres();
     }
 
     private static double squareDistance(View a, View b) {

@@ -61,7 +61,7 @@ public final class UnfilledPass implements Pass {
     }
 
     private void cover(FrameContext frame, ViewNode child) {
-        look.of(frame.moment(), child.portal(), frame.view());
+        look.of(frame.moment(), child.opening().portal(), frame.view());
         frame.surface().bind();
         gl.state().depthOf(DepthOf.OPENING);
         gl.state().set(Depth.EQUAL, Blend.OVER, Cull.NONE);

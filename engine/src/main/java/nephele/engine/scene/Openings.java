@@ -1,0 +1,50 @@
+package nephele.engine.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.portal.Portals;
+
+/**
+ * What can be seen through at one instant: the mirrors of a scene, then its open portals. Ids count the mirrors first, so
+ * that a new portal renames none. One object serves frame after frame.
+ */
+final class Openings {
+    private final List<Opening> mirrors;
+    private final List<Opening> all = new ArrayList<>();
+    private Portals portals;
+    private Moment moment;
+
+    /** @param mirrors in the order of their ids, from 0 on */
+    Openings(List<Opening> mirrors) {
+        this.mirrors = List.copyOf(mirrors);
+    }
+
+    /** Takes the portals as they are now. */
+    void at(Moment now) {
+        moment = now;
+        if (portals == now.portals()) {
+            return;
+        }
+        portals = now.portals();
+        all.clear();
+        all.addAll(mirrors);
+        for (int i = 0; i < portals.size(); i++) {
+            if (portals.isOpen(i)) {
+                all.add(Opening.ofPortal(mirrors.size() + i, portals, i));
+            }
+        }
+    }
+
+    int size() {
+        return all.size();
+    }
+
+    Opening get(int index) {
+        return all.get(index);
+    }
+
+    /** Share of its size at which an opening is open now: a portal grows when it is made. */
+    double openness(Opening opening) {
+        return opening.portal() == Opening.NO_PORTAL ? 1 : moment.openness(opening.portal());
+    }
+}
