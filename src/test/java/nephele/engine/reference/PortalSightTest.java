@@ -118,7 +118,8 @@ class PortalSightTest {
         EyePath path = new EyePath(
                 new SurfaceRays(
                         facing.level().solids().stream().map(Brush::of).toList(), List.of(), 0, ModelForms.NONE),
-                Portals.of(facing.level()));
+                Portals.of(facing.level()),
+                ReflectingFaces.NONE);
         assertTrue(path.walk(middle.toVector(), new Vec3(0, 1e-3, -1).toVector(), 0.05, 1e9));
         assertEquals(1, path.ray().originY(), 3.1e-3, "in the last space, under the upper edge");
         float[] along = facing.towards(middle, new Vec3(0, 0, -1), 1);

@@ -256,12 +256,12 @@ class ViewTreeTest {
     void aPortalOfAnotherApertureHasNoHistory() {
         View view = view(new Vec3(0.4, 0.2, -2.4), new Vec3(0.4, 0.2, -5));
         ViewTree before = grown(view, facing(5), 6);
-        ViewTree now = grown(view, facing(5), 5);
         for (PortalShape shape : PortalShape.values()) {
             for (double width : new double[] {2, 1.9}) {
                 Moment moment = pairs(
                         portal(new Vec3(0, 0, -2.5), new Vec3(0, 0, 1), width, 2, shape),
                         portal(new Vec3(0, 0, 2.5), new Vec3(0, 0, -1), width, 2, shape));
+                ViewTree now = grown(view, moment, 5);
                 ViewHistory history = new ViewHistory();
                 history.remember(before);
                 history.match(now);
@@ -271,9 +271,9 @@ class ViewTreeTest {
         }
     }
 
-    /** The same opening in the frame before, told by where its eye was, also when the player has stepped through. */
+    /** The same opening in the frame before, told by its path, which begins anew when the player has stepped through. */
     @Test
-    void historyIsFoundByTheEyesPlaceBeforeThePortal() {
+    void historyIsFoundByThePathFromTheEye() {
         Moment moment = facing(5);
         ViewTree before = grown(view(new Vec3(0.4, 0.2, -2.4), new Vec3(0.4, 0.2, -5)), moment, 6);
         ViewTree stepped = grown(view(new Vec3(0.4, 0.2, 2.4), new Vec3(0.4, 0.2, -5)), moment, 5);

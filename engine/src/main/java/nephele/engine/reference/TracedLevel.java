@@ -27,6 +27,7 @@ public final class TracedLevel {
     private final Optional<SkyRadiance> sky;
     private final Optional<FogVeil> fog;
     private final Portals portals;
+    private final ReflectingFaces mirrors;
 
     private TracedLevel(Level level, AssetSource assets, Portals portals, Decoding decoding) {
         StaticShapes statics = StaticShapes.of(level, assets);
@@ -37,6 +38,7 @@ public final class TracedLevel {
                 brushes, BodyPieces.of(level, portals), level.bodies().size(), models);
         skins = new Skins(level.materials(), assets, decoding);
         surfaces = new Surfaces(brushes, skins);
+        mirrors = ReflectingFaces.of(brushes, skins);
         bodies = new BodySurfaces(level.bodies(), skins);
         sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         fog = FogVeil.of(level.environment());
@@ -55,12 +57,12 @@ public final class TracedLevel {
     }
 
     Tracer tracer(Pinhole eye) {
-        return new Tracer(this, eye, new EyePath(rays, portals), new ShadowRays(rays, beams));
+        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new ShadowRays(rays, beams));
     }
 
     /** For one thread. */
     public SurfaceSight sight(Pinhole eye) {
-        return new SurfaceSight(rays, new EyePath(rays, portals), eye);
+        return new SurfaceSight(rays, new EyePath(rays, portals, mirrors), eye);
     }
 
     Illumination light() {

@@ -22,7 +22,7 @@ import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.VisibleSet;
 
-/** The views through portals of a level that may have some. */
+/** The views through openings of a level that may have some. */
 final class PortalViews implements NestedViews, AutoCloseable {
     private final GlContext gl;
     private final RenderSettings settings;
@@ -30,7 +30,6 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private final Scene scene;
     private final List<Pass> passes;
     private final List<Pass> skies;
-    private final ClearColour clearColour;
     private final double exposure;
     private final PortalPictures pictures;
     private final PreviousPicture previous;
@@ -50,11 +49,10 @@ final class PortalViews implements NestedViews, AutoCloseable {
         this.scene = scene;
         this.passes = passes;
         skies = passes.stream().filter(Pass::isSky).toList();
-        clearColour = ClearColour.of(scene.level().environment(), settings.output());
         exposure = ClearColour.exposure(scene.level().environment());
         pictures = new PortalPictures(
                 gl, technique().copies() ? 1 : settings.quality().portalResolution());
-        previous = new PreviousPicture(gl, List.of());
+        previous = new PreviousPicture(gl, scene.mirrors());
         multisampling = new Multisampling(gl, settings.quality().samples());
     }
 
@@ -186,7 +184,9 @@ final class PortalViews implements NestedViews, AutoCloseable {
                     target.width() / (double) picture.width(),
                     target.height() / (double) picture.height());
         }
-        target.clearWithinScissor(clearColour.red(), clearColour.green(), clearColour.blue());
+        ClearColour behind = ClearColour.of(
+                scene.level().environment(), settings.output(), node.view().tint());
+        target.clearWithinScissor(behind.red(), behind.green(), behind.blue());
         drawPasses(node, moment, target, picture);
         copy(target, own);
         gl.state().noScissor();

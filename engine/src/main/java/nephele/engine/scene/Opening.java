@@ -24,6 +24,7 @@ public final class Opening {
     public static final Vec3 CLEAR = new Vec3(1, 1, 1);
 
     private final int id;
+    private final int partner;
     private final int portal;
     private final Vec3 centre;
     private final Basis frame;
@@ -37,8 +38,17 @@ public final class Opening {
     private final List<Vec3> exitFrame;
 
     private Opening(
-            int id, int portal, Vec3 centre, Basis frame, double[] corners, Isometry isometry, Plane exit, Vec3 tint) {
+            int id,
+            int partner,
+            int portal,
+            Vec3 centre,
+            Basis frame,
+            double[] corners,
+            Isometry isometry,
+            Plane exit,
+            Vec3 tint) {
         this.id = id;
+        this.partner = partner;
         this.portal = portal;
         this.centre = centre;
         this.frame = frame;
@@ -62,7 +72,9 @@ public final class Opening {
             corners[2 * i + 1] = aperture.cornerY(i);
         }
         Plane exit = portals.plane(portals.partner(index));
-        return new Opening(id, index, portal.centre(), portal.frame(), corners, portals.passage(index), exit, CLEAR);
+        int partner = id - index + portals.partner(index);
+        return new Opening(
+                id, partner, index, portal.centre(), portal.frame(), corners, portals.passage(index), exit, CLEAR);
     }
 
     /**
@@ -85,7 +97,7 @@ public final class Opening {
                 normal.z(),
                 normal.x() * centre.x() + normal.y() * centre.y() + normal.z() * centre.z());
         Vec3 kept = tint.equals(CLEAR) ? CLEAR : tint;
-        return new Opening(id, NO_PORTAL, centre, frame, corners, new Reflection(centre, normal), plane, kept);
+        return new Opening(id, id, NO_PORTAL, centre, frame, corners, new Reflection(centre, normal), plane, kept);
     }
 
     private static Vec3 middle(List<Vec3> polygon) {
@@ -153,6 +165,34 @@ public final class Opening {
             most = Math.max(most, corners[i] * x + corners[i + 1] * y);
         }
         return most;
+    }
+
+    /** Whether this undoes what {@code other} does. */
+    boolean leadsBackThrough(Opening other) {
+        return id == other.partner;
+    }
+
+    /** Whether a straight way goes through it, from in front to behind or into its plane. */
+    boolean isPassed(Vector3d start, Vector3d end) {
+        double before = inFront(start.x, start.y, start.z);
+        double after = inFront(end.x, end.y, end.z);
+        if (!(before > 0) || after > 0) {
+            return false;
+        }
+        Vector3d at = start.lerp(end, before / (before - after), new Vector3d());
+        at.sub(centre.x(), centre.y(), centre.z());
+        return contains(at.dot(frame.right().toVector()), at.dot(frame.up().toVector()));
+    }
+
+    private boolean contains(double x, double y) {
+        for (int i = 0, last = corners.length - 2; i < corners.length; last = i, i += 2) {
+            double alongX = corners[i] - corners[last];
+            double alongY = corners[i + 1] - corners[last + 1];
+            if (alongX * (y - corners[last + 1]) - alongY * (x - corners[last]) < 0) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Whether both have one id, lie at one place, have one shape and lead to one place. */

@@ -4,8 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Where in the picture before this one the same openings were seen, for those that are filled from it. Views are told by
- * where their eyes are before an opening, not by the openings between: the player may have stepped through one since.
+ * Finds in the picture before this one what fills the openings that the budget does not reach. A view is known by its
+ * path: the openings from the eye to it. When the eye has gone through a portal since, the paths of the picture before
+ * are taken from the eye's new place.
  */
 public final class ViewHistory {
     /** Of half the picture: a lookup so far beyond an opening's edge still meets its last pixel. */
@@ -17,6 +18,8 @@ public final class ViewHistory {
     private final List<ViewNode> matches = new ArrayList<>();
     private final Reprojection reprojection = new Reprojection();
     private ViewTree before;
+    /** The portal that the eye has gone through since, or {@code null}. */
+    private Opening crossed;
 
     /** Keeps the views of a picture that stays to be looked at; they must not change from now on. */
     public void remember(ViewTree tree) {
@@ -35,6 +38,9 @@ public final class ViewHistory {
     /** Looks for every terminal opening of {@code now}. */
     public void match(ViewTree now) {
         matches.clear();
+        crossed = before == null
+                ? null
+                : now.openings().crossed(before.root().view(), now.root().view());
         for (int i = 0; i < now.terminals().size(); i++) {
             matches.add(before == null ? null : best(now.terminals().get(i)));
         }
@@ -45,29 +51,40 @@ public final class ViewHistory {
         return matches.get(terminal.terminal());
     }
 
+    /**
+     * The view of the same path, or, where that was not drawn either, the nearest one on the path that is seen through the
+     * same opening: between facing portals a view looks like the one before it.
+     */
     private ViewNode best(ViewNode terminal) {
-        ViewNode best = null;
-        double bestShare = LEAST_SHARE;
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 1; i < before.views().size(); i++) {
-            ViewNode shown = before.views().get(i);
-            double away =
-                    squareDistance(shown.parent().view(), terminal.parent().view());
-            double share = shown.opening().isSameAs(terminal.opening()) ? coveredShare(shown, terminal) : 0;
-            if (share > bestShare || share == bestShare && away < least) {
-                best = shown;
-                bestShare = share;
-                least = away;
+        for (ViewNode node = terminal; node.parent() != null; node = node.parent()) {
+            ViewNode shown = node.opening().isSameAs(terminal.opening()) ? counterpart(node) : null;
+            if (shown != null && shown.parent() != null && coveredShare(shown, terminal) > LEAST_SHARE) {
+                return shown;
             }
         }
-        return best;
+        return null;
     }
 
-    private static double squareDistance(View a, View b) {
-        double x = a.eyeX() - b.eyeX();
-        double y = a.eyeY() - b.eyeY();
-        double z = a.eyeZ() - b.eyeZ();
-        return x * x + y * y + z * z;
+    /** The drawn view of the picture before that a node's path leads to, or {@code null}. */
+    private ViewNode counterpart(ViewNode node) {
+        if (node.parent() == null) {
+            return crossed == null ? before.root() : drawnChild(before.root(), crossed);
+        }
+        if (node.depth() == 1 && crossed != null && node.opening().leadsBackThrough(crossed)) {
+            return before.root();
+        }
+        ViewNode parent = counterpart(node.parent());
+        return parent == null ? null : drawnChild(parent, node.opening());
+    }
+
+    private static ViewNode drawnChild(ViewNode parent, Opening opening) {
+        for (int i = 0; i < parent.children().size(); i++) {
+            ViewNode child = parent.children().get(i);
+            if (!child.isTerminal() && child.opening().isSameAs(opening)) {
+                return child;
+            }
+        }
+        return null;
     }
 
     /** Of the corners of what shows of {@code terminal}, those that were seen where {@code shown} was. */

@@ -3,6 +3,7 @@ package nephele.engine.scene;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
+import nephele.engine.level.MirrorFaces;
 
 /**
  * Which views make up one frame: the picture itself, what its openings show, what the openings in those show, and so on.
@@ -30,9 +31,9 @@ public final class ViewTree {
         openings = new Openings(mirrors);
     }
 
-    /** Whether a level has portals, or lets the player open some. */
+    /** Whether a level has portals or mirrors, or lets the player open portals. */
     public static boolean mayGrow(Level level) {
-        return !level.portals().isEmpty() || level.portalGun() != null;
+        return !level.portals().isEmpty() || level.portalGun() != null || MirrorFaces.any(level);
     }
 
     /** @param budget views beside the picture itself, at most */
@@ -102,6 +103,10 @@ public final class ViewTree {
             pool.add(new ViewNode());
         }
         return pool.get(used++);
+    }
+
+    Openings openings() {
+        return openings;
     }
 
     /** The picture itself. */

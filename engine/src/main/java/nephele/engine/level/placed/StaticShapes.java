@@ -1,9 +1,11 @@
 package nephele.engine.level.placed;
 
 import java.util.List;
+import java.util.Set;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.MirrorFaces;
 import nephele.engine.math.Aabb;
 
 /** What of a level never moves, as shapes in the world: its solids in their order, and its models. */
@@ -30,7 +32,10 @@ public record StaticShapes(List<Brush> solids, PlacedModels models) {
     }
 
     private static List<Brush> brushes(Level level) {
-        return level.solids().stream().map(Brush::of).toList();
+        Set<String> mirrors = MirrorFaces.materials(level.materials());
+        return level.solids().stream()
+                .map(solid -> Brush.of(solid).refusingPortalsOn(mirrors))
+                .toList();
     }
 
     /** As {@link PlacedModels#split}. */

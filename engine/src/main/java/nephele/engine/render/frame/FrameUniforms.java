@@ -22,7 +22,7 @@ public final class FrameUniforms implements AutoCloseable {
      */
     private static final double CLIP_SLACK_METRES = 5e-4;
 
-    private static final int FLOATS = 16 + 6 * 4;
+    private static final int FLOATS = 16 + 7 * 4;
 
     private final DrawState state;
     private final UniformBuffer buffer;
@@ -50,7 +50,9 @@ public final class FrameUniforms implements AutoCloseable {
         put(16, view.direction(view.projection().tanHalfWidth(), 0, 0, direction));
         put(20, view.direction(0, view.projection().tanHalfHeight(), 0, direction));
         put(24, view.direction(0, 0, -1, direction));
+        values[27] = view.isMirrored() ? -1 : 1;
         values[28] = (float) exposure;
+        put(40, direction.set(view.tint().x(), view.tint().y(), view.tint().z()));
         putClip(view);
         buffer.upload(values);
         buffer.bind(BINDING);

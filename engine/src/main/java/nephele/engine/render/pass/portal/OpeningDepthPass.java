@@ -5,8 +5,8 @@ import java.util.Set;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.OpeningMesh;
+import nephele.engine.render.frame.OpeningNeeds;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -21,7 +21,7 @@ import nephele.engine.scene.ViewNode;
 public final class OpeningDepthPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
             "portal.depth",
-            level -> PortalNeeds.of(level, "where openings hide what is behind", OpeningDepthPass::new));
+            level -> OpeningNeeds.of(level, "where openings hide what is behind", OpeningDepthPass::new));
 
     private final GlContext gl;
     private GlProgram<Object> program;

@@ -10,8 +10,9 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.OpeningMesh;
+import nephele.engine.render.frame.OpeningNeeds;
+import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState;
@@ -32,7 +33,7 @@ import nephele.engine.scene.ViewNode;
  */
 public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE =
-            new RenderFeature("portal", level -> PortalNeeds.of(level, "openings to see through", PortalPass::new));
+            new RenderFeature("portal", level -> OpeningNeeds.of(level, "openings to see through", PortalPass::new));
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
 
@@ -41,7 +42,8 @@ public final class PortalPass implements Pass {
     private GlProgram<Uniforms.Vector4> colour;
     private GlProgram<Object> picture;
     private OpeningMesh openings;
-    private ClearColour clear;
+    private Environment environment;
+    private Output output;
     /** Whether something is drawn wherever nothing else is, so that the clear colour never shows. */
     private boolean skyCovers;
 
@@ -56,7 +58,8 @@ public final class PortalPass implements Pass {
 
     @Override
     public void load(LoadContext context) {
-        Environment environment = context.scene().level().environment();
+        environment = context.scene().level().environment();
+        output = context.output();
         nothing = OpeningPrograms.nothing(context);
         colour = OpeningPrograms.colour(context);
         picture = OpeningPrograms.picture(context);
@@ -64,7 +67,6 @@ public final class PortalPass implements Pass {
         skyCovers = environment.sky() != null
                 && !(environment.sky() instanceof Sky.Constant)
                 && FogVeil.of(environment).isEmpty();
-        clear = ClearColour.of(environment, context.output());
     }
 
     @Override
@@ -105,7 +107,7 @@ public final class PortalPass implements Pass {
         state.stencil(Stencil.EQUAL_COUNT_UP, depth);
         draw(child, nothing, Depth.EQUAL_ONLY_STENCIL);
         state.depthOf(DepthOf.FARTHEST);
-        colour(clear);
+        colour(ClearColour.of(environment, output, child.view().tint()));
         state.stencil(Stencil.EQUAL, depth + 1);
         draw(
                 child,
