@@ -58,10 +58,10 @@ public final class OpeningMesh implements AutoCloseable {
         }
         firsts[node.number()] = floats / FLOATS_PER_VERTEX;
         Projection projection = node.parent().view().projection();
-        part.copy(node.opening());
+        part.copy(node.outline());
         part.keepNearer(projection.nearMetres());
         fan(projection);
-        part.copy(node.opening());
+        part.copy(node.outline());
         part.keepFarther(projection.nearMetres());
         fan(projection);
         firsts[node.number() + 1] = floats / FLOATS_PER_VERTEX;

@@ -75,6 +75,19 @@ public final class DrawState {
         FRONT
     }
 
+    /** How the corners of a triangle that faces the eye follow one another in the picture. */
+    public enum FrontFace {
+        COUNTER_CLOCKWISE(GL_CCW),
+        /** In a view that is mirrored. */
+        CLOCKWISE(GL_CW);
+
+        private final int mode;
+
+        FrontFace(int mode) {
+            this.mode = mode;
+        }
+    }
+
     /** What is drawn of a triangle. */
     public enum Fill {
         WHOLE(GL_FILL),
@@ -101,6 +114,7 @@ public final class DrawState {
     private int stencilReference;
     private DepthOf depthOf = DepthOf.SURFACE;
     private Fill fill = Fill.WHOLE;
+    private FrontFace frontFace = FrontFace.COUNTER_CLOCKWISE;
     private long draws;
     private long triangles;
     private DrawListener listener;
@@ -176,6 +190,14 @@ public final class DrawState {
         }
     }
 
+    /** Stays until it is set again. */
+    public void frontFace(FrontFace newFrontFace) {
+        if (frontFace != newFrontFace) {
+            glFrontFace(newFrontFace.mode);
+            frontFace = newFrontFace;
+        }
+    }
+
     /** Nothing outside of these pixels is drawn, cleared or copied to until {@link #noScissor}. */
     public void scissor(int x, int y, int width, int height) {
         scissor.keepTo(x, y, width, height);
@@ -232,6 +254,7 @@ public final class DrawState {
         stencil = null;
         depthOf = null;
         fill = null;
+        frontFace = null;
     }
 
     /** {@code null} to stop listening. */

@@ -10,8 +10,9 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.OpeningMesh;
+import nephele.engine.render.frame.OpeningNeeds;
+import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
@@ -33,8 +34,8 @@ import nephele.engine.scene.ViewNode;
  * where the number is right, and it counts down again, leaving its own depth for what is drawn after it.
  */
 public final class PortalPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("portal", request -> PortalNeeds.of(request, "openings to see through", PortalPass::new));
+    public static final RenderFeature FEATURE = new RenderFeature(
+            "portal", request -> OpeningNeeds.of(request, "openings to see through", PortalPass::new));
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
 
@@ -43,7 +44,8 @@ public final class PortalPass implements Pass {
     private GlProgram<Uniforms.Vector4> colour;
     private GlProgram<Object> picture;
     private OpeningMesh openings;
-    private ClearColour clear;
+    private Environment environment;
+    private Output output;
     /** Whether something is drawn wherever nothing else is, so that the clear colour never shows. */
     private boolean skyCovers;
 
@@ -63,7 +65,8 @@ public final class PortalPass implements Pass {
 
     @Override
     public void load(LoadContext context) {
-        Environment environment = context.scene().level().environment();
+        environment = context.scene().level().environment();
+        output = context.output();
         nothing = OpeningPrograms.nothing(context);
         colour = OpeningPrograms.colour(context);
         picture = OpeningPrograms.picture(context);
@@ -71,7 +74,6 @@ public final class PortalPass implements Pass {
         skyCovers = environment.sky() != null
                 && !(environment.sky() instanceof Sky.Constant)
                 && FogVeil.of(environment).isEmpty();
-        clear = ClearColour.of(environment, context.output());
     }
 
     @Override
@@ -112,7 +114,7 @@ public final class PortalPass implements Pass {
         state.stencil(Stencil.EQUAL_COUNT_UP, depth);
         draw(child, nothing, Depth.EQUAL_ONLY_STENCIL);
         state.depthOf(DepthOf.FARTHEST);
-        colour(clear);
+        colour(ClearColour.of(environment, output, child.view().tint()));
         state.stencil(Stencil.EQUAL, depth + 1);
         draw(
                 child,
