@@ -56,6 +56,8 @@ public final class DrawState {
         SURFACE,
         /** Of an opening in a wall: before the wall by the least that tells them apart, never cut by near and far. */
         OPENING,
+        /** As {@link #OPENING} of a whole face: before it by what snapping the corners of both to the pixel grid can do. */
+        WHOLE_FACE,
         /** Farthest, wherever it lies. */
         FARTHEST
     }
@@ -173,10 +175,13 @@ public final class DrawState {
             return;
         }
         toggle(GL_DEPTH_CLAMP, newDepthOf != DepthOf.SURFACE);
-        toggle(GL_POLYGON_OFFSET_FILL, newDepthOf == DepthOf.OPENING);
-        if (newDepthOf == DepthOf.OPENING) {
+        boolean isOpening = newDepthOf == DepthOf.OPENING || newDepthOf == DepthOf.WHOLE_FACE;
+        toggle(GL_POLYGON_OFFSET_FILL, isOpening);
+        if (isOpening) {
             // One pixel's slope and four steps of the buffer: more than two rasterisations of one plane differ by.
-            glPolygonOffset(-1, -4);
+            // Along
+            // a face a pixel's slope would reach before its frame; corners lie on the grid to 1/256 pixel.
+            glPolygonOffset(newDepthOf == DepthOf.OPENING ? -1 : -1f / 32, -4);
         }
         glDepthRange(newDepthOf == DepthOf.FARTHEST ? 1 : 0, 1);
         depthOf = newDepthOf;

@@ -56,9 +56,9 @@ public final class OpeningDepthPass implements Pass {
         }
         frame.surface().bind();
         gl.state().set(Depth.LESS_AND_WRITE_ONLY_DEPTH, Blend.REPLACE, Cull.NONE);
-        gl.state().depthOf(DepthOf.OPENING);
         program.use();
         for (int i = 0; i < children.size(); i++) {
+            gl.state().depthOf(OpeningMesh.depthOf(children.get(i)));
             openings.draw(children.get(i));
         }
         gl.state().depthOf(DepthOf.SURFACE);

@@ -97,7 +97,7 @@ public final class PortalPass implements Pass {
 
     private void cover(FrameContext frame, ViewNode child, GlProgram<?> program) {
         frame.surface().bind();
-        gl.state().depthOf(DepthOf.OPENING);
+        gl.state().depthOf(OpeningMesh.depthOf(child));
         draw(child, program, Depth.EQUAL);
         gl.state().depthOf(DepthOf.SURFACE);
     }
@@ -110,7 +110,7 @@ public final class PortalPass implements Pass {
         DrawState state = gl.state();
         int depth = frame.nested().openingsCounted(frame.node());
         frame.surface().bind();
-        state.depthOf(DepthOf.OPENING);
+        state.depthOf(OpeningMesh.depthOf(child));
         state.stencil(Stencil.EQUAL_COUNT_UP, depth);
         draw(child, nothing, Depth.EQUAL_ONLY_STENCIL);
         state.depthOf(DepthOf.FARTHEST);
@@ -126,7 +126,7 @@ public final class PortalPass implements Pass {
         } else {
             frame.nested().draw(frame, child);
         }
-        state.depthOf(DepthOf.OPENING);
+        state.depthOf(OpeningMesh.depthOf(child));
         state.stencil(Stencil.EQUAL_COUNT_DOWN, depth + 1);
         draw(child, nothing, Depth.ALWAYS_AND_WRITE_ONLY_DEPTH);
         state.depthOf(DepthOf.SURFACE);

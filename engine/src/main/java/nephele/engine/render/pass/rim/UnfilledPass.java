@@ -75,7 +75,7 @@ public final class UnfilledPass implements Pass {
             look.of(frame.moment(), opening.portal(), frame.view());
         }
         frame.surface().bind();
-        gl.state().depthOf(DepthOf.OPENING);
+        gl.state().depthOf(OpeningMesh.depthOf(child));
         gl.state().set(Depth.EQUAL, Blend.OVER, Cull.NONE);
         membrane.use(look);
         openings.draw(child);
