@@ -69,6 +69,16 @@ class HeightFieldWorldTest {
         assertFalse(sweep.cast(ground(0, 0), PLAYER, at, new Vector3d(7 * x, 0, 7 * z)));
     }
 
+    /** It stops below the surface, where the sheet is thickest, and its box never meets the triangle's. */
+    @Test
+    void aShapeFromBelowMeetsTheUndersideOfTheSheet() {
+        Sweep sweep = new Sweep();
+        double middle = 1 - Math.sqrt(0.5);
+        Vector3d from = new Vector3d(4 + middle, -0.5, 5 - middle);
+        assertTrue(sweep.cast(ground(0, 0), RoundedHull.sphere(0.1), from, new Vector3d(0, 0.385, 0)));
+        assertEquals(0.4 - ThinSheet.DEPTH_METRES - Sweep.SKIN_METRES, 0.385 * sweep.fraction(), 1e-6);
+    }
+
     @Test
     void aShapeInTheGroundKnowsHowDeepAndFindsItsWayOut() {
         CollisionWorld world = ground(0, 0);
