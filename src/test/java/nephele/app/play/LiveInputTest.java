@@ -36,7 +36,7 @@ class LiveInputTest {
         assertTrue(walk.state().player().feet().z() < 5, "walked");
     }
 
-    /** C.2 row 8, from the window's counts to the view: no drift, no jump, whatever the mouse says. */
+    /** From the window's counts to the view there is no drift and no jump, whatever the mouse says. */
     @Test
     void turningThereAndBackEndsWhereItBegan() {
         var before = walk.state().player().heading();

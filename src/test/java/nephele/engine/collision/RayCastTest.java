@@ -13,7 +13,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 16: rays that start on surfaces, 0 self-hits and 0 leaks through walls of 1 mm. */
+/** Rays that start on surfaces, 0 self-hits and 0 leaks through walls of 1 mm. */
 class RayCastTest {
     private static final double WALL = 0.001;
 

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** C.2 rows 2, 21; extremes 16–18, 22, 34: the world near portals. */
+/** The world near portals. */
 final class SeamedWorldTest {
     private static final Vec3 FAR = new Vec3(10_000, 300, -10_000);
     private static final RoundedHull PLAYER = RoundedHull.uprightCapsule(0.3, 1.8);
@@ -127,7 +127,7 @@ final class SeamedWorldTest {
         return false;
     }
 
-    /** Extreme 22: one without a partner, and both where an exit lies in a solid; one that is only narrow stays open. */
+    /** One without a partner, and both where an exit lies in a solid; one that is only narrow stays open. */
     @Test
     void invalidExitsAreClosed() {
         Portal a =

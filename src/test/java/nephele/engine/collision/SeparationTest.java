@@ -10,7 +10,7 @@ import nephele.lab.prove.BruteForce;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 31: GJK and SAT on degenerate pairs agree to 1 − 1e-6 and end. */
+/** GJK and SAT on degenerate pairs agree to 1 − 1e-6 and end. */
 class SeparationTest {
     private final Gjk gjk = new Gjk();
     private final SeparatingAxes axes = new SeparatingAxes();

@@ -17,7 +17,7 @@ class SweepTest {
     private static final double SKIN = Sweep.SKIN_METRES;
     private static final RoundedHull PLAYER = RoundedHull.uprightCapsule(0.3, 1.8);
 
-    /** C.2 row 29: a wall of 1 cm stops everything, at the same place. */
+    /** A wall of 1 cm stops everything, at the same place. */
     @ParameterizedTest
     @ValueSource(doubles = {0.001, 1, 10, 100, 1000, 10_000, 1e6, 1e9})
     void aThinWallStopsAnySpeed(double metres) {
@@ -71,7 +71,7 @@ class SweepTest {
         assertFalse(new Sweep().cast(Solids.world(), PLAYER, new Vector3d(), new Vector3d(1, 0, 0)));
     }
 
-    /** C.2 row 28: capsules of any tilt against needles, plates, boxes and tilted solids equal bisection. */
+    /** Capsules of any tilt against needles, plates, boxes and tilted solids equal bisection. */
     @Test
     void equalsBruteForce() {
         var random = new SplittableRandom(5);

@@ -9,8 +9,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * Values that are fine alone and wrong together, geometry that encloses nothing, and assets that are none. C.2 row 14: a
- * rotation is an axis and an angle in a file, and one without an axis is refused.
+ * Values that are fine alone and wrong together, geometry that encloses nothing, and assets that are none. A rotation
+ * in a file is an axis and an angle; one without an axis is refused.
  */
 final class BadRelations {
     private static final String BOX = "\"kind\": \"box\", \"centre\": [0, 0, 0], \"size\": [4, 4, 4]";

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** C.2 row 48: load(save(x)) is x to the bit, in any locale; record equality compares doubles by their bits. */
+/** Load(save(x)) is x to the bit, in any locale; record equality compares doubles by their bits. */
 class LevelRoundTripTest {
     @ParameterizedTest
     @ValueSource(strings = {"en-GB", "de-DE", "ar-EG-u-nu-arab", "tr-TR"})

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** C.2 row 48: shortest text that reads back, the same everywhere. */
+/** Shortest text that reads back, the same everywhere. */
 class NumberTextTest {
     private static final int PATTERNS = 1_000_000;
 

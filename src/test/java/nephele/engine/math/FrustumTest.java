@@ -34,7 +34,7 @@ class FrustumTest {
         return Aabb.around(centre, new Vec3(size, size * random.nextDouble(), size * random.nextDouble()));
     }
 
-    /** C.2 row 5: no box that clipping leaves a part of is culled. */
+    /** No box that clipping leaves a part of is culled. */
     @ParameterizedTest
     @ValueSource(doubles = {100, 1e6, Double.POSITIVE_INFINITY})
     void cullsNoBoxThatClippingLeavesAPartOf(double far) {
@@ -57,7 +57,7 @@ class FrustumTest {
         assertTrue(needlessly < boxes / 10, needlessly + " boxes out of sight were kept");
     }
 
-    /** C.2 row 5: the far plane of an infinite projection has no normal and bounds nothing. */
+    /** The far plane of an infinite projection has no normal and bounds nothing. */
     @Test
     void anInfiniteFarPlaneIsAlwaysInside() {
         Frustum frustum = Frustum.of(projection(0.05, Double.POSITIVE_INFINITY), Vec3.ZERO);
@@ -65,7 +65,7 @@ class FrustumTest {
         assertFalse(frustum.maySee(Aabb.around(new Vec3(0, 0, 1e12), new Vec3(1, 1, 1))));
     }
 
-    /** C.2 row 6. */
+    /** Boxes at the limits: empty, partly NaN, infinite. */
     @Test
     void anEmptyBoxIsNeverSeenAndAnInfiniteOneAlways() {
         Frustum frustum = Frustum.of(projection(0.05, 100), Vec3.ZERO);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 class NormalsTest {
     private static final double[] SCALES = {0, 1e-30, -1e-30, 1e-3, -1e-3, 1, -1, 1e3, -1e3};
 
-    /** C.2 row 11: |n · t| ≤ 10⁻⁵ |t| for every transformed tangent, for all combinations of hostile scales. */
+    /** |n · t| ≤ 10⁻⁵ |t| for every transformed tangent, for all combinations of hostile scales. */
     @Test
     void theNormalStaysPerpendicularToEveryTransformedTangent() {
         var random = new SplittableRandom(11);

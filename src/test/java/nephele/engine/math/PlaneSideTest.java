@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class PlaneSideTest {
-    /** C.2 row 18: the sign is BigDecimal's on 10⁵ near-degenerate points, where rounding is often wrong. */
+    /** The sign is BigDecimal's on 10⁵ near-degenerate points, where rounding is often wrong. */
     @Test
     void theExactSideIsThatOfBigDecimal() {
         var random = new SplittableRandom(18);

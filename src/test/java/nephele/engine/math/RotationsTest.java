@@ -10,7 +10,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
 class RotationsTest {
-    /** C.2 row 12: 10⁶ rotations by 0.05 rad, renormalised: 10⁻⁹ in double, 2·10⁻⁷ once stored as float. */
+    /** 10⁶ rotations by 0.05 rad, renormalised: 10⁻⁹ in double, 2·10⁻⁷ once stored as float. */
     @Test
     void aMillionRotationsKeepNormAndAngle() {
         Vec3 axis = new Vec3(0.6, 0, 0.8);
@@ -51,7 +51,7 @@ class RotationsTest {
         assertEquals(-1, turned.x, 1e-15);
     }
 
-    /** C.2 row 13 for directions: opposite ones have a chosen axis. */
+    /** Opposite directions turn about a chosen axis. */
     @Test
     void directionsTurnTowardsEachOther() {
         var random = new SplittableRandom(14);

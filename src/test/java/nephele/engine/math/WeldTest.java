@@ -66,7 +66,7 @@ class WeldTest {
         return new double[] {v[0] * s, v[1] * s, v[2] * s};
     }
 
-    /** C.2 row 20: after welding each edge has exactly one partner with the same two vertices, in the other direction. */
+    /** After welding each edge has exactly one partner with the same two vertices, in the other direction. */
     @Test
     void aRoomOfMismatchedTilesIsClosedBitForBit() {
         roomOfMismatchedTiles(2e-5);
@@ -102,7 +102,7 @@ class WeldTest {
         return new Vec3(soup.positions()[v], soup.positions()[v + 1], soup.positions()[v + 2]);
     }
 
-    /** C.2 row 19: slivers and duplicates are dropped and counted, and every remaining triangle has a normal. */
+    /** Slivers and duplicates are dropped and counted, and every remaining triangle has a normal. */
     @Test
     void sliversAndDuplicatesAreDroppedWithCount() {
         int a = vertex(0, 0, 0);

@@ -16,7 +16,7 @@ class BezierPatchesTest {
     private final BezierPatches teapot =
             BezierPatches.read("teapot.patch", new ResourceAssets("/assets").bytes(BezierPatches.SHIPPED));
 
-    /** C.2 row 37: where four patches' edges shrink to the tip of the knob, and to the middle of the floor. */
+    /** Where four patches' edges shrink to the tip of the knob, and to the middle of the floor. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 10, 31})
     void degenerateCornersOfTheTeapotFaceAlongItsAxis(int tessellation) {

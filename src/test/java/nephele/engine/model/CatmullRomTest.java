@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** C.2 rows 40 and 41: curves through points. */
+/** Curves through points. */
 class CatmullRomTest {
     private static final Vec3 A = new Vec3(1, 2, 3);
     private static final Vec3 B = new Vec3(4, 0, -1);

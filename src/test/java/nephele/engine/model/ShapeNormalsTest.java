@@ -114,7 +114,7 @@ class ShapeNormalsTest {
         }
     }
 
-    /** C.2 row 38: n = (h cos t, r, h sin t) / √(r² + h²); half-way up a cone of r = 1, h = 2 that is 26.6° above level. */
+    /** A cone's normal is (h cos t, r, h sin t) / √(r² + h²); half-way up a cone of r = 1, h = 2 that is 26.6° above level. */
     @Test
     void aConesNormalsHaveItsSlopeAndTheTipOnePerSlice() {
         Mesh mesh = new ConeShape(1, 2, 4, 3).mesh();
@@ -132,7 +132,7 @@ class ShapeNormalsTest {
         assertEquals(4, tips);
     }
 
-    /** C.2 row 38, poles: the axis itself. */
+    /** At the poles the normal is the axis itself. */
     @Test
     void aSpheresPolesFaceAlongItsAxis() {
         Mesh mesh = new SphereShape(3, 7, 5).mesh();

@@ -60,7 +60,7 @@ class ShapeSurfaceTest {
         return sum;
     }
 
-    /** C.2 row 39: chords stay within r (1 - cos(π / n)) of the circle, and reach it in the middle of a slice. */
+    /** Chords stay within r (1 - cos(π / n)) of the circle, and reach it in the middle of a slice. */
     @ParameterizedTest
     @ValueSource(ints = {3, 4, 5, 8, 31, 100, 511, 512})
     void theSagittaOfASliceIsThatOfAChord(int slices) {
@@ -153,7 +153,7 @@ class ShapeSurfaceTest {
         assertEquals(1, mesh.textureCoordinates()[2 * right]);
     }
 
-    /** C.2 rows 38 and 39: r or h = 0, NaN, infinities, 0 and 10⁶ parts are refused, and the message names the number. */
+    /** A radius or height of 0, NaN, infinities, 0 and 10⁶ parts are refused, and the message names the number. */
     @ParameterizedTest
     @ValueSource(
             strings = {

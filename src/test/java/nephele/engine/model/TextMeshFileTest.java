@@ -58,7 +58,7 @@ class TextMeshFileTest {
         }
     }
 
-    /** C.2 row 48: 10⁶ patterns; every float that a coordinate can be, and those beyond. */
+    /** 10⁶ patterns; every float that a coordinate can be, and those beyond. */
     @Test
     void theTextOfAFloatReadsBackToItInEveryLanguage() {
         var random = new SplittableRandom(48);

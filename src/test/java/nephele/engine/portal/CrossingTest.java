@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** C.2 row 23; extremes 2, 3 and 34: when a point enters which portal. */
+/** When a point enters which portal. */
 final class CrossingTest {
     private static final Vector3d NONE = new Vector3d();
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -106,7 +106,7 @@ final class CrossingTest {
         assertEquals(2, Crossing.descent(0, 1, -1), 1e-15, "up from the plane and down again");
     }
 
-    /** Extreme 3: the earliest of many; of equally early ones the lowest index. */
+    /** The earliest of many; of equally early ones the lowest index. */
     @Test
     void theEarliestCounts() {
         Portal near = portal(0, 0, -1, SOUTH, UP);

@@ -13,7 +13,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 24; extremes 7 and 34: the map between two portals is rigid and leads back. */
+/** The map between two portals is rigid and leads back. */
 final class PassageTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
 

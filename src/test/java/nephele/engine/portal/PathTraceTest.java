@@ -191,7 +191,7 @@ final class PathTraceTest {
         }
     }
 
-    /** Portals.md row 36: a laser through 0 to 16 portals ends at its target, and the length is that of the whole path. */
+    /** A laser through 0 to 16 portals ends at its target, and the length is that of the whole path. */
     @Test
     void aBeamThroughManyPortalsMeasuresItsWholePath() {
         for (int pairs = 0; pairs <= 16; pairs++) {
@@ -212,7 +212,7 @@ final class PathTraceTest {
         }
     }
 
-    /** Portals.md row 36: between facing portals a beam goes on to the cap, however long it is. */
+    /** Between facing portals a beam goes on to the cap, however long it is. */
     @Test
     void aClosedLoopEndsAtTheCap() {
         Portal near = portal("near", new Vec3(0, 1, 0), new Vec3(0, 0, -1));
@@ -228,7 +228,7 @@ final class PathTraceTest {
     }
 
     /**
-     * Portals.md row 36: three pairs bend a beam back into its own start, 2 m a leg: it never arrives anywhere, ends at
+     * Three pairs bend a beam back into its own start, 2 m a leg: it never arrives anywhere, ends at
      * the cap at its own beginning, and a sound of any shorter reach ends after exactly that way.
      */
     @Test

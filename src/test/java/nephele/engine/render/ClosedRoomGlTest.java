@@ -12,7 +12,7 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 20: nothing shines through where surfaces meet; the room is closed and the sky magenta. */
+/** Nothing shines through where surfaces meet; the room is closed and the sky magenta. */
 class ClosedRoomGlTest {
     private static final int VIEWS = 500;
     private static final Vec3 MAGENTA = new Vec3(1, 0, 1);

@@ -33,7 +33,7 @@ class LampGlTest {
                 new Light.Spot("sharp", new Vec3(-3, 2, -1), new Vec3(0, -1, 0.4), grey(4), 20, 25, 25.5, false)));
     }
 
-    /** C.2 row 44: lamps in the floor, of no range, immensely strong, immensely far. */
+    /** Lamps in the floor, of no range, immensely strong, immensely far. */
     @Test
     void degenerateLampsLeaveNumbers() {
         List<Light> lights = List.of(
@@ -52,7 +52,7 @@ class LampGlTest {
         assertTrue(brightest > 1000, "the blinding lamp shows: " + brightest);
     }
 
-    /** C.2 row 44: the sum over every lamp, though a pixel asks only those of its grid cell. */
+    /** The sum over every lamp, though a pixel asks only those of its grid cell. */
     @Test
     void aThousandLampsAddUp() {
         SplittableRandom random = new SplittableRandom(1000);

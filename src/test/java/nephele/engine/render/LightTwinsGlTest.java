@@ -57,7 +57,7 @@ class LightTwinsGlTest {
         }
     }
 
-    /** C.2 row 44: any distance, range and cone; relative 1e-5, since the window squares a difference. */
+    /** Any distance, range and cone; relative 1e-5, since the window squares a difference. */
     @Test
     void lampFalloff() {
         SplittableRandom random = new SplittableRandom(3);

@@ -159,7 +159,7 @@ class MetamorphicGlTest {
         }
     }
 
-    /** C.2 row 1: at the origin and moved by 2^k metres along each axis, the same picture. */
+    /** At the origin and moved by 2^k metres along each axis, the same picture. */
     @Test
     void aWorldMovedByPowersOfTwoLooksTheSame() {
         List<Box> boxes = boxes(40, 6);
@@ -180,7 +180,7 @@ class MetamorphicGlTest {
         }
     }
 
-    /** C.2 row 1: in one level that spans 10^6 m, what is near the eye stays within 0.1 pixel of 1080p. */
+    /** In one level that spans 10^6 m, what is near the eye stays within 0.1 pixel of 1080p. */
     @Test
     void aLevelAMillionMetresWideIsExactNearTheEye() {
         TestLevel wide = furniture();

@@ -156,7 +156,7 @@ class ModelGlTest {
                 : new Vector3d(way).mul(along).add(0, 0, distance).div(radius);
     }
 
-    /** numerics C.2 row 11: under uneven and mirrored scales the shading normal stays that of the ellipsoid. */
+    /** Under uneven and mirrored scales the shading normal stays that of the ellipsoid. */
     @Test
     void anEllipsoidIsLitByItsOwnNormals() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {

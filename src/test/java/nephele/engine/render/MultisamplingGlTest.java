@@ -52,7 +52,7 @@ class MultisamplingGlTest {
         return Offscreen.red(rgb) > 8 && Offscreen.red(rgb) < 247;
     }
 
-    /** Numerics A.1: the covered count is within a quarter of the perimeter; in plain, coverage is stored linearly. */
+    /** The covered count is within a quarter of the perimeter; in plain, coverage is stored linearly. */
     @Test
     void slantedEdgesTakeTheirCoverage() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {

@@ -81,7 +81,7 @@ class OutputGlTest {
         }
     }
 
-    /** numerics A.1: mid grey 0.2140 is display code 127.5. */
+    /** Mid grey 0.2140 is display code 127.5. */
     @Test
     void middleGreyIsTheMiddleCode() {
         assertEquals(127.5, 255 * Development.encodeSrgb(0.2140), 0.05);

@@ -20,7 +20,7 @@ import nephele.engine.scene.ViewTree;
 import org.junit.jupiter.api.Test;
 
 /**
- * C.2 row 26: portals that face each other, at any distance, and portals that lie inside each other. Views are capped and
+ * Portals that face each other, at any distance, and portals that lie inside each other. Views are capped and
  * scissored, end below one pixel and before a stencil of eight bits does, and the last level is filled.
  */
 class PortalExtremesGlTest {

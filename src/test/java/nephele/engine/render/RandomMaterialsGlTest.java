@@ -13,7 +13,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 43: whatever the materials and lights say, every pixel is a number, not negative, and below the half's end. */
+/** Whatever the materials and lights say, every pixel is a number, not negative, and below the half's end. */
 class RandomMaterialsGlTest {
     private static final double[] EXTREMES = {0, 1e-30, 1e-7, 0.5, 1, 1, 1e3, 1e9};
 

@@ -61,7 +61,7 @@ class SurfaceGlTest {
         }
     }
 
-    /** numerics A.1: |count − area| at most the outline's length in pixels. */
+    /** |count − area| at most the outline's length in pixels. */
     @Test
     void aSquareCoversItsArea() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -81,7 +81,7 @@ class SurfaceGlTest {
         }
     }
 
-    /** numerics A.1: linearised depth is the distance along the view within two depth quanta. */
+    /** Linearised depth is the distance along the view within two depth quanta. */
     @Test
     void depthIsTheDistanceAlongTheView() {
         try (Offscreen offscreen = new Offscreen(9, 9)) {
@@ -100,7 +100,7 @@ class SurfaceGlTest {
         }
     }
 
-    /** C.2 row 3: surfaces two depth quanta apart never show the farther one, whatever the order of drawing. */
+    /** Surfaces two depth quanta apart never show the farther one, whatever the order of drawing. */
     @Test
     void surfacesTwoQuantaApartNeverFlicker() {
         try (Offscreen offscreen = new Offscreen(64, 64)) {

@@ -11,8 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * A pair of portals back to back on a wall is a doorway without depth. Who walks or falls through it goes as through a
- * hole in a thin wall. Extremes 1 and 8.
+ * A pair of portals back to back on a wall is a doorway without depth. A walk or a fall through it goes as
+ * through a hole in a thin wall.
  */
 final class DoorwayTest {
     private static final double THIN = 1e-6;
@@ -119,7 +119,7 @@ final class DoorwayTest {
         }
     }
 
-    /** Extreme 8: waiting half-way changes no bit; then back out, as from a doorway. */
+    /** Waiting half-way changes no bit; then back out, as from a doorway. */
     @Test
     void waitsHalfWayAndStepsBack() {
         for (double z : new double[] {0.5, 0.9}) {

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 32: dt 0, negative, 1e-9, 10 s, NaN; what results equals a replay of pure ticks. */
+/** Frame times of 0, negative, 1e-9, 10 s, NaN; what results equals a replay of pure ticks. */
 class FixedStepTest {
     private static final long SECOND = 1_000_000_000L;
 

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 8: yaw in [−π, π), pitch to ±89.9°, no jump greater than the input in 1e6 deltas, ±1e6 counts too. */
+/** Yaw in [−π, π), pitch to ±89.9°, no jump greater than the input in 1e6 deltas, ±1e6 counts too. */
 class HeadingTest {
     @Test
     void turnsByWhatTheMouseSaysAndNoMore() {

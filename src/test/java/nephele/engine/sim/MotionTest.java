@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class MotionTest {
     private static final PlayerInput JUMP = PlayerInput.NONE.holding(Action.JUMP);
 
-    /** C.2 row 33: the apex of a jump is right to 0.05 % at 60 ticks a second, and at no rate much worse. */
+    /** The apex of a jump is right to 0.05 % at 60 ticks a second, and at no rate much worse. */
     @ParameterizedTest
     @ValueSource(ints = {30, 60, 120, 240})
     void aJumpReachesItsHeight(int rate) {
@@ -41,7 +41,7 @@ class MotionTest {
         assertEquals(5 - 9.81 * 4, course.state().player().velocity().y(), 1e-9);
     }
 
-    /** C.2 row 34: approach by 1 − exp(−k dt): no overshoot up to k dt = 1000, the same at any rate. */
+    /** Approach by 1 − exp(−k dt): no overshoot up to k dt = 1000, the same at any rate. */
     @Test
     void dampingNeverOvershoots() {
         for (double product = 1e-6; product <= 1000; product *= 1.7) {

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Endless falls: extremes 2 to 6 and C.2 row 24 for the player. */
+/** Endless falls of the player: speed, height and sideways motion are kept at every tick rate. */
 final class PortalLoopTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
@@ -25,7 +25,7 @@ final class PortalLoopTest {
         return speedSquared(p) + 2 * G * (p.centre().y() - level);
     }
 
-    /** Extreme 5, reduced: from 2 m over one floor portal out of the other and back, at any rate. */
+    /** From 2 m over one floor portal the player comes out of the other and back, at any rate. */
     @ParameterizedTest
     @ValueSource(ints = {30, 60, 120, 240})
     void floorToFloorKeepsItsHeight(int rate) {
@@ -47,7 +47,7 @@ final class PortalLoopTest {
         assertEquals(0, course.state().faults());
     }
 
-    /** Extreme 4: v² = 2 g H k to 1e-9 as long as eight hops a tick are enough; then the speed stays. */
+    /** After k hops of H metres v² = 2 g H k to 1e-9, as long as eight hops a tick are enough; then the speed stays. */
     @Test
     void floorToCeilingGainsWhatItFalls() {
         Course course = Course.onFloor()
@@ -83,7 +83,7 @@ final class PortalLoopTest {
         assertEquals(0, course.state().player().feet().x(), 1e-9);
     }
 
-    /** Extreme 6: a slanted endless fall keeps its sideways speed; it drifts until it meets the rim. */
+    /** A slanted endless fall keeps its sideways speed; it drifts until it meets the rim. */
     @Test
     void sidewaysSpeedIsKept() {
         Course course = Course.onFloor()
@@ -100,7 +100,7 @@ final class PortalLoopTest {
         assertEquals(-0.1, end.feet().z(), 1e-9);
     }
 
-    /** Extreme 2: whatever the speed and the rate, the exit is the same. */
+    /** Whatever the speed and the rate, the exit is the same. */
     @ParameterizedTest
     @ValueSource(doubles = {0.001, 0.1, 10, 1000})
     void exitsAlikeAtEveryRate(double speed) {

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The player at pairs in awkward places: extremes 16 to 18, 22, 26 and 33 to 35. */
+/** The player at pairs in awkward places. */
 final class PortalPlayerTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SOUTH = new Vec3(0, 0, 1);
@@ -47,7 +47,7 @@ final class PortalPlayerTest {
                 + p.velocity().z() * p.velocity().z());
     }
 
-    /** Extreme 16: through one of two that stand side by side, out of the other, with the shoulders in both. */
+    /** Through one of two that stand side by side, out of the other, with the shoulders in both. */
     @Test
     void sideBySide() {
         for (double x : new double[] {-0.6, -0.3, 0, 0.3}) {
@@ -66,7 +66,7 @@ final class PortalPlayerTest {
         }
     }
 
-    /** Extreme 17: between portals that face each other 0.2 m apart a player is in both and meets itself as space. */
+    /** Between portals that face each other 0.2 m apart a player is in both and meets itself as space. */
     @Test
     void facingNearby() {
         Course course = new Course()
@@ -86,7 +86,7 @@ final class PortalPlayerTest {
         assertTrue(horizontalSpeed(course.state().player()) <= PlayerBody.WALK_SPEED + 1e-9, "energy not increased");
     }
 
-    /** Extreme 18: two portals in a corner that share its edge. */
+    /** Two portals in a corner that share its edge. */
     @Test
     void cornerWithASharedEdge() {
         for (int right = -100; right <= 100; right += 50) {
@@ -122,7 +122,7 @@ final class PortalPlayerTest {
         return most;
     }
 
-    /** Extreme 22: a single portal, and one whose exit lies in a solid, are wall. */
+    /** A single portal, and one whose exit lies in a solid, are wall. */
     @Test
     void closedPortalsAreSolid() {
         Course open = Course.onFloor()
@@ -140,7 +140,7 @@ final class PortalPlayerTest {
         assertEquals(0.301, blocked.feet().z(), 1e-6);
     }
 
-    /** Extreme 34: at 10 km the same walk within 1e-6 m, ten times through. */
+    /** At 10 km the same walk within 1e-6 m, ten times through. */
     @Test
     void farOutTheSame() {
         List<Course> courses = new ArrayList<>();
@@ -162,7 +162,7 @@ final class PortalPlayerTest {
         assertEquals(near.z(), far.z() + 10_000, 1e-6);
     }
 
-    /** Extreme 35: what is not finite stops and is told, near a portal too. */
+    /** What is not finite stops and is told, near a portal too. */
     @ParameterizedTest
     @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 1e308})
     void brokenVelocitiesStop(double speed) {

@@ -8,7 +8,7 @@ import java.math.BigInteger;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** C.2 row 35: after 10 h, 100 h and a year the phase is right to 1e-4 rad, and tick 0 equals N periods. */
+/** After 10 h, 100 h and a year the phase is right to 1e-4 rad, and tick 0 equals N periods. */
 class TickClockTest {
     private static final long PERIOD = TickClock.PERIOD_SECONDS * 120L;
 

@@ -11,7 +11,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Portals.md section 5, row 26: out of a ceiling and through turned portals the view eases upright and never flips. */
+/** Out of a ceiling and through turned portals the view eases upright and never flips. */
 final class UprightViewTest {
     private static final double TICK = 1.0 / 120;
     /** A heading is a whole thousandth of a degree, and pitch ends a tenth of one before the vertical. */

@@ -20,7 +20,7 @@ import nephele.lab.prove.DoorwayRooms.Doors;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** The camera behind the player: extremes 10 and 11. */
+/** The camera behind the player, beside and beyond portals. */
 class BoomTest {
     private static final double TICK = 1.0 / 120;
     private static final int SHARES = 4;
@@ -51,7 +51,7 @@ class BoomTest {
         }
     }
 
-    /** Extreme 11: through 0 to 3 portals the boom ends before the wall at the word's end. */
+    /** Through 0 to 3 portals the boom ends before the wall at the word's end. */
     @Test
     void theWallAtTheWordsEndShortensTheBoom() {
         for (int doors = 0; doors <= 3; doors++) {
@@ -82,7 +82,7 @@ class BoomTest {
         }
     }
 
-    /** Extremes 10 and 11: wherever it goes and however it turns, it is where a doorway of the same shape lets it be. */
+    /** Wherever it goes and however it turns, it is where a doorway of the same shape lets it be. */
     @Test
     void portalsAreDoorwaysToTheBoom() {
         int exact = 0;
@@ -100,7 +100,7 @@ class BoomTest {
         assertTrue(exact > 0.9 * all, exact + " of " + all + " frames");
     }
 
-    /** Extreme 11, no pop: four times as many frames move the camera a quarter as far, and it grows no faster than it may. */
+    /** There is no pop: four times as many frames move the camera a quarter as far, and it grows no faster than it may. */
     @Test
     void theBoomNeverPops() {
         Level level = DoorwayRooms.level(2, Doors.PORTALS);

@@ -12,7 +12,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import org.junit.jupiter.api.Test;
 
-/** Extremes 1, 16, 18 and 34; C.2 row 23: the proof at a reduced count. */
+/** The proof at a reduced count. */
 final class CrossingsProofTest {
     @Test
     void nobodyFallsThroughOrStaysInASolid() {

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import nephele.engine.render.frame.PortalTechnique;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 25, at a reduced count; `prove eye-crossings` lets 10⁴ eyes pass. */
+/** Eyes that pass a portal never see its wall, at a reduced count; `prove eye-crossings` lets 10⁴ eyes pass. */
 class EyeCrossingsGlTest {
     @Test
     void noFrameShowsTheWallOnTheWayThrough() {

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Extreme 5 at a reduced count; an arch, turned by a quarter. */
+/** Falls from floor portal to floor portal at a reduced count; an arch, turned by a quarter. */
 final class FallsProofTest {
     @Test
     void everyFallComesUpAgain() {

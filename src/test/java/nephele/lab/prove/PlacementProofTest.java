@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 22, nearest places on walls against brute force, at a hundredth of the full count. */
+/** Nearest places on walls against brute force, at a hundredth of the full count. */
 class PlacementProofTest {
     @Test
     void noBetterAnswerIsFound() {

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** C.2 rows 15, 16 and 17 at a hundredth of their full count. */
+/** Rays against boxes, planes and seams at a hundredth of their full count. */
 class RayProofTest {
     @Test
     void noRayGoesWhereItShouldNot() {

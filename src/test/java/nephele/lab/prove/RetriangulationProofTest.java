@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** A surface cut up otherwise gives the same place (C.2 row 21), at a hundredth of the full count. */
+/** A surface cut up otherwise gives the same place, at a hundredth of the full count. */
 class RetriangulationProofTest {
     @Test
     void thePortalComesToTheSamePlace() {

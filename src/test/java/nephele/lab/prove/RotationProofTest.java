@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** C.2 rows 8 and 13 at a tenth of their full count. */
+/** Headings and rotations are as asked, at a tenth of the full count. */
 class RotationProofTest {
     @Test
     void turnsAreAsAsked() {

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 31 at a hundredth of its full count: shapes and solids meet as brute force says. */
+/** Shapes and solids meet as brute force says, at a hundredth of the full count. */
 class SeparationProofTest {
     @Test
     void shapesMeetAsBruteForceSays() {

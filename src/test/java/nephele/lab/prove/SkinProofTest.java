@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 28: the skin holds in slot, wedge, stairs and needles. {@code prove player-skin} makes 10⁶ moves. */
+/** The skin holds in slot, wedge, stairs and needles. {@code prove player-skin} makes 10⁶ moves. */
 class SkinProofTest {
     @Test
     void theSkinHolds() {

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Extreme 7 and C.2 row 24: a tenth of the traversals. */
+/** A tenth of the traversals. */
 final class TraversalsProofTest {
     @Test
     void traversalsAddNothing() {

@@ -6,7 +6,7 @@ import org.joml.Vector3d;
 
 /** Cameras that can show a picture. */
 final class CameraRules {
-    /** Numerics C.2 row 4: nearer together than this the depth range is empty. */
+    /** Nearer together than this the depth range is empty. */
     private static final double FAR_TO_NEAR = 1 + 1e-3;
 
     /** Sine of the angle between view and up below which the roll is left to chance. */

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import nephele.engine.math.Vec3;
 
-/** Directions need not have unit length, but some length (numerics C.2 row 14: no rotation without an axis). */
+/** Directions need not have unit length, but some length: there is no rotation without an axis. */
 final class DirectionRules {
     /** Below it the square of a length is no longer a normal number to divide by. */
     private static final double SHORTEST = 1e-9;

@@ -14,7 +14,7 @@ import nephele.lab.prove.FrameSteps.Step;
 /**
  * Walks through 0 to 3 portals and through as many open doorways of the same shape with the same steps, by the eye, on
  * the boom and with a cube in hand, and compares what is seen: each frame with the frame before it, which is how a pop
- * shows, and each frame with its twin. Portals.md, section 5, rows 8 to 11 and 27.
+ * shows, and each frame with its twin.
  */
 public final class DoorwayWalkProof implements Proof {
     private static final int MOST_DOORS = 3;

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Section 5 row 23: a body that flies straight at an aperture passes untouched just when its outline fits. */
+/** A body that flies straight at an aperture passes untouched just when its outline fits. */
 class BodyFitTest {
     /** Outlines this near the aperture's edge may go either way: contacts look ahead. */
     private static final double MARGIN_METRES = 0.015;

@@ -33,7 +33,7 @@ class BodyPortalTest {
                 .pair(v(0, height / 2, 0), v(0, 0, 1), v(30, height / 2, 0), v(-1, 0, 0), width, height);
     }
 
-    /** Section 5 row 2: a rod of 1 mm crosses once, and leaves alike at every tick rate. */
+    /** A rod of 1 mm crosses once, and leaves alike at every tick rate. */
     @ParameterizedTest
     @CsvSource({"0.001, 30", "0.001, 240", "1, 60", "10, 30", "100, 120", "1000, 30", "1000, 240"})
     void rodCrossesOnce(double speed, double rate) {
@@ -57,7 +57,7 @@ class BodyPortalTest {
         assertEquals(0, scene.velocity(rod).distance(0, 0, -speed), 1e-9 * speed);
     }
 
-    /** Section 5 row 3: through many portals in one tick, in order, and the motion kept. */
+    /** Through many portals in one tick, in order, and the motion kept. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 5, 8})
     void manyPortalsInOneTick(int hops) {
@@ -75,7 +75,7 @@ class BodyPortalTest {
         assertEquals(0, scene.velocity(ball).distance(0, 0, -60 * (hops + 0.5)), 1e-9);
     }
 
-    /** Section 5 row 4. */
+    /** An endless fall gathers v² = 2 g h, without loss or gain at the portals. */
     @Test
     void endlessFallGathersSpeedExactly() {
         BodyScene scene = new BodyScene()
@@ -93,7 +93,7 @@ class BodyPortalTest {
         assertEquals(1, scene.velocity(cube).lengthSquared() / (2 * 9.81 * fall), 1e-9);
     }
 
-    /** Section 5 row 5: from floor to floor the apex stays. */
+    /** From floor to floor the apex stays. */
     @ParameterizedTest
     @ValueSource(doubles = {30, 60, 120, 240})
     void floorToFloorKeepsTheApex(double rate) {
@@ -111,7 +111,7 @@ class BodyPortalTest {
         assertTrue(worst <= 1e-6, "apex off by " + worst);
     }
 
-    /** Section 5 row 6: an oblique fall keeps what it has sideways. */
+    /** An oblique fall keeps what it has sideways. */
     @Test
     void obliqueFallKeepsItsSidewaysSpeed() {
         BodyScene scene = new BodyScene()
@@ -149,7 +149,7 @@ class BodyPortalTest {
         }
     }
 
-    /** Section 5 row 23: what is too large is held by the rim. */
+    /** What is too large is held by the rim. */
     @ParameterizedTest
     @CsvSource({"1.19, true", "1.21, false", "3, false"})
     void passesOnlyIfItFits(double width, boolean passes) {
@@ -162,7 +162,7 @@ class BodyPortalTest {
         }
     }
 
-    /** Section 5 row 28. */
+    /** A sleeper wakes when a portal opens under it. */
     @Test
     void sleeperFallsWhenAPortalOpensUnderIt() {
         BodyScene scene = new BodyScene().floor().box(5, 2, -5, 6, 8, 5);
@@ -179,7 +179,7 @@ class BodyPortalTest {
         assertTrue(scene.centre(cube).x > 2, "came out of the wall, not at " + scene.centre(cube));
     }
 
-    /** Section 5 row 16: a pair side by side and a plank in both: both sides simulated, no explosion. */
+    /** A pair side by side and a plank in both: both sides simulated, no explosion. */
     @Test
     void plankInBothPortalsOfAPairStaysCalm() {
         BodyScene scene = new BodyScene().floor().pair(v(0, 0, 0), UP, v(1.3, 0, 0), UP, 1.2, 1.2);
@@ -195,7 +195,7 @@ class BodyPortalTest {
         assertTrue(scene.centre(plank).y > -0.2 && scene.centre(plank).isFinite());
     }
 
-    /** Section 5 row 17: portals that face each other 0.2 m apart: the body touches itself and gains nothing. */
+    /** Portals that face each other 0.2 m apart: the body touches itself and gains nothing. */
     @ParameterizedTest
     @ValueSource(doubles = {0.11, 0.16, 0.19})
     void bodyThatTouchesItselfGainsNoEnergy(double size) {
@@ -227,7 +227,7 @@ class BodyPortalTest {
                 + inertia * scene.spin(body).lengthSquared() / 2;
     }
 
-    /** Section 5 row 18: portals in both walls of a corner: no leak, not stuck. */
+    /** Portals in both walls of a corner: no leak, not stuck. */
     @Test
     void cornerOfTwoPortals() {
         BodyScene scene = new BodyScene()
@@ -287,7 +287,7 @@ class BodyPortalTest {
         assertEquals(1, Math.abs(turned.dot(scene.orientation(ball))), 1e-12);
     }
 
-    /** Section 5 row 8 for a body: half-way through it lies still to the bit. */
+    /** A body that is half-way through a portal lies still to the bit. */
     @Test
     void restsHalfWayThrough() {
         BodyScene scene = rooms(1.2, 2.1);
@@ -314,7 +314,7 @@ class BodyPortalTest {
         assertEquals(0, scene.centre(cube).distance(0.05, 0.4, 0), 2e-3);
     }
 
-    /** Section 5 row 34: ten kilometres out everything is as here. */
+    /** Ten kilometres out everything is as here. */
     @Test
     void farOutIsAsHere() {
         Vector3d there = null;

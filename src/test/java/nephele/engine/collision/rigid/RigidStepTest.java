@@ -32,7 +32,7 @@ class RigidStepTest {
         assertEquals(0, scene.velocity(ball).distance(3, 4 - 9.81 * 2, -2), 1e-10);
     }
 
-    /** Section 5 row 24: a cube at 50 rad/s keeps angular momentum and energy to 1e-9. */
+    /** A cube at 50 rad/s keeps angular momentum and energy to 1e-9. */
     @Test
     void spinningCubeKeepsMomentumAndEnergy() {
         BodyScene scene = new BodyScene().weightless();
@@ -224,7 +224,7 @@ class RigidStepTest {
         }
     }
 
-    /** Section 5 row 35. */
+    /** A body whose motion is no number is frozen, and what rests on it goes on. */
     @ParameterizedTest
     @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 1e300})
     void notANumberFreezesTheBodyAlone(double wrong) {

@@ -53,7 +53,7 @@ class BrdfTest {
         }
     }
 
-    /** C.2 row 43: whatever is thrown at it, finite and not negative. */
+    /** Whatever is thrown at it, finite and not negative. */
     @Test
     void randomAndDegenerateInputsStayFinite() {
         SplittableRandom random = new SplittableRandom(43);

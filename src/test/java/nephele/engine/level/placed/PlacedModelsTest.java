@@ -105,7 +105,7 @@ class PlacedModelsTest {
         assertThrows(IllegalArgumentException.class, () -> ModelFrames.of(circle));
     }
 
-    /** numerics C.2 row 11: every triangle looks outward, as its normals do, under every kind of scale. */
+    /** Every triangle looks outward, as its normals do, under every kind of scale. */
     @ParameterizedTest
     @CsvSource({"1,1,1", "-1,1,1", "2,-0.1,3", "-1,-1,1", "-0.5,-2,-3", "1e-6,1e-6,-1e-6", "1000,0.001,-1"})
     void trianglesAndNormalsLookOutward(double x, double y, double z) {

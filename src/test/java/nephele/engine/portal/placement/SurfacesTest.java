@@ -17,7 +17,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
 
-/** C.2 rows 21 and 22, slopes and far coordinates: on whole rooms, ramps and meshes. */
+/** Placement on whole rooms, ramps and meshes, on slopes and at far coordinates. */
 class SurfacesTest {
     private static final Gun GUN = Walls.ARCH;
 

@@ -14,7 +14,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 20: where solids meet, every edge has all the corners that lie on it, with the same bits. */
+/** Where solids meet, every edge has all the corners that lie on it, with the same bits. */
 class FaceFragmentsTest {
     private static final int PLUS_X = 0;
     private static final int PLUS_Z = 4;

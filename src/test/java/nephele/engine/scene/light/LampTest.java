@@ -16,7 +16,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** C.2 row 44. */
+/** A lamp's irradiance over distance, range and cone. */
 class LampTest {
     private static final Vec3 WHITE = new Vec3(1, 1, 1);
 
