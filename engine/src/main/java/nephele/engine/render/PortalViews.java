@@ -34,6 +34,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private final ViewCopies pictureCopies;
 
     private final double exposure;
+    private final ClearColour behind;
     private final PortalPictures pictures;
     private final PreviousPicture previous;
     private final Multisampling multisampling;
@@ -61,6 +62,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         pictureCopies = copies.another();
         skies = passes.skies();
         exposure = ClearColour.exposure(scene.level().environment());
+        behind = ClearColour.of(scene.level().environment(), settings.output());
         pictures = new PortalPictures(
                 gl, technique().copies() ? 1 : settings.quality().portalResolution());
         previous = new PreviousPicture(gl, scene.mirrors());
@@ -193,9 +195,8 @@ final class PortalViews implements NestedViews, AutoCloseable {
                     target.width() / (double) picture.width(),
                     target.height() / (double) picture.height());
         }
-        ClearColour behind = ClearColour.of(
-                scene.level().environment(), settings.output(), node.view().tint());
-        target.clearWithinScissor(behind.red(), behind.green(), behind.blue());
+        ClearColour seen = behind.in(node.view(), scene.level().environment(), settings.output());
+        target.clearWithinScissor(seen.red(), seen.green(), seen.blue());
         drawPasses(node, moment, target, picture, pictureCopies);
         copy(target, own);
         gl.state().noScissor();

@@ -21,7 +21,7 @@ public final class Opening {
     public static final int NO_PORTAL = -1;
 
     /** What an opening that keeps all light multiplies radiance by. */
-    public static final Vec3 CLEAR = new Vec3(1, 1, 1);
+    private static final Vec3 CLEAR = new Vec3(1, 1, 1);
 
     private final int id;
     private final int partner;
@@ -35,7 +35,7 @@ public final class Opening {
     private final Plane exit;
     private final Vec3 tint;
     /** Where the isometry leads the frame: with the polygon, what tells one opening from another. */
-    private final List<Vec3> exitFrame;
+    private final Vec3[] exitFrame;
 
     private Opening(
             int id,
@@ -56,10 +56,11 @@ public final class Opening {
         this.isometry = isometry;
         this.exit = exit;
         this.tint = tint;
-        exitFrame = List.of(
-                Vec3.of(isometry.point(centre.toVector())),
-                Vec3.of(isometry.direction(frame.right().toVector())),
-                Vec3.of(isometry.direction(frame.up().toVector())));
+        exitFrame = new Vec3[] {
+            Vec3.of(isometry.point(centre.toVector())),
+            Vec3.of(isometry.direction(frame.right().toVector())),
+            Vec3.of(isometry.direction(frame.up().toVector()))
+        };
     }
 
     /** @param index of an open portal */
@@ -96,8 +97,7 @@ public final class Opening {
                 normal.y(),
                 normal.z(),
                 normal.x() * centre.x() + normal.y() * centre.y() + normal.z() * centre.z());
-        Vec3 kept = tint.equals(CLEAR) ? CLEAR : tint;
-        return new Opening(id, id, NO_PORTAL, centre, frame, corners, new Reflection(centre, normal), plane, kept);
+        return new Opening(id, id, NO_PORTAL, centre, frame, corners, new Reflection(centre, normal), plane, tint);
     }
 
     private static Vec3 middle(List<Vec3> polygon) {
@@ -202,6 +202,6 @@ public final class Opening {
                         && centre.equals(other.centre)
                         && frame.equals(other.frame)
                         && Arrays.equals(corners, other.corners)
-                        && exitFrame.equals(other.exitFrame);
+                        && Arrays.equals(exitFrame, other.exitFrame);
     }
 }

@@ -2,7 +2,7 @@ package nephele.engine.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.math.Vec3;
+import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 
@@ -13,6 +13,8 @@ import org.joml.Vector3d;
 final class Openings {
     private final List<Opening> mirrors;
     private final List<Opening> all = new ArrayList<>();
+    private final Vector3d start = new Vector3d();
+    private final Vector3d unfolded = new Vector3d();
     private Portals portals;
     private Moment moment;
 
@@ -50,33 +52,22 @@ final class Openings {
      * can have gone through the one that makes the way shortest, if that is shorter than the way without.
      */
     Opening crossed(View from, View to) {
-        Vector3d start = from.eye().toVector();
-        Vec3 end = to.eye();
-        double shortest = start.distance(end.toVector());
+        start.set(from.eyeX(), from.eyeY(), from.eyeZ());
+        double shortest = start.distance(to.eyeX(), to.eyeY(), to.eyeZ());
         Opening crossed = null;
-        for (Opening opening : all) {
-            Opening partner = partner(opening);
-            if (partner != null) {
-                Vector3d unfolded = partner.isometry().point(end.toVector());
+        for (int i = mirrors.size(); i < all.size(); i++) {
+            Opening portal = all.get(i);
+            Passage back = portals.passage(portals.partner(portal.portal()));
+            if (back != null) {
+                back.point(unfolded.set(to.eyeX(), to.eyeY(), to.eyeZ()));
                 double metres = start.distance(unfolded);
-                if (metres < shortest && opening.isPassed(start, unfolded)) {
+                if (metres < shortest && portal.isPassed(start, unfolded)) {
                     shortest = metres;
-                    crossed = opening;
+                    crossed = portal;
                 }
             }
         }
         return crossed;
-    }
-
-    private Opening partner(Opening opening) {
-        if (opening.portal() != Opening.NO_PORTAL) {
-            for (Opening other : all) {
-                if (other.leadsBackThrough(opening)) {
-                    return other;
-                }
-            }
-        }
-        return null;
     }
 
     /** Share of its size at which an opening is open now: a portal grows when it is made. */

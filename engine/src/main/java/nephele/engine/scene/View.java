@@ -7,6 +7,7 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /**
  * From where and how the scene is seen. Right, up and back are orthonormal world directions; the view looks along −back.
@@ -25,11 +26,11 @@ public final class View {
     private final Vector3d right = new Vector3d();
     private final Vector3d up = new Vector3d();
     private final Vector3d back = new Vector3d();
+    private final Vector3d tint = new Vector3d(1);
     private int id;
     private Projection projection;
     private Plane clip;
     private boolean mirrored;
-    private Vec3 tint = Opening.CLEAR;
 
     private View() {}
 
@@ -70,15 +71,12 @@ public final class View {
         projection = newProjection;
         clip = opening.exit();
         mirrored = before.mirrored != passage.isReflection();
-        tint = tinted(before.tint, opening.tint());
+        Vec3 kept = opening.tint();
+        tint.set(before.tint).mul(kept.x(), kept.y(), kept.z());
         passage.point(eye.set(before.eye));
         passage.direction(right.set(before.right));
         passage.direction(up.set(before.up));
         passage.direction(back.set(before.back));
-    }
-
-    private static Vec3 tinted(Vec3 a, Vec3 b) {
-        return b == Opening.CLEAR ? a : new Vec3(a.x() * b.x(), a.y() * b.y(), a.z() * b.z());
     }
 
     public int id() {
@@ -117,8 +115,13 @@ public final class View {
     }
 
     /** What the openings before this view multiply its radiance by, linear RGB. */
-    public Vec3 tint() {
+    public Vector3dc tint() {
         return tint;
+    }
+
+    /** Whether mirrors before this view keep some light back. */
+    public boolean isTinted() {
+        return tint.x != 1 || tint.y != 1 || tint.z != 1;
     }
 
     public double eyeX() {

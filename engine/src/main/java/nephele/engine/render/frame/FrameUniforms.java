@@ -10,6 +10,7 @@ import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.scene.View;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /** The uniform block {@code Frame} of {@code frame.glsl}: what every shader knows of the view. */
 public final class FrameUniforms implements AutoCloseable {
@@ -52,7 +53,7 @@ public final class FrameUniforms implements AutoCloseable {
         put(24, view.direction(0, 0, -1, direction));
         values[27] = view.isMirrored() ? -1 : 1;
         values[28] = (float) exposure;
-        put(40, direction.set(view.tint().x(), view.tint().y(), view.tint().z()));
+        put(40, view.tint());
         putClip(view);
         buffer.upload(values);
         buffer.bind(BINDING);
@@ -67,10 +68,10 @@ public final class FrameUniforms implements AutoCloseable {
         values[35] = (float) (inFront + CLIP_SLACK_METRES);
     }
 
-    private void put(int at, Vector3d v) {
-        values[at] = (float) v.x;
-        values[at + 1] = (float) v.y;
-        values[at + 2] = (float) v.z;
+    private void put(int at, Vector3dc v) {
+        values[at] = (float) v.x();
+        values[at + 1] = (float) v.y();
+        values[at + 2] = (float) v.z();
     }
 
     @Override

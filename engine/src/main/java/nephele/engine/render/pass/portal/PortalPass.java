@@ -46,6 +46,7 @@ public final class PortalPass implements Pass {
     private OpeningMesh openings;
     private Environment environment;
     private Output output;
+    private ClearColour behind;
     /** Whether something is drawn wherever nothing else is, so that the clear colour never shows. */
     private boolean skyCovers;
 
@@ -67,6 +68,7 @@ public final class PortalPass implements Pass {
     public void load(LoadContext context) {
         environment = context.scene().level().environment();
         output = context.output();
+        behind = ClearColour.of(environment, output);
         nothing = OpeningPrograms.nothing(context);
         colour = OpeningPrograms.colour(context);
         picture = OpeningPrograms.picture(context);
@@ -114,8 +116,10 @@ public final class PortalPass implements Pass {
         state.stencil(Stencil.EQUAL_COUNT_UP, depth);
         draw(child, nothing, Depth.EQUAL_ONLY_STENCIL);
         state.depthOf(DepthOf.FARTHEST);
-        colour(ClearColour.of(environment, output, child.view().tint()));
         state.stencil(Stencil.EQUAL, depth + 1);
+        if (!skyCovers) {
+            colour(behind.in(child.view(), environment, output));
+        }
         draw(
                 child,
                 skyCovers ? nothing : colour,
