@@ -14,7 +14,9 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.scene.Moment;
 import nephele.engine.scene.View;
+import nephele.engine.scene.thing.FigurePresence;
 import org.junit.jupiter.api.Test;
 
 /** A mirror shows what would be seen if the scene stood once more behind it, the other way round. */
@@ -47,15 +49,7 @@ class MirrorGlTest {
             }
         }
         if (!behind) {
-            Map<BoxFace, Solid.Face> faces = Map.of(BoxFace.PLUS_Z, new Solid.Face("silver", null));
-            level.solid(new Solid.Box(
-                    "mirror",
-                    "m0",
-                    false,
-                    TextureMapping.WORLD,
-                    new Vec3(0, 0, PLANE - 0.5),
-                    new Vec3(60, 60, 1),
-                    faces));
+            level.solid(mirror(new Vec3(60, 60, 1)));
         }
         return level.level();
     }
@@ -108,5 +102,62 @@ class MirrorGlTest {
             int[] reflected = offscreen.pixels(tinted, TestAssets.NONE, back, by(PortalTechnique.STENCIL));
             assertEquals(0x803300, reflected[HEIGHT / 2 * WIDTH + WIDTH / 2]);
         }
+    }
+
+    /**
+     * An eye in the figure's head sees all of itself in a mirror, head included, as an eye beyond the mirror sees it, left
+     * and right exchanged; from behind the figure it is seen besides.
+     */
+    @Test
+    void oneSeesOneself() {
+        Vec3 eye = new Vec3(0, 1.65, PLANE + 1);
+        Vec3 image = new Vec3(0, 1.65, PLANE - 1);
+        Level mirrored = room().material(
+                        new Material("silver", new Vec3(1, 1, 1), null, null, null, null, Vec3.ZERO, 1, true))
+                .solid(mirror(new Vec3(6, 6, 1)))
+                .level();
+        Level open = room().box("m0", new Vec3(0, -20, 0), new Vec3(1, 1, 1)).level();
+        try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
+            int[] direct = withFigure(offscreen, open, offscreen.view(image, eye));
+            int[] expected = new int[direct.length];
+            for (int i = 0; i < direct.length; i++) {
+                expected[i] = direct[i / WIDTH * WIDTH + WIDTH - 1 - i % WIDTH];
+            }
+            int[] empty = new int[direct.length];
+            int covered = differing(expected, empty);
+            assertTrue(covered > 200, covered + " pixels of the figure");
+            assertTrue(expected[HEIGHT / 2 * WIDTH + WIDTH / 2] != 0, "the head");
+            assertTrue(differing(expected, direct) > covered / 5, "the figure is not symmetrical");
+            int[] seen = withFigure(offscreen, mirrored, offscreen.view(eye, image));
+            int wrong = differing(expected, seen);
+            assertTrue(wrong <= covered / 20, wrong + " of " + covered + " pixels");
+            int[] fromBehind = withFigure(
+                    offscreen, mirrored, offscreen.view(new Vec3(1, 1.8, PLANE + 2.5), new Vec3(0, 1, PLANE)));
+            assertTrue(differing(fromBehind, empty) > covered, "the figure and its image");
+        }
+    }
+
+    private static int[] withFigure(Offscreen offscreen, Level level, View view) {
+        RenderSettings settings = by(PortalTechnique.STENCIL).with(FigurePresence.POSSIBLE);
+        Moment moment = Moment.atStart(level);
+        moment.figure(
+                new Moment.Posture(new Vec3(0, 0.9, PLANE + 1), new Vec3(0, 1, 0), 0.4, 0, 1.8, 0.2, 0.7, 0, 0, 0));
+        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+            renderer.draw(view, moment, offscreen.picture);
+            offscreen.gl.requireNoError("figure");
+            return offscreen.pixels();
+        }
+    }
+
+    /** A wall whose face in {@link #PLANE} is a mirror. */
+    private static Solid mirror(Vec3 size) {
+        return new Solid.Box(
+                "mirror",
+                "m0",
+                false,
+                TextureMapping.WORLD,
+                new Vec3(0, 0, PLANE - 0.5),
+                size,
+                Map.of(BoxFace.PLUS_Z, new Solid.Face("silver", null)));
     }
 }

@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
+import nephele.engine.math.Vec3;
 
 /** Which faces of a level's solids are mirrors. */
 public final class MirrorFaces {
@@ -18,13 +19,24 @@ public final class MirrorFaces {
 
     /** The index of the first material that makes a face of a solid a mirror, or −1. */
     public static int firstMaterial(Level level) {
+        return first(level, material -> true);
+    }
+
+    private static int first(Level level, Predicate<Material> isMeant) {
         for (int i = 0; i < level.materials().size(); i++) {
             Material material = level.materials().get(i);
-            if (material.mirror() && level.solids().stream().anyMatch(solid -> isOn(solid, material.id()::equals))) {
+            if (material.mirror()
+                    && isMeant.test(material)
+                    && level.solids().stream().anyMatch(solid -> isOn(solid, material.id()::equals))) {
                 return i;
             }
         }
         return -1;
+    }
+
+    /** The index of the first material that makes a face of a solid a mirror that keeps light back, or −1. */
+    public static int firstTinted(Level level) {
+        return first(level, material -> !material.baseColour().equals(new Vec3(1, 1, 1)));
     }
 
     public static boolean any(Level level) {

@@ -66,7 +66,9 @@ public final class DrawState {
     public enum Blend {
         REPLACE,
         /** Source alpha over destination; the destination keeps its alpha. */
-        OVER
+        OVER,
+        /** Source and destination; the destination keeps its alpha. */
+        ADD
     }
 
     /** Which faces are dropped. */
@@ -225,6 +227,8 @@ public final class DrawState {
         toggle(GL_BLEND, newBlend != Blend.REPLACE);
         if (newBlend == Blend.OVER) {
             glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+        } else if (newBlend == Blend.ADD) {
+            glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
         }
         blend = newBlend;
     }

@@ -44,6 +44,9 @@ public final class PortalPass implements Pass {
     private GlProgram<Uniforms.Vector4> colour;
     private GlProgram<Object> picture;
     private OpeningMesh openings;
+    /** {@code null} where nothing is to be added. */
+    private MirrorFog fog;
+
     private Environment environment;
     private Output output;
     private ClearColour behind;
@@ -73,6 +76,7 @@ public final class PortalPass implements Pass {
         colour = OpeningPrograms.colour(context);
         picture = OpeningPrograms.picture(context);
         openings = context.shared().openings();
+        fog = MirrorFog.of(context);
         skyCovers = environment.sky() != null
                 && !(environment.sky() instanceof Sky.Constant)
                 && FogVeil.of(environment).isEmpty();
@@ -84,10 +88,17 @@ public final class PortalPass implements Pass {
         for (int i = 0; i < children.size(); i++) {
             ViewNode child = children.get(i);
             switch (frame.nested().filling(child)) {
-                case SKY, VIEW -> drawThrough(frame, child);
+                case SKY, VIEW -> {
+                    drawThrough(frame, child);
+                    addFog(child);
+                }
                 case PICTURE -> {
                     frame.nested().picture(child).bind(TextureUnit.COLOURS);
                     cover(frame, child, picture);
+                    // The picture before shows the fog as well.
+                    if (!child.isTerminal()) {
+                        addFog(child);
+                    }
                 }
                 case MARK -> {
                     colour(MARK);
@@ -102,6 +113,14 @@ public final class PortalPass implements Pass {
         gl.state().depthOf(OpeningMesh.depthOf(child));
         draw(child, program, Depth.EQUAL);
         gl.state().depthOf(DepthOf.SURFACE);
+    }
+
+    private void addFog(ViewNode child) {
+        if (fog != null) {
+            gl.state().depthOf(OpeningMesh.depthOf(child));
+            fog.draw(child);
+            gl.state().depthOf(DepthOf.SURFACE);
+        }
     }
 
     private void colour(ClearColour c) {
@@ -153,6 +172,9 @@ public final class PortalPass implements Pass {
         }
         if (picture != null) {
             picture.close();
+        }
+        if (fog != null) {
+            fog.close();
         }
     }
 }
