@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
+import nephele.engine.measure.Stopwatch;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
@@ -127,5 +128,29 @@ class MirrorViewsTest {
             assertEquals(a.y(i) / a.w(i), b.y(i) / b.w(i), 1e-9);
         }
         assertEquals(far - 2, away.views().get(1).view().eyeZ(), 1e-9);
+    }
+
+    /** Views in mirrors are filled anew for each frame, their tints too, and looked up in the frame before. */
+    @Test
+    void viewsInMirrorsMakeNoGarbage() {
+        Opening[] mirrors = {mirror(0, new Vec3(0, 0, -2), 1), mirror(1, new Vec3(0, 0, 3), -1)};
+        List<ViewTree> trees = List.of(new ViewTree(List.of(mirrors)), new ViewTree(List.of(mirrors)));
+        View view = View.lookAt(
+                new Vec3(0.25, 0.1, 0), new Vec3(0.2, 0.1, -2), UP, new Projection(1, 16 / 9.0, 0.05, 1000));
+        Moment moment = nothing();
+        ViewHistory history = new ViewHistory();
+        Stopwatch stopwatch = new Stopwatch();
+        long before = 0;
+        for (int frame = 0; frame < 2000; frame++) {
+            if (frame == 1000) {
+                before = stopwatch.allocatedBytes();
+            }
+            ViewTree tree = trees.get(frame % 2);
+            tree.grow(view, moment, 1280, 720, 6);
+            history.match(tree);
+            history.remember(tree);
+        }
+        long bytes = (stopwatch.allocatedBytes() - before) / 1000;
+        assertTrue(bytes <= 64, bytes + " bytes a frame");
     }
 }
