@@ -68,7 +68,9 @@ public final class DrawState {
         /** Source alpha over destination; the destination keeps its alpha. */
         OVER,
         /** Source and destination; the destination keeps its alpha. */
-        ADD
+        ADD,
+        /** Source, whose colours hold its alpha already, over destination, alpha too: layers that are laid over later. */
+        PREMULTIPLIED_OVER
     }
 
     /** Which faces are dropped. */
@@ -225,10 +227,11 @@ public final class DrawState {
 
     private void setBlend(Blend newBlend) {
         toggle(GL_BLEND, newBlend != Blend.REPLACE);
-        if (newBlend == Blend.OVER) {
-            glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-        } else if (newBlend == Blend.ADD) {
-            glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+        switch (newBlend) {
+            case REPLACE -> {}
+            case OVER -> glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+            case ADD -> glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+            case PREMULTIPLIED_OVER -> glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         }
         blend = newBlend;
     }
