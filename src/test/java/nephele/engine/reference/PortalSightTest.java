@@ -115,8 +115,10 @@ class PortalSightTest {
         Vec3 middle = Vec3.ZERO;
         float[] wall = facing.towards(middle, new Vec3(0, 1e-3, -1), 1);
         assertEquals(0.9, wall[0], 1e-6);
-        EyePath path =
-                new EyePath(new SurfaceRays(StaticShapes.of(facing.level()), List.of(), 0), Portals.of(facing.level()));
+        EyePath path = new EyePath(
+                new SurfaceRays(StaticShapes.of(facing.level()), List.of(), 0),
+                Portals.of(facing.level()),
+                ReflectingFaces.NONE);
         assertTrue(path.walk(middle.toVector(), new Vec3(0, 1e-3, -1).toVector(), 0.05, 1e9));
         assertEquals(1, path.ray().originY(), 3.1e-3, "in the last space, under the upper edge");
         float[] along = facing.towards(middle, new Vec3(0, 0, -1), 1);

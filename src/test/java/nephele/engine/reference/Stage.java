@@ -88,6 +88,11 @@ final class Stage {
         return this;
     }
 
+    Stage solid(Solid solid) {
+        solids.add(solid);
+        return this;
+    }
+
     Stage light(Light light) {
         lights.add(light);
         return this;

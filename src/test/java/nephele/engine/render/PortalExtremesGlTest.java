@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
@@ -63,7 +64,7 @@ class PortalExtremesGlTest {
     }
 
     private static ViewTree grown(Level level, View view, int budget) {
-        ViewTree tree = new ViewTree();
+        ViewTree tree = new ViewTree(List.of());
         tree.grow(view, Moment.atStart(level), WIDTH, HEIGHT, budget);
         return tree;
     }

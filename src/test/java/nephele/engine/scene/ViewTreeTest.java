@@ -46,7 +46,7 @@ class ViewTreeTest {
     }
 
     private static ViewTree grown(View view, Moment moment, int budget) {
-        ViewTree tree = new ViewTree();
+        ViewTree tree = new ViewTree(List.of());
         tree.grow(view, moment, WIDTH, HEIGHT, budget);
         return tree;
     }
@@ -70,7 +70,7 @@ class ViewTreeTest {
         assertTrue(front.views().size() > 1);
         for (ViewNode node : front.views()) {
             if (node.parent() != null) {
-                Portal seen = moment.portals().portal(node.portal());
+                Portal seen = moment.portals().portal(node.opening().portal());
                 Vec3 eye = node.parent().view().eye();
                 assertTrue(seen.inFront(eye.x(), eye.y(), eye.z()) > 0);
             }
@@ -230,8 +230,8 @@ class ViewTreeTest {
         Moment along = pairs(portal(new Vec3(-1, 0, -10), new Vec3(1, 0, 0), 4, 2, PortalShape.RECTANGLE), elsewhere);
         ViewNode opening = grown(near, along, 9).root().children().get(0);
         double farthest = 0;
-        for (int i = 0; i < opening.opening().size(); i++) {
-            farthest = Math.max(farthest, opening.opening().w(i));
+        for (int i = 0; i < opening.outline().size(); i++) {
+            farthest = Math.max(farthest, opening.outline().w(i));
         }
         assertEquals(10, farthest, 1e-12);
     }
@@ -246,7 +246,9 @@ class ViewTreeTest {
         ViewTree tree = grown(view(Vec3.ZERO, new Vec3(0, 0, -1)), moment, 50);
         assertEquals(
                 List.of(0, 2, 4, 6),
-                tree.root().children().stream().map(ViewNode::portal).toList());
+                tree.root().children().stream()
+                        .map(node -> node.opening().portal())
+                        .toList());
     }
 
     /** A portal of another shape or size is another one, though it stands where the old one stood. */
@@ -254,39 +256,39 @@ class ViewTreeTest {
     void aPortalOfAnotherApertureHasNoHistory() {
         View view = view(new Vec3(0.4, 0.2, -2.4), new Vec3(0.4, 0.2, -5));
         ViewTree before = grown(view, facing(5), 6);
-        ViewTree now = grown(view, facing(5), 5);
         for (PortalShape shape : PortalShape.values()) {
             for (double width : new double[] {2, 1.9}) {
                 Moment moment = pairs(
                         portal(new Vec3(0, 0, -2.5), new Vec3(0, 0, 1), width, 2, shape),
                         portal(new Vec3(0, 0, 2.5), new Vec3(0, 0, -1), width, 2, shape));
+                ViewTree now = grown(view, moment, 5);
                 ViewHistory history = new ViewHistory();
-                history.remember(before, facing(5).portals());
-                history.match(now, moment.portals());
+                history.remember(before);
+                history.match(now);
                 boolean isSame = shape == PortalShape.RECTANGLE && width == 2;
                 assertEquals(isSame, history.of(now.terminals().get(0)) != null, shape + " " + width);
             }
         }
     }
 
-    /** The same opening in the frame before, told by where its eye was, also when the player has stepped through. */
+    /** The same opening in the frame before, told by its path, which begins anew when the player has stepped through. */
     @Test
-    void historyIsFoundByTheEyesPlaceBeforeThePortal() {
+    void historyIsFoundByThePathFromTheEye() {
         Moment moment = facing(5);
         ViewTree before = grown(view(new Vec3(0.4, 0.2, -2.4), new Vec3(0.4, 0.2, -5)), moment, 6);
         ViewTree stepped = grown(view(new Vec3(0.4, 0.2, 2.4), new Vec3(0.4, 0.2, -5)), moment, 5);
         ViewHistory history = new ViewHistory();
-        history.match(stepped, moment.portals());
+        history.match(stepped);
         assertSame(null, history.of(stepped.terminals().get(0)));
-        history.remember(before, moment.portals());
-        history.match(stepped, moment.portals());
+        history.remember(before);
+        history.match(stepped);
         ViewNode terminal = stepped.terminals().get(0);
         ViewNode match = history.of(terminal);
         // Eyes 5 m behind one another: the terminal's is at 27.4 m, the last one that was drawn before at 22.6 m.
         assertEquals(27.4, terminal.parent().view().eye().z(), 1e-9);
         assertEquals(22.6, match.parent().view().eye().z(), 1e-9);
         history.forget();
-        history.match(stepped, moment.portals());
+        history.match(stepped);
         assertSame(null, history.of(terminal));
     }
 }

@@ -41,6 +41,7 @@ class PortalSamplesReplayTest {
                 "slanted-walls",
                 "edge-to-edge",
                 "hall-of-mirrors",
+                "mirror",
                 "portal-on-soup",
                 "straddling-cube"
             })

@@ -3,11 +3,15 @@ package nephele.engine.draw;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.engine.level.Body;
+import nephele.engine.level.BoxFace;
+import nephele.engine.level.Brush;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
+import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
 import nephele.engine.level.ToneCurve;
@@ -21,6 +25,9 @@ public final class IdLevel {
     /** SPREAD times this is 1 modulo 2²⁴. */
     private static final int UNSPREAD = 0xb382c9;
 
+    /** All mirrors keep all light. */
+    private static final String MIRROR = "id-mirror";
+
     private static final Vec3 ONE = new Vec3(1, 1, 1);
 
     private IdLevel() {}
@@ -28,10 +35,11 @@ public final class IdLevel {
     public static Level of(Level level) {
         var materials = new ArrayList<Material>();
         var solids = new ArrayList<Solid>();
+        var mirrors = MirrorFaces.materials(level.materials());
         for (var solid : level.solids()) {
             var material = flat("id-" + solids.size(), colour(solids.size()));
             materials.add(material);
-            solids.add(painted(solid, material.id()));
+            solids.add(painted(solid, material.id(), mirrors));
         }
         var bodies = new ArrayList<Body>();
         for (var body : level.bodies()) {
@@ -45,6 +53,9 @@ public final class IdLevel {
             materials.add(material);
             models.add(new ModelPlacement(
                     model.id(), model.file(), model.parent(), model.transform(), material.id(), model.portalable()));
+        }
+        if (!mirrors.isEmpty()) {
+            materials.add(new Material(MIRROR, ONE, null, null, null, null, Vec3.ZERO, 1, true));
         }
         var flatLight = new Environment(null, null, ONE, 0, ToneCurve.CLIP, null, List.of());
         return level.with(flatLight, List.of()).with(materials, solids, bodies, models);
@@ -92,9 +103,16 @@ public final class IdLevel {
                 bounce);
     }
 
-    private static Solid painted(Solid solid, String material) {
+    private static Solid painted(Solid solid, String material, Set<String> mirrors) {
         if (solid instanceof Solid.Box box) {
-            return new Solid.Box(box.id(), material, false, box.textureMapping(), box.centre(), box.size(), Map.of());
+            return new Solid.Box(
+                    box.id(),
+                    material,
+                    false,
+                    box.textureMapping(),
+                    box.centre(),
+                    box.size(),
+                    mirrors(List.of(BoxFace.values()), box.faces(), box.material(), mirrors));
         }
         if (solid instanceof Solid.Wedge wedge) {
             return new Solid.Wedge(
@@ -105,12 +123,12 @@ public final class IdLevel {
                     wedge.centre(),
                     wedge.size(),
                     wedge.rising(),
-                    Map.of());
+                    mirrors(names(wedge), wedge.faces(), wedge.material(), mirrors));
         }
         if (solid instanceof Solid.Prism prism) {
             return new Solid.Prism(
                     prism.id(),
-                    material,
+                    isMirror(null, prism.material(), mirrors) ? MIRROR : material,
                     false,
                     prism.textureMapping(),
                     prism.centre(),
@@ -120,8 +138,28 @@ public final class IdLevel {
         }
         var planes = (Solid.Planes) solid;
         var bare = planes.planes().stream()
-                .map(plane -> new Solid.PlaneFace(plane.normal(), plane.distanceMetres(), null, null))
+                .map(plane -> new Solid.PlaneFace(
+                        plane.normal(),
+                        plane.distanceMetres(),
+                        isMirror(plane.material(), planes.material(), mirrors) ? MIRROR : null,
+                        null))
                 .collect(Collectors.toList());
         return new Solid.Planes(planes.id(), material, false, planes.textureMapping(), bare);
+    }
+
+    private static List<String> names(Solid.Wedge wedge) {
+        return Brush.of(wedge).faces().stream().map(Brush.BrushFace::name).collect(Collectors.toList());
+    }
+
+    /** Those of a solid's faces that are mirrors. */
+    private static <N> Map<N, Solid.Face> mirrors(
+            List<N> names, Map<N, Solid.Face> said, String material, Set<String> mirrors) {
+        return names.stream()
+                .filter(name -> isMirror(said.containsKey(name) ? said.get(name).material() : null, material, mirrors))
+                .collect(Collectors.toMap(name -> name, name -> new Solid.Face(MIRROR, null)));
+    }
+
+    private static boolean isMirror(String ofFace, String ofSolid, Set<String> mirrors) {
+        return mirrors.contains(ofFace == null ? ofSolid : ofFace);
     }
 }

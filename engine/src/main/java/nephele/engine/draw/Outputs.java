@@ -1,21 +1,15 @@
 package nephele.engine.draw;
 
 import nephele.engine.level.Level;
-import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.LinearLight;
 import nephele.engine.render.frame.Output;
-import nephele.engine.render.pass.tonemap.ToneMapPass;
 
 /** Which output a level asks for when nobody else says. */
 public final class Outputs {
     private Outputs() {}
 
-    /** HDR where something in the level requires tone mapping as a pass, else DIRECT. */
+    /** HDR where something in the level adds light to what is drawn, else DIRECT. */
     public static Output requiredBy(Level level) {
-        return ToneMapPass.FEATURE
-                        .requiredBy()
-                        .apply(FrameRequest.of(level, Output.DIRECT))
-                        .isEmpty()
-                ? Output.DIRECT
-                : Output.HDR;
+        return LinearLight.because(level).isPresent() ? Output.HDR : Output.DIRECT;
     }
 }

@@ -2,6 +2,7 @@ package nephele.engine.level;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
@@ -22,7 +23,11 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             List<Vec3> polygon,
             String material,
             boolean portalable,
-            TextureMapping textureMapping) {}
+            TextureMapping textureMapping) {
+        private BrushFace refusingPortals() {
+            return new BrushFace(name, plane, polygon, material, false, textureMapping);
+        }
+    }
 
     private record Named(String name, Plane plane, String material, Boolean portalable) {}
 
@@ -47,6 +52,17 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             return prismFaces(prism);
         }
         throw new IllegalArgumentException("no shape for " + solid.getClass().getSimpleName());
+    }
+
+    /** The same, but no portal opens on faces of these materials. */
+    public Brush refusingPortalsOn(Set<String> materials) {
+        if (faces.stream().noneMatch(face -> face.portalable() && materials.contains(face.material()))) {
+            return this;
+        }
+        List<BrushFace> refusing = faces.stream()
+                .map(face -> materials.contains(face.material()) ? face.refusingPortals() : face)
+                .toList();
+        return new Brush(solidId, shape, refusing);
     }
 
     private static Brush assemble(Solid solid, ConvexPolyhedron shape, List<Named> named) {

@@ -21,6 +21,7 @@ public final class LevelRules {
             PortalRules.ON_SURFACE,
             ModelRules.PARENTS,
             BodyRules.SHAPES,
+            MirrorRules.FLAT,
             BodyRules.REACH,
             PlayerRules.FREE,
             PlayerRules.SOMEWHERE,

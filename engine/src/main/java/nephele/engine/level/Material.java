@@ -13,6 +13,7 @@ import nephele.engine.math.Vec3;
  * @param normalTexture asset id of a tangent-space normal map (RGB; alpha multiplies roughness), or {@code null}
  * @param emission linear RGB radiance
  * @param textureMetres side of the square that one repeat of the texture covers
+ * @param mirror whether the flat faces of solids reflect as a plane mirror does, {@code baseColour} of the light
  */
 public record Material(
         @Written(required = true, text = TextRule.ID) String id,
@@ -22,7 +23,20 @@ public record Material(
         @Written(min = 0, max = 1) Double metallic,
         @Written(text = TextRule.ASSET) String normalTexture,
         @Written(absent = "[0, 0, 0]", min = 0, max = 1e9) Vec3 emission,
-        @Written(absent = "1", min = 1e-3) double textureMetres) {
+        @Written(absent = "1", min = 1e-3) double textureMetres,
+        @Written boolean mirror) {
+    /** No mirror. */
+    public Material(
+            String id,
+            Vec3 baseColour,
+            String texture,
+            Double roughness,
+            Double metallic,
+            String normalTexture,
+            Vec3 emission,
+            double textureMetres) {
+        this(id, baseColour, texture, roughness, metallic, normalTexture, emission, textureMetres, false);
+    }
 
     /** What faces without a material are made of. */
     public static final Material DEFAULT_GREY =

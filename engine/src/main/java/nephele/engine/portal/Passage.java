@@ -1,6 +1,7 @@
 package nephele.engine.portal;
 
 import nephele.engine.math.Basis;
+import nephele.engine.math.Isometry;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix3d;
@@ -12,7 +13,7 @@ import org.joml.Vector3d;
  * half a revolution around its up, carried to the exit's frame. It keeps lengths, angles and handedness. Points are
  * mapped relative to the centres, so that a portal far from the origin costs no precision.
  */
-public final class Passage {
+public final class Passage implements Isometry {
     private final Vec3 entry;
     private final Vec3 exit;
     private final Matrix3d rotation;
@@ -48,14 +49,21 @@ public final class Passage {
     }
 
     /** Moves a point from before the entry to before the exit. */
+    @Override
     public Vector3d point(Vector3d p) {
         p.sub(entry.x(), entry.y(), entry.z());
         return rotation.transform(p).add(exit.x(), exit.y(), exit.z());
     }
 
     /** Turns a direction, a velocity or an angular velocity. */
+    @Override
     public Vector3d direction(Vector3d v) {
         return rotation.transform(v);
+    }
+
+    @Override
+    public boolean isReflection() {
+        return false;
     }
 
     public Vec3 point(Vec3 p) {

@@ -1,8 +1,12 @@
 package nephele.engine.reference;
 
+import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.math.BitHash;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
+import nephele.engine.math.Reflection;
+import nephele.engine.math.Vec3;
 import nephele.engine.portal.Crossing;
 import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portals;
@@ -10,7 +14,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Follows a ray of the eye through every portal on it to the first surface. One for each thread, used again for every
+ * Follows a ray of the eye through every portal and off every mirror on it to the first other surface. One for each thread, used again for every
  * ray; the accessors speak of the last one.
  */
 final class EyePath {
@@ -27,6 +31,9 @@ final class EyePath {
 
     private final SurfaceRays surfaces;
     private final Portals portals;
+    private final ReflectingFaces mirrors;
+    private final List<Reflected> reflected = new ArrayList<>();
+    private final Vector3d tint = new Vector3d();
     private final Crossing crossing = new Crossing();
     private final RayHit hit = new RayHit();
     private final Vector3d origin = new Vector3d();
@@ -36,8 +43,17 @@ final class EyePath {
     private double metres;
     private long passed;
 
-    EyePath(SurfaceRays surfaces, Portals portals) {
+    /**
+     * A mirror on the way.
+     *
+     * @param metres from the eye to it, along the way
+     * @param lost share of light that all mirrors up to it keep, and those before it do not
+     */
+    record Reflected(double metres, Vector3dc lost) {}
+
+    EyePath(SurfaceRays surfaces, Portals portals, ReflectingFaces mirrors) {
         this.surfaces = surfaces;
+        this.mirrors = mirrors;
         this.portals = portals;
     }
 
@@ -56,12 +72,18 @@ final class EyePath {
         item = -1;
         metres = Double.POSITIVE_INFINITY;
         passed = 0;
+        reflected.clear();
+        tint.set(1);
         for (int crossings = 0; crossings < MOST_CROSSINGS; crossings++) {
             ray = SurfaceRays.ray(origin, direction);
             double left = far - walked;
             boolean isMet = surfaces.nearest(ray, Math.max(near - walked, 0), left, likely, hit);
             double free = (isMet ? hit.distance() : left) + FLUSH_METRES / length;
             if (!crossing.find(portals, origin, direction, STRAIGHT, free)) {
+                if (isMet && isReflected(walked * length, length)) {
+                    walked += hit.distance();
+                    continue;
+                }
                 if (isMet) {
                     item = hit.item();
                     metres = (walked + hit.distance()) * length;
@@ -77,7 +99,36 @@ final class EyePath {
         return false;
     }
 
-    /** The last piece of the way: its parameter counts from the last portal. */
+    /** Turns the way where what it meets is a mirror. */
+    private boolean isReflected(double metresBefore, double length) {
+        if (!mirrors.mayBe(hit.item())) {
+            return false;
+        }
+        int face = ((TracedSolid) surfaces.shape(hit.item())).face(ray);
+        ReflectingFaces.Face mirror = mirrors.at(hit.item(), face);
+        if (mirror == null) {
+            return false;
+        }
+        Vector3d before = new Vector3d(tint);
+        tint.mul(mirror.tint().toVector());
+        reflected.add(new Reflected(metresBefore + hit.distance() * length, before.sub(tint)));
+        passed = BitHash.join(BitHash.join(passed, ~hit.item()), face);
+        origin.set(ray.at(hit.distance()).toVector());
+        new Reflection(Vec3.ZERO, mirror.normal()).direction(direction);
+        return true;
+    }
+
+    /** What the mirrors on the way multiply radiance by, linear RGB. */
+    Vector3dc tint() {
+        return tint;
+    }
+
+    /** The mirrors on the way, the first one first. */
+    List<Reflected> reflected() {
+        return reflected;
+    }
+
+    /** The last piece of the way: its parameter counts from the last portal or mirror. */
     Ray ray() {
         return ray;
     }
@@ -92,12 +143,12 @@ final class EyePath {
         return item;
     }
 
-    /** How long the way is, portals included; infinite where it ends on nothing. */
+    /** How long the way is, portals and mirrors included; infinite where it ends on nothing. */
     double metres() {
         return metres;
     }
 
-    /** Stands for the portals on the way, in their order; 0 where there is none. */
+    /** Stands for the portals and mirrors on the way, in their order; 0 where there is none. */
     long passed() {
         return passed;
     }

@@ -25,7 +25,7 @@ public final class SurfaceSight {
     SurfaceSight(SurfaceRays rays, EyePath path, Pinhole eye) {
         this.rays = rays;
         this.path = path;
-        straight = new EyePath(rays, Portals.NONE);
+        straight = new EyePath(rays, Portals.NONE, ReflectingFaces.NONE);
         this.eye = eye;
         from = eye.eye().toVector();
     }
@@ -55,7 +55,7 @@ public final class SurfaceSight {
                         <= SAME_METRES;
     }
 
-    /** Stands for the portals that the ray of the last {@link #at} went through, in their order; 0 for none. */
+    /** Stands for the portals and mirrors that the ray of the last {@link #at} met, in their order; 0 for none. */
     public long passed() {
         return path.passed();
     }
@@ -84,7 +84,7 @@ public final class SurfaceSight {
         return rays.blocker(ray, limit, rays.withoutOwnShade(path.item())) < 0;
     }
 
-    /** How far one can go straight on without meeting anything, portals taken as walls; infinite into the open. */
+    /** How far one can go straight on without meeting anything, portals and mirrors taken as walls; infinite into the open. */
     public double freeMetres(Vec3 place, Vec3 unitDirection) {
         straight.walk(place.toVector(), unitDirection.toVector(), 0, Double.POSITIVE_INFINITY);
         return straight.metres();

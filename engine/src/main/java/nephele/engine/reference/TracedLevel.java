@@ -22,6 +22,7 @@ public final class TracedLevel {
     private final Optional<SkyRadiance> sky;
     private final Optional<FogVeil> fog;
     private final Portals portals;
+    private final ReflectingFaces mirrors;
 
     private TracedLevel(Level level, StaticShapes statics, AssetSource assets, Portals portals, Decoding decoding) {
         this.portals = portals;
@@ -29,6 +30,7 @@ public final class TracedLevel {
                 statics, BodyPieces.of(level, portals), level.bodies().size());
         Skins skins = new Skins(level.materials(), assets, decoding);
         looks = new SurfaceLooks(new Surfaces(statics.solids(), skins), new BodySurfaces(level.bodies(), skins), skins);
+        mirrors = ReflectingFaces.of(statics.solids(), skins);
         sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         fog = FogVeil.of(level.environment());
         light = new Illumination(level, sky);
@@ -51,12 +53,12 @@ public final class TracedLevel {
     }
 
     Tracer tracer(Pinhole eye) {
-        return new Tracer(this, eye, new EyePath(rays, portals), new ShadowRays(rays, beams));
+        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new ShadowRays(rays, beams));
     }
 
     /** For one thread. */
     public SurfaceSight sight(Pinhole eye) {
-        return new SurfaceSight(rays, new EyePath(rays, portals), eye);
+        return new SurfaceSight(rays, new EyePath(rays, portals, mirrors), eye);
     }
 
     Illumination light() {

@@ -27,9 +27,21 @@ final class Tracer {
             Vec3 place = path.ray().at(path.end());
             Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
             SurfacePoint surface = level.surface(path, place, toEye);
-            return level.throughFog(level.light().radiance(surface, shadows, sample), path.metres());
+            return mirrored(level.throughFog(level.light().radiance(surface, shadows, sample), path.metres()));
         }
         Vector3d away = new Vector3d(path.direction()).normalize();
-        return level.throughFog(level.sky(away), Double.POSITIVE_INFINITY);
+        return mirrored(level.throughFog(level.sky(away), Double.POSITIVE_INFINITY));
+    }
+
+    /**
+     * What mirrors leave of radiance that has come all the way through the fog: the fog before a mirror is not tinted by
+     * it.
+     */
+    private Vector3d mirrored(Vector3d radiance) {
+        radiance.mul(path.tint());
+        for (EyePath.Reflected mirror : path.reflected()) {
+            radiance.add(level.throughFog(new Vector3d(), mirror.metres()).mul(mirror.lost()));
+        }
+        return radiance;
     }
 }

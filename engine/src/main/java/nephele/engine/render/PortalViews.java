@@ -21,7 +21,7 @@ import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.VisibleSet;
 
-/** The views through portals of a level that may have some. */
+/** The views through openings of a level that may have some. */
 final class PortalViews implements NestedViews, AutoCloseable {
     private final GlContext gl;
     private final RenderSettings settings;
@@ -33,8 +33,8 @@ final class PortalViews implements NestedViews, AutoCloseable {
     /** Of views that have pictures of their own, and perhaps another size. */
     private final ViewCopies pictureCopies;
 
-    private final ClearColour clearColour;
     private final double exposure;
+    private final ClearColour behind;
     private final PortalPictures pictures;
     private final PreviousPicture previous;
     private final Multisampling multisampling;
@@ -61,11 +61,11 @@ final class PortalViews implements NestedViews, AutoCloseable {
         this.copies = copies;
         pictureCopies = copies.another();
         skies = passes.skies();
-        clearColour = ClearColour.of(scene.level().environment(), settings.output());
         exposure = ClearColour.exposure(scene.level().environment());
+        behind = ClearColour.of(scene.level().environment(), settings.output());
         pictures = new PortalPictures(
                 gl, technique().copies() ? 1 : settings.quality().portalResolution());
-        previous = new PreviousPicture(gl);
+        previous = new PreviousPicture(gl, scene.mirrors());
         multisampling = new Multisampling(gl, settings.quality().samples(), false);
     }
 
@@ -78,7 +78,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
                 picture.width(),
                 picture.height(),
                 settings.quality().viewBudget());
-        previous.match(tree, moment, picture.width(), picture.height());
+        previous.match(tree, picture.width(), picture.height());
         shared.openings().upload(tree, previous.history());
         return tree.root();
     }
@@ -102,12 +102,12 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     /** Tells what the frame looks like before anything is drawn over it. */
-    void end(Moment moment, RenderTarget surface) {
+    void end(RenderTarget surface) {
         int drawn = tree.views().size() - 1;
         boolean mayEndSoon = drawn > 0 && 2 * (drawn + 1) > settings.quality().viewBudget();
         if (settings.deepest() == Deepest.HISTORY
                 && (mayEndSoon || !tree.terminals().isEmpty())) {
-            previous.remember(tree, moment, surface);
+            previous.remember(tree, surface);
         } else {
             previous.forget();
         }
@@ -195,7 +195,8 @@ final class PortalViews implements NestedViews, AutoCloseable {
                     target.width() / (double) picture.width(),
                     target.height() / (double) picture.height());
         }
-        target.clearWithinScissor(clearColour.red(), clearColour.green(), clearColour.blue());
+        ClearColour seen = behind.in(node.view(), scene.level().environment(), settings.output());
+        target.clearWithinScissor(seen.red(), seen.green(), seen.blue());
         drawPasses(node, moment, target, picture, pictureCopies);
         copy(target, own);
         gl.state().noScissor();

@@ -1,10 +1,11 @@
 package nephele.engine.render;
 
+import java.util.List;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.Opening;
 import nephele.engine.scene.ViewHistory;
 import nephele.engine.scene.ViewTree;
 
@@ -13,13 +14,15 @@ final class PreviousPicture implements AutoCloseable {
     private final GlContext gl;
     private final ViewHistory history = new ViewHistory();
     /** In turn: one grows while the other one's views are looked up. */
-    private ViewTree next = new ViewTree();
+    private ViewTree next;
 
-    private ViewTree kept = new ViewTree();
+    private ViewTree kept;
     private RenderTarget copy;
 
-    PreviousPicture(GlContext gl) {
+    PreviousPicture(GlContext gl, List<Opening> mirrors) {
         this.gl = gl;
+        next = new ViewTree(mirrors);
+        kept = new ViewTree(mirrors);
     }
 
     /** The tree to grow for the frame that begins. */
@@ -27,14 +30,14 @@ final class PreviousPicture implements AutoCloseable {
         return next;
     }
 
-    void match(ViewTree tree, Moment moment, int width, int height) {
+    void match(ViewTree tree, int width, int height) {
         if (copy != null && (copy.width() != width || copy.height() != height)) {
             history.forget();
         }
-        history.match(tree, moment.portals());
+        history.match(tree);
     }
 
-    void remember(ViewTree tree, Moment moment, RenderTarget surface) {
+    void remember(ViewTree tree, RenderTarget surface) {
         if (copy == null
                 || copy.width() != surface.width()
                 || copy.height() != surface.height()
@@ -44,7 +47,7 @@ final class PreviousPicture implements AutoCloseable {
                     gl, "previous picture", surface.format(), surface.width(), surface.height(), Sampling.LINEAR_CLAMP);
         }
         surface.copyTo(copy);
-        history.remember(tree, moment.portals());
+        history.remember(tree);
         next = kept;
         kept = tree;
     }

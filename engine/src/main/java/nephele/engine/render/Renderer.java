@@ -206,7 +206,7 @@ public final class Renderer implements AutoCloseable {
 
     private void remember(RenderTarget surface) {
         if (portals != null && !passes.isEmpty()) {
-            portals.end(frame.moment(), surface);
+            portals.end(surface);
         }
     }
 

@@ -2,74 +2,75 @@ package nephele.engine.scene;
 
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Aperture;
-import nephele.engine.portal.Portal;
 
-/** Apertures as views see them. */
+/** Cuts openings to what a view sees of them. */
 final class OpeningCutter {
     /** Times the picture: what is cut off must not show at its edges after rounding to float. */
     private static final double BEYOND_PICTURE = 1.05;
 
-    /** A portal in the plane that a view looks out of is its rear, whatever rounding says. */
+    /** An opening in the plane that a view looks out of is its rear, whatever rounding says. */
     private static final double IN_PLANE_METRES = 1e-6;
 
     private OpeningCutter() {}
 
     /**
-     * Fills {@code opening} with what of the aperture lies before the view's plane, nearer than its far plane and in its
-     * picture, empty when it is seen from behind or not at all.
+     * Fills {@code seen} with the part of an opening that lies before the view's plane, nearer than its far plane and in
+     * its picture; empties it when the opening is seen from behind or not at all.
+     *
+     * @param openness scales the opening
      */
-    static void cut(View view, Portal portal, double openness, PicturePolygon opening) {
-        opening.clear();
-        if (!(portal.inFront(view.eyeX(), view.eyeY(), view.eyeZ()) > 0) || !(openness > 0)) {
+    static void cut(View view, Opening opening, double openness, PicturePolygon seen) {
+        seen.clear();
+        if (!(opening.inFront(view.eyeX(), view.eyeY(), view.eyeZ()) > 0) || !(openness > 0)) {
             return;
         }
-        Aperture aperture = portal.aperture();
         Projection projection = view.projection();
         double tanAcross = projection.tanHalfWidth();
         double tanUp = projection.tanHalfHeight();
-        for (int i = 0; i < aperture.corners(); i++) {
-            double across = openness * aperture.cornerX(i);
-            double upward = openness * aperture.cornerY(i);
+        for (int i = 0; i < opening.corners(); i++) {
+            // Counter-clockwise in the picture, also where that is mirrored.
+            int corner = view.isMirrored() ? opening.corners() - 1 - i : i;
+            double across = openness * opening.cornerX(corner);
+            double upward = openness * opening.cornerY(corner);
             double x = corner(
-                    portal.centre().x() - view.eyeX(),
-                    portal.frame().right().x(),
-                    portal.frame().up().x(),
+                    opening.centre().x() - view.eyeX(),
+                    opening.frame().right().x(),
+                    opening.frame().up().x(),
                     across,
                     upward);
             double y = corner(
-                    portal.centre().y() - view.eyeY(),
-                    portal.frame().right().y(),
-                    portal.frame().up().y(),
+                    opening.centre().y() - view.eyeY(),
+                    opening.frame().right().y(),
+                    opening.frame().up().y(),
                     across,
                     upward);
             double z = corner(
-                    portal.centre().z() - view.eyeZ(),
-                    portal.frame().right().z(),
-                    portal.frame().up().z(),
+                    opening.centre().z() - view.eyeZ(),
+                    opening.frame().right().z(),
+                    opening.frame().up().z(),
                     across,
                     upward);
-            opening.add(view.alongRight(x, y, z) / tanAcross, view.alongUp(x, y, z) / tanUp, -view.alongBack(x, y, z));
+            seen.add(view.alongRight(x, y, z) / tanAcross, view.alongUp(x, y, z) / tanUp, -view.alongBack(x, y, z));
         }
         if (view.clip() != null) {
-            if (reachBefore(view.clip(), portal, openness) <= IN_PLANE_METRES) {
-                opening.clear();
+            if (reachBefore(view.clip(), opening, openness) <= IN_PLANE_METRES) {
+                seen.clear();
                 return;
             }
-            keepBefore(view, view.clip(), opening);
+            keepBefore(view, view.clip(), seen);
         }
         if (projection.farMetres() < Double.POSITIVE_INFINITY) {
-            opening.keepNearer(projection.farMetres());
+            seen.keepNearer(projection.farMetres());
         }
-        opening.keepInPicture(BEYOND_PICTURE);
+        seen.keepInPicture(BEYOND_PICTURE);
     }
 
-    /** Metres by which the aperture reaches before a plane. */
-    private static double reachBefore(Plane plane, Portal portal, double openness) {
-        double alongRight = dot(portal.frame().right(), plane.nx(), plane.ny(), plane.nz());
-        double alongUp = dot(portal.frame().up(), plane.nx(), plane.ny(), plane.nz());
-        double reach = openness * portal.aperture().reach(alongRight, alongUp);
-        return plane.signedDistance(portal.centre()) + reach;
+    /** Metres by which an opening reaches before a plane. */
+    private static double reachBefore(Plane plane, Opening opening, double openness) {
+        double alongRight = dot(opening.frame().right(), plane.nx(), plane.ny(), plane.nz());
+        double alongUp = dot(opening.frame().up(), plane.nx(), plane.ny(), plane.nz());
+        double reach = openness * opening.reach(alongRight, alongUp);
+        return plane.signedDistance(opening.centre()) + reach;
     }
 
     private static double corner(double centre, double right, double up, double across, double upward) {
@@ -81,9 +82,9 @@ final class OpeningCutter {
     }
 
     /** The plane does not pass through the eye, so in the picture's coordinates it has a fourth term. */
-    private static void keepBefore(View view, Plane plane, PicturePolygon opening) {
+    private static void keepBefore(View view, Plane plane, PicturePolygon seen) {
         Projection projection = view.projection();
-        opening.keep(
+        seen.keep(
                 view.alongRight(plane.nx(), plane.ny(), plane.nz()) * projection.tanHalfWidth(),
                 view.alongUp(plane.nx(), plane.ny(), plane.nz()) * projection.tanHalfHeight(),
                 -view.alongBack(plane.nx(), plane.ny(), plane.nz()),

@@ -1,5 +1,6 @@
 package nephele.engine.scene;
 
+import java.util.List;
 import java.util.function.DoubleConsumer;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
@@ -14,6 +15,7 @@ import nephele.engine.scene.light.SkyVisibilityCache;
  * @param statics the shapes of what never moves
  * @param solids the same to be drawn
  * @param skyVisibility {@code null} where no light of the sky falls on them
+ * @param mirrors openings that never change, in the order of their ids
  */
 public record Scene(
         Level level,
@@ -21,7 +23,8 @@ public record Scene(
         StaticShapes statics,
         SceneMaterials materials,
         SolidGeometry solids,
-        SkyVisibility skyVisibility) {
+        SkyVisibility skyVisibility,
+        List<Opening> mirrors) {
     /**
      * Derives the scene.
      *
@@ -39,12 +42,14 @@ public record Scene(
     /** The same for static shapes that were derived from the level before. */
     public static Scene of(Level level, StaticShapes statics, AssetSource assets, DoubleConsumer bakeProgress) {
         SceneMaterials materials = SceneMaterials.of(level.materials(), assets);
+        List<Opening> mirrors = Mirrors.of(level, statics, materials);
         if (!LightNeeds.skyVisibility(level)) {
-            return new Scene(level, assets, statics, materials, SolidGeometry.of(statics, materials, null), null);
+            SolidGeometry bare = SolidGeometry.of(statics, materials, null);
+            return new Scene(level, assets, statics, materials, bare, null, mirrors);
         }
         StaticShapes split = statics.split(SkyVisibility.MODEL_EDGE_METRES);
         SkyVisibility visibility = SkyVisibilityCache.of(assets).of(split, bakeProgress);
         SolidGeometry geometry = SolidGeometry.of(split, materials, visibility);
-        return new Scene(level, assets, statics, materials, geometry, visibility);
+        return new Scene(level, assets, statics, materials, geometry, visibility, mirrors);
     }
 }

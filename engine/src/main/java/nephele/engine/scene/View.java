@@ -2,39 +2,42 @@ package nephele.engine.scene;
 
 import nephele.engine.level.Camera;
 import nephele.engine.math.Basis;
+import nephele.engine.math.Isometry;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Passage;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /**
- * From where and how the scene is seen. Right, up and back are orthonormal world directions (right-handed: the view
- * looks along −back).
+ * From where and how the scene is seen. Right, up and back are orthonormal world directions; the view looks along −back.
+ * They are right-handed, but left-handed in a {@link #isMirrored mirrored} view, which sees triangles the other way round.
  *
  * <p>Whoever is given one cannot change it; one that was made by constructor or factory never changes and may be kept. The view of a
- * {@link ViewNode} behind a portal, however, is filled anew whenever its {@link ViewTree} grows, so that it allocates
+ * {@link ViewNode} behind an opening, however, is filled anew whenever its {@link ViewTree} grows, so that it allocates
  * nothing: it is good for that frame, and longer only for {@link ViewHistory}, whose tree does not grow meanwhile. For
  * that reason a view equals nothing but itself.
  */
 public final class View {
-    /** The player's or the author's own view, as opposed to one through a portal. */
+    /** The player's or the author's own view, as opposed to one through an opening. */
     public static final int MAIN = 0;
 
     private final Vector3d eye = new Vector3d();
     private final Vector3d right = new Vector3d();
     private final Vector3d up = new Vector3d();
     private final Vector3d back = new Vector3d();
+    private final Vector3d tint = new Vector3d(1);
     private int id;
     private Projection projection;
     private Plane clip;
+    private boolean mirrored;
 
     private View() {}
 
     /**
      * @param id distinguishes views of one frame
      * @param eye world metres
-     * @param clip only what is in front of it is seen, as behind a portal; {@code null} for everything
+     * @param clip only what is in front of it is seen, as behind an opening; {@code null} for everything
      */
     public View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection, Plane clip) {
         this.id = id;
@@ -44,9 +47,10 @@ public final class View {
         put(right, this.right);
         put(up, this.up);
         put(back, this.back);
+        mirrored = this.right.cross(this.up, new Vector3d()).dot(this.back) < 0;
     }
 
-    /** Through no portal. */
+    /** Through no opening. */
     public View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection) {
         this(id, eye, right, up, back, projection, null);
     }
@@ -60,11 +64,15 @@ public final class View {
         return new View();
     }
 
-    /** Becomes what {@code before} sees through a passage, cut by the plane that it looks out of. */
-    void carry(int newId, View before, Passage passage, Projection newProjection, Plane newClip) {
+    /** Becomes what {@code before} sees through an opening, cut by the plane that it looks out of. */
+    void carry(int newId, View before, Opening opening, Projection newProjection) {
+        Isometry passage = opening.isometry();
         id = newId;
         projection = newProjection;
-        clip = newClip;
+        clip = opening.exit();
+        mirrored = before.mirrored != passage.isReflection();
+        Vec3 kept = opening.tint();
+        tint.set(before.tint).mul(kept.x(), kept.y(), kept.z());
         passage.point(eye.set(before.eye));
         passage.direction(right.set(before.right));
         passage.direction(up.set(before.up));
@@ -96,9 +104,24 @@ public final class View {
         return projection;
     }
 
-    /** Only what is in front of it is seen, as behind a portal; {@code null} for everything. */
+    /** Only what is in front of it is seen, as behind an opening; {@code null} for everything. */
     public Plane clip() {
         return clip;
+    }
+
+    /** Whether an odd number of mirrors led here: triangles that face the eye go clockwise in the picture. */
+    public boolean isMirrored() {
+        return mirrored;
+    }
+
+    /** What the openings before this view multiply its radiance by, linear RGB. */
+    public Vector3dc tint() {
+        return tint;
+    }
+
+    /** Whether mirrors before this view keep some light back. */
+    public boolean isTinted() {
+        return tint.x != 1 || tint.y != 1 || tint.z != 1;
     }
 
     public double eyeX() {

@@ -2,13 +2,11 @@ package nephele.engine.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.portal.Aperture;
-import nephele.engine.portal.Portal;
-import nephele.engine.portal.Portals;
 
 /**
- * Where in the picture before this one the same portals were seen, for openings that are filled from it. Views are told
- * by where their eyes are before a portal, not by the portals between: the player may have stepped through one since.
+ * Finds in the picture before this one what fills the openings that the budget does not reach. A view is known by its
+ * path: the openings from the eye to it. When the eye has gone through a portal since, the paths of the picture before
+ * are taken from the eye's new place.
  */
 public final class ViewHistory {
     /** Of half the picture: a lookup so far beyond an opening's edge still meets its last pixel. */
@@ -20,12 +18,12 @@ public final class ViewHistory {
     private final List<ViewNode> matches = new ArrayList<>();
     private final Reprojection reprojection = new Reprojection();
     private ViewTree before;
-    private Portals portalsBefore;
+    /** The portal that the eye has gone through since, or {@code null}. */
+    private Opening crossed;
 
     /** Keeps the views of a picture that stays to be looked at; they must not change from now on. */
-    public void remember(ViewTree tree, Portals portals) {
+    public void remember(ViewTree tree) {
         before = tree;
-        portalsBefore = portals;
     }
 
     public void forget() {
@@ -38,10 +36,13 @@ public final class ViewHistory {
     }
 
     /** Looks for every terminal opening of {@code now}. */
-    public void match(ViewTree now, Portals portals) {
+    public void match(ViewTree now) {
         matches.clear();
+        crossed = before == null
+                ? null
+                : now.openings().crossed(before.root().view(), now.root().view());
         for (int i = 0; i < now.terminals().size(); i++) {
-            matches.add(before == null ? null : best(now.terminals().get(i), portals));
+            matches.add(before == null ? null : best(now.terminals().get(i)));
         }
     }
 
@@ -50,49 +51,40 @@ public final class ViewHistory {
         return matches.get(terminal.terminal());
     }
 
-    private ViewNode best(ViewNode terminal, Portals portals) {
-        int portal = terminal.portal();
-        if (!isAsBefore(portal, portals) || !isAsBefore(portals.partner(portal), portals)) {
-            return null;
-        }
-        ViewNode best = null;
-        double bestShare = LEAST_SHARE;
-        double least = Double.POSITIVE_INFINITY;
-        for (int i = 1; i < before.views().size(); i++) {
-            ViewNode shown = before.views().get(i);
-            double away =
-                    squareDistance(shown.parent().view(), terminal.parent().view());
-            double share = shown.portal() == portal ? coveredShare(shown, terminal) : 0;
-            if (share > bestShare || share == bestShare && away < least) {
-                best = shown;
-                bestShare = share;
-                least = away;
+    /**
+     * The view of the same path, or, where that was not drawn either, the nearest one on the path that is seen through the
+     * same opening: between facing portals a view looks like the one before it.
+     */
+    private ViewNode best(ViewNode terminal) {
+        for (ViewNode node = terminal; node.parent() != null; node = node.parent()) {
+            ViewNode shown = node.opening().isSameAs(terminal.opening()) ? counterpart(node) : null;
+            if (shown != null && shown.parent() != null && coveredShare(shown, terminal) > LEAST_SHARE) {
+                return shown;
             }
         }
-        return best;
+        return null;
     }
 
-    private boolean isAsBefore(int portal, Portals portals) {
-        if (portal >= portalsBefore.size() || portalsBefore.partner(portal) != portals.partner(portal)) {
-            return false;
+    /** The drawn view of the picture before that a node's path leads to, or {@code null}. */
+    private ViewNode counterpart(ViewNode node) {
+        if (node.parent() == null) {
+            return crossed == null ? before.root() : drawnChild(before.root(), crossed);
         }
-        Portal then = portalsBefore.portal(portal);
-        Portal now = portals.portal(portal);
-        return then == now
-                || then.centre().equals(now.centre())
-                        && then.frame().equals(now.frame())
-                        && isSame(then.aperture(), now.aperture());
+        if (node.depth() == 1 && crossed != null && node.opening().leadsBackThrough(crossed)) {
+            return before.root();
+        }
+        ViewNode parent = counterpart(node.parent());
+        return parent == null ? null : drawnChild(parent, node.opening());
     }
 
-    private static boolean isSame(Aperture a, Aperture b) {
-        return a.shape() == b.shape() && a.widthMetres() == b.widthMetres() && a.heightMetres() == b.heightMetres();
-    }
-
-    private static double squareDistance(View a, View b) {
-        double x = a.eyeX() - b.eyeX();
-        double y = a.eyeY() - b.eyeY();
-        double z = a.eyeZ() - b.eyeZ();
-        return x * x + y * y + z * z;
+    private static ViewNode drawnChild(ViewNode parent, Opening opening) {
+        for (int i = 0; i < parent.children().size(); i++) {
+            ViewNode child = parent.children().get(i);
+            if (!child.isTerminal() && child.opening().isSameAs(opening)) {
+                return child;
+            }
+        }
+        return null;
     }
 
     /** Of the corners of what shows of {@code terminal}, those that were seen where {@code shown} was. */

@@ -4,12 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Plane;
-import nephele.engine.portal.Passage;
-import nephele.engine.portal.Portal;
 import org.joml.Vector3d;
 
 /**
- * One view of a frame's {@link ViewTree}: the picture itself, or what is seen through a portal in another view. Reused
+ * One view of a frame's {@link ViewTree}: the picture itself, or what is seen through an opening in another view. Reused
  * from frame to frame.
  */
 public final class ViewNode {
@@ -20,7 +18,7 @@ public final class ViewNode {
     private static final double NEAR_SHARE = 0.98;
 
     private final List<ViewNode> children = new ArrayList<>();
-    private final PicturePolygon opening = new PicturePolygon();
+    private final PicturePolygon outline = new PicturePolygon();
     private final PicturePolygon region = new PicturePolygon();
     private final PixelRectangle pixels = new PixelRectangle();
     private final Frustum frustum = Frustum.reusable(EIGHT.length + 2);
@@ -28,7 +26,7 @@ public final class ViewNode {
     private final View own = View.reusable();
     private View view;
     private ViewNode parent;
-    private int portal;
+    private Opening opening;
     private int depth;
     private double area;
     private boolean terminal;
@@ -63,17 +61,17 @@ public final class ViewNode {
         terminalIndex = index;
     }
 
-    /** Through which portal, −1 for the picture itself. */
-    public int portal() {
-        return portal;
+    /** Through what this is seen; {@code null} for the picture itself. */
+    public Opening opening() {
+        return opening;
     }
 
-    /** Portals between the eye and this view. */
+    /** Openings between the eye and this view. */
     public int depth() {
         return depth;
     }
 
-    /** Portals that are seen in this view, the larger ones first. */
+    /** Openings that are seen in this view, the larger ones first. */
     public List<ViewNode> children() {
         return children;
     }
@@ -83,9 +81,9 @@ public final class ViewNode {
         return terminal;
     }
 
-    /** The portal's aperture as the parent's projection has it, cut by little more than the picture's sides. */
-    public PicturePolygon opening() {
-        return opening;
+    /** The opening as the parent's projection has it, cut by little more than the picture's sides. */
+    public PicturePolygon outline() {
+        return outline;
     }
 
     /** What of the picture shows this view at most, by the openings before it; in the picture's sides. */
@@ -112,7 +110,7 @@ public final class ViewNode {
         children.clear();
         view = main;
         parent = null;
-        portal = -1;
+        opening = null;
         depth = 0;
         terminal = false;
         area = (double) width * height;
@@ -124,36 +122,36 @@ public final class ViewNode {
         pixels.whole(width, height);
     }
 
-    /** Makes this what {@code seenIn} shows of a portal, if it shows any of it. */
-    void candidate(ViewNode seenIn, int portalIndex, Portal shape, double openness, PixelRectangle picture) {
+    /** Makes this what {@code seenIn} shows of an opening, if it shows any of it. */
+    void candidate(ViewNode seenIn, Opening through, double openness, PixelRectangle picture) {
         children.clear();
         view = null;
         parent = seenIn;
-        portal = portalIndex;
+        opening = through;
         depth = seenIn.depth + 1;
         terminal = true;
         area = 0;
-        OpeningCutter.cut(seenIn.view, shape, openness, opening);
-        region.copy(opening);
+        OpeningCutter.cut(seenIn.view, opening, openness, outline);
+        region.copy(outline);
         region.keepWithin(seenIn.region);
-        if (!opening.isEmpty() && !region.isEmpty()) {
+        if (!outline.isEmpty() && !region.isEmpty()) {
             area = region.share() * picture.width() * picture.height();
             pixels.around(region, picture.width(), picture.height(), seenIn.pixels);
         }
     }
 
-    /** Makes this a view of its own, from behind the plane where {@code passage} leads to. */
-    void open(int id, Passage passage, Plane exit, Projections projections, PixelRectangle picture) {
-        look(id, passage, exit, projections);
+    /** Makes this a view of its own, from behind the plane that the opening leads to. */
+    void open(int id, Projections projections, PixelRectangle picture) {
+        look(id, projections);
         terminal = false;
         narrow(picture);
     }
 
-    /** Looks from behind the plane where {@code passage} leads to. */
-    void look(int id, Passage passage, Plane exit, Projections projections) {
+    /** Looks from behind the plane that the opening leads to. */
+    void look(int id, Projections projections) {
         View before = parent.view;
         Projection projection = projections.pushed(before.projection(), NEAR_SHARE * region.nearest());
-        own.carry(id, before, passage, projection, exit);
+        own.carry(id, before, opening, projection);
         view = own;
     }
 

@@ -3,13 +3,13 @@ package nephele.engine.scene;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
-import nephele.engine.portal.Portals;
+import nephele.engine.level.MirrorFaces;
 
 /**
- * Which views make up one frame: the picture itself, what its portals show, what the portals in those show, and so on.
+ * Which views make up one frame: the picture itself, what its openings show, what the openings in those show, and so on.
  * Views are chosen by the pixels they cover, the largest first, until a budget is used up or none covers a pixel; the
- * openings that are left are {@link ViewNode#isTerminal terminal}. A portal is seen from in front only, through openings
- * that are open, and before the plane that cuts the view. One object serves frame after frame.
+ * openings that are left are {@link ViewNode#isTerminal terminal}. An opening is seen from in front only, within the
+ * openings before it, and before the plane that cuts the view. One object serves frame after frame.
  */
 public final class ViewTree {
     /** A stencil counts to 255. */
@@ -23,11 +23,17 @@ public final class ViewTree {
     private final List<ViewNode> terminals = new ArrayList<>();
     private final PixelRectangle picture = new PixelRectangle();
     private final Projections projections = new Projections();
+    private final Openings openings;
     private int used;
 
-    /** Whether a level has portals, or lets the player open some. */
+    /** @param mirrors openings that never change */
+    public ViewTree(List<Opening> mirrors) {
+        openings = new Openings(mirrors);
+    }
+
+    /** Whether a level has portals or mirrors, or lets the player open portals. */
     public static boolean mayGrow(Level level) {
-        return !level.portals().isEmpty() || level.portalGun() != null;
+        return !level.portals().isEmpty() || level.portalGun() != null || MirrorFaces.any(level);
     }
 
     /** @param budget views beside the picture itself, at most */
@@ -38,50 +44,47 @@ public final class ViewTree {
         terminals.clear();
         picture.whole(width, height);
         projections.begin(main.projection());
+        openings.at(moment);
         ViewNode root = next();
         root.root(main, width, height);
         views.add(root);
-        look(root, moment);
+        look(root);
         while (!waiting.isEmpty()) {
             ViewNode largest = takeLargest();
             largest.parent().children().add(largest);
             largest.number(views.size() + terminals.size());
             if (views.size() > budget || largest.depth() > DEEPEST) {
-                end(largest, moment.portals());
+                end(largest);
             } else {
-                open(largest, moment.portals());
-                look(largest, moment);
+                open(largest);
+                look(largest);
             }
         }
     }
 
-    private void open(ViewNode node, Portals portals) {
-        int entry = node.portal();
-        node.open(views.size(), portals.passage(entry), portals.plane(portals.partner(entry)), projections, picture);
+    private void open(ViewNode node) {
+        node.open(views.size(), projections, picture);
         views.add(node);
     }
 
     /** Its sky is all that can be drawn of it. */
-    private void end(ViewNode node, Portals portals) {
-        int entry = node.portal();
-        node.look(views.size(), portals.passage(entry), portals.plane(portals.partner(entry)), projections);
+    private void end(ViewNode node) {
+        node.look(views.size(), projections);
         node.terminal(terminals.size());
         terminals.add(node);
     }
 
-    private void look(ViewNode node, Moment moment) {
-        Portals portals = moment.portals();
-        for (int i = 0; i < portals.size(); i++) {
-            if (portals.isOpen(i)) {
-                ViewNode seen = next();
-                seen.candidate(node, i, portals.portal(i), moment.openness(i), picture);
-                if (seen.area() >= LEAST_PIXELS
-                        && seen.pixels().width() > 0
-                        && seen.pixels().height() > 0) {
-                    waiting.add(seen);
-                } else {
-                    used--;
-                }
+    private void look(ViewNode node) {
+        for (int i = 0; i < openings.size(); i++) {
+            ViewNode seen = next();
+            Opening opening = openings.get(i);
+            seen.candidate(node, opening, openings.openness(opening), picture);
+            if (seen.area() >= LEAST_PIXELS
+                    && seen.pixels().width() > 0
+                    && seen.pixels().height() > 0) {
+                waiting.add(seen);
+            } else {
+                used--;
             }
         }
     }
@@ -100,6 +103,10 @@ public final class ViewTree {
             pool.add(new ViewNode());
         }
         return pool.get(used++);
+    }
+
+    Openings openings() {
+        return openings;
     }
 
     /** The picture itself. */

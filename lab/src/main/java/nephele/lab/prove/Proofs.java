@@ -15,6 +15,7 @@ public final class Proofs {
             new MutantsProof(),
             new PortalIdsProof(),
             new PortalLightProof(),
+            new MirrorsProof(),
             new ShadowEdgesProof(),
             new SceneCullingProof(),
             new RayProof(),

@@ -42,7 +42,7 @@ public record TradeView(View view, String camera) {
 
     /** Of a small picture. */
     private double portalPixels(Moment moment) {
-        var tree = new ViewTree();
+        var tree = new ViewTree(List.of());
         tree.grow(view, moment, WIDTH, HEIGHT, 0);
         return tree.terminals().stream().mapToDouble(opening -> opening.area()).sum();
     }

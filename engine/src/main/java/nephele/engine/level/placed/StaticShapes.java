@@ -2,9 +2,11 @@ package nephele.engine.level.placed;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.MirrorFaces;
 import nephele.engine.math.Aabb;
 
 /**
@@ -40,7 +42,10 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
     }
 
     private static List<Brush> brushes(Level level) {
-        return level.solids().stream().map(Brush::of).toList();
+        Set<String> mirrors = MirrorFaces.materials(level.materials());
+        return level.solids().stream()
+                .map(solid -> Brush.of(solid).refusingPortalsOn(mirrors))
+                .toList();
     }
 
     /** As {@link PlacedModels#split}. */

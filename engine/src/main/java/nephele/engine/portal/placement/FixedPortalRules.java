@@ -7,7 +7,7 @@ import nephele.engine.level.placed.PlacedRule;
 import nephele.engine.math.Directions;
 import nephele.engine.portal.Portal;
 
-/** Warnings about fixed portals that a player sees otherwise than their author may think. */
+/** Fixed portals that a player sees otherwise than their author may think: warnings, and an error on a mirror. */
 public final class FixedPortalRules {
     /** Overlaps up to this are rounding. */
     private static final double LEAST_METRES = 1e-3;
@@ -27,6 +27,9 @@ public final class FixedPortalRules {
             }
             if (wall.withoutLeave() != null) {
                 report.accept(Problem.warning(path, withoutLeave(wall.withoutLeave())));
+            }
+            if (wall.mirror() != null) {
+                report.accept(Problem.error(path, onMirror(wall.mirror())));
             }
             if (wall.hiddenBy() != null) {
                 report.accept(Problem.warning(path, wall.isCentreHidden() ? closed(wall) : hidden(wall)));
@@ -68,6 +71,10 @@ public final class FixedPortalRules {
     private static String withoutLeave(String face) {
         return "lies on " + face + ", which says that it takes no portals: the player sees it open all the same: move"
                 + " it, or leave portalable out there";
+    }
+
+    private static String onMirror(String face) {
+        return "lies on " + face + ", a mirror, which takes no portals: move it, or give the face another material";
     }
 
     private static String closed(PortalWall wall) {

@@ -1,9 +1,11 @@
 package nephele.engine.portal.placement;
 
 import java.util.List;
+import java.util.Set;
 import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.Solid;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
@@ -26,13 +28,16 @@ final class PortalWall {
     private final Remainder uncovered;
     private boolean isCentreCovered;
     private boolean isCentreHidden;
+    private final Set<String> mirrors;
     private String withoutLeave;
+    private String mirror;
     private String hiddenBy;
 
     PortalWall(Portal portal, Level level, StaticShapes statics) {
         frame = new PlaneFrame(portal.centre(), portal.frame());
         outline = FixedPortalRules.outline(frame, portal);
         uncovered = new Remainder(outline);
+        mirrors = MirrorFaces.materials(level.materials());
         Aabb flat = Aabb.EMPTY;
         for (int i = 0; i < portal.aperture().corners(); i++) {
             Vec3 corner =
@@ -58,8 +63,11 @@ final class PortalWall {
     private void addSolid(Brush brush, String path, Solid said) {
         for (Brush.BrushFace face : brush.faces()) {
             boolean holds = addFace(face.polygon(), face.plane().normal());
-            if (holds && saysNo(said, face.name())) {
-                withoutLeave = path + (said instanceof Solid.Planes ? "." : ".faces.") + face.name();
+            String name = path + (said instanceof Solid.Planes ? "." : ".faces.") + face.name();
+            if (holds && mirrors.contains(face.material())) {
+                mirror = name;
+            } else if (holds && saysNo(said, face.name())) {
+                withoutLeave = name;
             }
         }
         addBefore(path, brush.solidId(), new Blocker.Convex(brush, 0).loops());
@@ -139,6 +147,11 @@ final class PortalWall {
     /** A face below the portal that says that it takes none, or {@code null}. */
     String withoutLeave() {
         return withoutLeave;
+    }
+
+    /** A face below the portal that is a mirror, or {@code null}. */
+    String mirror() {
+        return mirror;
     }
 
     /** What stands within a centimetre before the portal, or {@code null}. */

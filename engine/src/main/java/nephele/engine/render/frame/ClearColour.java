@@ -4,18 +4,30 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.math.Vec3;
+import nephele.engine.scene.View;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /** What lies behind everything, computed once on the CPU: a constant sky and endless fog require no pass. */
 public record ClearColour(float red, float green, float blue) {
     private static final double LARGEST_HALF = 65504;
 
     public static ClearColour of(Environment environment, Output output) {
+        return of(environment, output, new Vector3d(1));
+    }
+
+    /** Of a view that mirrors tint; {@code this} where none does. */
+    public ClearColour in(View view, Environment environment, Output output) {
+        return view.isTinted() ? of(environment, output, view.tint()) : this;
+    }
+
+    private static ClearColour of(Environment environment, Output output, Vector3dc tint) {
         Vec3 sky = environment.sky() instanceof Sky.Constant constant ? constant.radiance() : Vec3.ZERO;
         Vec3 radiance = FogVeil.of(environment).map(FogVeil::radiance).orElse(sky);
         return new ClearColour(
-                value(radiance.x(), environment, output),
-                value(radiance.y(), environment, output),
-                value(radiance.z(), environment, output));
+                value(radiance.x() * tint.x(), environment, output),
+                value(radiance.y() * tint.y(), environment, output),
+                value(radiance.z() * tint.z(), environment, output));
     }
 
     /** @param rgb 0xRRGGBB, as stored */

@@ -10,14 +10,15 @@ import nephele.engine.scene.ViewTree;
 public final class Defines {
     private final Map<String, String> values = new HashMap<>();
 
-    /** Output, tone curve and fog of {@code context}, which {@code output.glsl} needs, and whether there may be portals. */
+    /** Output, tone curve and fog of {@code context}, which {@code output.glsl} needs, and whether there may be openings. */
     public static Defines of(LoadContext context) {
         Environment environment = context.scene().level().environment();
         return new Defines()
                 .with(context.output().define())
                 .with(Development.define(environment.toneCurve()))
                 .withIf(FogVeil.of(environment).isPresent(), "FOG")
-                .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS");
+                .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS")
+                .withIf(!context.scene().mirrors().isEmpty(), "MIRRORS");
     }
 
     public Defines with(String name) {

@@ -1,10 +1,12 @@
 package nephele.engine.render.frame;
 
 import java.util.Arrays;
+import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PolygonStream;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.scene.Opening;
 import nephele.engine.scene.PicturePolygon;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.Reprojection;
@@ -58,10 +60,10 @@ public final class OpeningMesh implements AutoCloseable {
         }
         firsts[node.number()] = floats / FLOATS_PER_VERTEX;
         Projection projection = node.parent().view().projection();
-        part.copy(node.opening());
+        part.copy(node.outline());
         part.keepNearer(projection.nearMetres());
         fan(projection);
-        part.copy(node.opening());
+        part.copy(node.outline());
         part.keepFarther(projection.nearMetres());
         fan(projection);
         firsts[node.number() + 1] = floats / FLOATS_PER_VERTEX;
@@ -90,6 +92,11 @@ public final class OpeningMesh implements AutoCloseable {
         values[floats++] = (float) reprojection.x(x, y, w);
         values[floats++] = (float) reprojection.y(x, y, w);
         values[floats++] = (float) reprojection.w(x, y, w);
+    }
+
+    /** How its depth comes about: a mirror is a whole face, a portal lies somewhere in one. */
+    public static DepthOf depthOf(ViewNode node) {
+        return node.opening().portal() == Opening.NO_PORTAL ? DepthOf.WHOLE_FACE : DepthOf.OPENING;
     }
 
     /** Draws one opening with the program that is set. */

@@ -5,7 +5,7 @@ import java.util.function.Function;
 import nephele.engine.level.Level;
 import nephele.engine.render.gl.GlContext;
 
-/** Why a level needs what draws portals. */
+/** Why a level needs what draws portals, as opposed to mirrors. */
 public final class PortalNeeds {
     private PortalNeeds() {}
 

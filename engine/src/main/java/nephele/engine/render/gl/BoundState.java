@@ -115,12 +115,10 @@ record BoundState(List<Step> steps) {
         readOpenings(steps);
         int source = glGetInteger(GL_BLEND_SRC_RGB);
         int destination = glGetInteger(GL_BLEND_DST_RGB);
-        add(
-                steps,
-                "blend function",
-                () -> glBlendFuncSeparate(source, destination, GL_ZERO, GL_ONE),
-                source,
-                destination);
+        int alphaSource = glGetInteger(GL_BLEND_SRC_ALPHA);
+        int alphaDestination = glGetInteger(GL_BLEND_DST_ALPHA);
+        Runnable blend = () -> glBlendFuncSeparate(source, destination, alphaSource, alphaDestination);
+        add(steps, "blend function", blend, source, destination, alphaSource, alphaDestination);
     }
 
     /** What openings of portals are drawn with besides. */
@@ -152,6 +150,7 @@ record BoundState(List<Step> steps) {
             {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
             {GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
             {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP},
+            {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D},
             {GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER}
         };
         int active = glGetInteger(GL_ACTIVE_TEXTURE);
@@ -231,7 +230,13 @@ record BoundState(List<Step> steps) {
             case GL_FLOAT_VEC3 -> 3;
             case GL_FLOAT_VEC4 -> 4;
             case GL_FLOAT_MAT4 -> 16;
-            case GL_INT, GL_BOOL, GL_SAMPLER_2D, GL_SAMPLER_2D_ARRAY, GL_SAMPLER_CUBE, GL_SAMPLER_BUFFER -> 0;
+            case GL_INT,
+                    GL_BOOL,
+                    GL_SAMPLER_2D,
+                    GL_SAMPLER_2D_ARRAY,
+                    GL_SAMPLER_CUBE,
+                    GL_SAMPLER_3D,
+                    GL_SAMPLER_BUFFER -> 0;
             case GL_SAMPLER_2D_SHADOW, GL_SAMPLER_2D_ARRAY_SHADOW, GL_UNSIGNED_INT_SAMPLER_BUFFER -> 0;
             default -> throw new IllegalStateException("no bare twin repeats uniforms of type " + type);
         };

@@ -70,6 +70,12 @@ public final class BufferTexture implements AutoCloseable {
         glBufferData(GL_TEXTURE_BUFFER, values, GL_STREAM_DRAW);
     }
 
+    /** Replaces a part: texels from {@code first} on, four floats each. It must lie within what was uploaded last. */
+    public void uploadFrom(int first, FloatBuffer values) {
+        glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
+        glBufferSubData(GL_TEXTURE_BUFFER, (long) FLOATS_PER_TEXEL * Float.BYTES * first, values);
+    }
+
     /** OpenGL promises 65 536 texels; most machines have thousands of times as many. */
     private void requireRoom(int texels) {
         if (texels > gl.limits().maxBufferTexels()) {

@@ -56,6 +56,8 @@ public final class DrawState {
         SURFACE,
         /** Of an opening in a wall: before the wall by the least that tells them apart, never cut by near and far. */
         OPENING,
+        /** As {@link #OPENING} of a whole face: before it by what snapping the corners of both to the pixel grid can do. */
+        WHOLE_FACE,
         /** Farthest, wherever it lies. */
         FARTHEST
     }
@@ -64,7 +66,11 @@ public final class DrawState {
     public enum Blend {
         REPLACE,
         /** Source alpha over destination; the destination keeps its alpha. */
-        OVER
+        OVER,
+        /** Source and destination; the destination keeps its alpha. */
+        ADD,
+        /** Source, whose colours hold its alpha already, over destination, alpha too: layers that are laid over later. */
+        PREMULTIPLIED_OVER
     }
 
     /** Which faces are dropped. */
@@ -73,6 +79,19 @@ public final class DrawState {
         BACK,
         /** As {@link #BACK} of what a mirror has turned inside out. */
         FRONT
+    }
+
+    /** How the corners of a triangle that faces the eye follow one another in the picture. */
+    public enum FrontFace {
+        COUNTER_CLOCKWISE(GL_CCW),
+        /** In a view that is mirrored. */
+        CLOCKWISE(GL_CW);
+
+        private final int mode;
+
+        FrontFace(int mode) {
+            this.mode = mode;
+        }
     }
 
     /** What is drawn of a triangle. */
@@ -101,6 +120,7 @@ public final class DrawState {
     private int stencilReference;
     private DepthOf depthOf = DepthOf.SURFACE;
     private Fill fill = Fill.WHOLE;
+    private FrontFace frontFace = FrontFace.COUNTER_CLOCKWISE;
     private long draws;
     private long triangles;
     private DrawListener listener;
@@ -159,10 +179,13 @@ public final class DrawState {
             return;
         }
         toggle(GL_DEPTH_CLAMP, newDepthOf != DepthOf.SURFACE);
-        toggle(GL_POLYGON_OFFSET_FILL, newDepthOf == DepthOf.OPENING);
-        if (newDepthOf == DepthOf.OPENING) {
-            // One pixel's slope and four steps of the buffer: more than two rasterisations of one plane differ by.
-            glPolygonOffset(-1, -4);
+        boolean isOpening = newDepthOf == DepthOf.OPENING || newDepthOf == DepthOf.WHOLE_FACE;
+        toggle(GL_POLYGON_OFFSET_FILL, isOpening);
+        if (isOpening) {
+            // One pixel's slope and four steps of the buffer: more than two rasterisations of one plane differ by. A
+            // pixel's
+            // slope along a whole face would reach before its frame; corners lie on the grid to 1/256 pixel.
+            glPolygonOffset(newDepthOf == DepthOf.OPENING ? -1 : -1f / 32, -4);
         }
         glDepthRange(newDepthOf == DepthOf.FARTHEST ? 1 : 0, 1);
         depthOf = newDepthOf;
@@ -173,6 +196,14 @@ public final class DrawState {
         if (fill != newFill) {
             glPolygonMode(GL_FRONT_AND_BACK, newFill.mode);
             fill = newFill;
+        }
+    }
+
+    /** Stays until it is set again. */
+    public void frontFace(FrontFace newFrontFace) {
+        if (frontFace != newFrontFace) {
+            glFrontFace(newFrontFace.mode);
+            frontFace = newFrontFace;
         }
     }
 
@@ -196,8 +227,11 @@ public final class DrawState {
 
     private void setBlend(Blend newBlend) {
         toggle(GL_BLEND, newBlend != Blend.REPLACE);
-        if (newBlend == Blend.OVER) {
-            glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+        switch (newBlend) {
+            case REPLACE -> {}
+            case OVER -> glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+            case ADD -> glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+            case PREMULTIPLIED_OVER -> glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         }
         blend = newBlend;
     }
@@ -232,6 +266,7 @@ public final class DrawState {
         stencil = null;
         depthOf = null;
         fill = null;
+        frontFace = null;
     }
 
     /** {@code null} to stop listening. */

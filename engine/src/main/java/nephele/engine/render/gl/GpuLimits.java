@@ -18,6 +18,7 @@ public record GpuLimits(
         boolean debugMessages,
         int maxTextureSize,
         int maxArrayLayers,
+        int maxVolumeSize,
         int maxBufferTexels,
         int maxSamples,
         boolean software) {
@@ -40,6 +41,7 @@ public record GpuLimits(
                 can.GL_KHR_debug,
                 glGetInteger(GL_MAX_TEXTURE_SIZE),
                 glGetInteger(GL_MAX_ARRAY_TEXTURE_LAYERS),
+                glGetInteger(GL_MAX_3D_TEXTURE_SIZE),
                 glGetInteger(GL_MAX_TEXTURE_BUFFER_SIZE),
                 glGetInteger(GL_MAX_SAMPLES),
                 renderer.contains("llvmpipe") || renderer.contains("softpipe") || renderer.contains("SWR"));

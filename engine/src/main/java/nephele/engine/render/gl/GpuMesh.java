@@ -29,6 +29,12 @@ public final class GpuMesh implements AutoCloseable {
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, triangles, GL_STATIC_DRAW);
     }
 
+    /** Replaces a part of the vertices, from a byte on. */
+    public void replaceVertices(long firstByte, ByteBuffer vertexBytes) {
+        glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
+        glBufferSubData(GL_ARRAY_BUFFER, firstByte, vertexBytes);
+    }
+
     /** Draws {@code count} indices from the {@code first}. */
     public void draw(int first, int count) {
         gl.bindings().vertexArray(vertexArray.id());

@@ -7,7 +7,7 @@ import java.nio.FloatBuffer;
 import java.util.List;
 import org.lwjgl.BufferUtils;
 
-/** Where a pass draws: an offscreen picture with its own textures, one layer of a depth array, or the window. */
+/** Where a pass draws: an offscreen picture with its own textures, one layer of a texture, or the window. */
 public final class RenderTarget implements AutoCloseable {
     private final GlContext gl;
     private final GlHandle framebuffer;
@@ -37,6 +37,18 @@ public final class RenderTarget implements AutoCloseable {
     /** Colour texture of the given format, 24 bits of depth and 8 of stencil. */
     public static RenderTarget picture(GlContext gl, String name, PixelFormat format, int width, int height) {
         return picture(gl, name, format, width, height, Sampling.NEAREST_CLAMP);
+    }
+
+    /**
+     * A picture with a part of this target's pixels along each side, rounded up: for what is drawn coarsely and laid over
+     * the full picture, looked up between its texels.
+     *
+     * @param divisor 2 for half, 4 for a quarter of the pixels along a side
+     */
+    public RenderTarget reduced(String name, PixelFormat itsFormat, int divisor) {
+        int itsWidth = Math.max(1, (width + divisor - 1) / divisor);
+        int itsHeight = Math.max(1, (height + divisor - 1) / divisor);
+        return picture(gl, name, itsFormat, itsWidth, itsHeight, Sampling.LINEAR_CLAMP);
     }
 
     /** As {@link #picture(GlContext, String, PixelFormat, int, int)}, to be looked up in some other way. */
@@ -113,13 +125,32 @@ public final class RenderTarget implements AutoCloseable {
 
     /** Depth only, into one layer of a depth array that stays the caller's. */
     public static RenderTarget depthLayer(GlContext gl, String name, Texture depthArray, int layer) {
-        GlHandle framebuffer = newFramebuffer(gl, name);
-        Texture.Extent extent = depthArray.extent();
-        gl.bindings().framebuffer(framebuffer.id(), extent.width(), extent.height());
-        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depthArray.id(), 0, layer);
+        GlHandle framebuffer = bindLayer(gl, name, depthArray, GL_DEPTH_ATTACHMENT, layer);
         glDrawBuffer(GL_NONE);
         glReadBuffer(GL_NONE);
-        Attachments attached = new Attachments(null, null, null, List.of());
+        return ofLayer(gl, name, framebuffer, null, depthArray.extent());
+    }
+
+    /** Colours only, into one layer of an array or one slice of a volume that stays the caller's. */
+    public static RenderTarget colourLayer(GlContext gl, String name, Texture layers, int layer) {
+        GlHandle framebuffer = bindLayer(gl, name, layers, GL_COLOR_ATTACHMENT0, layer);
+        return ofLayer(gl, name, framebuffer, layers.format(), layers.extent());
+    }
+
+    private static GlHandle bindLayer(GlContext gl, String name, Texture layers, int attachment, int layer) {
+        GlHandle framebuffer = newFramebuffer(gl, name);
+        gl.bindings()
+                .framebuffer(
+                        framebuffer.id(),
+                        layers.extent().width(),
+                        layers.extent().height());
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, attachment, layers.id(), 0, layer);
+        return framebuffer;
+    }
+
+    private static RenderTarget ofLayer(
+            GlContext gl, String name, GlHandle framebuffer, PixelFormat format, Texture.Extent extent) {
+        Attachments attached = new Attachments(format, null, null, List.of());
         return complete(name, new RenderTarget(gl, framebuffer, attached, extent.width(), extent.height()));
     }
 
@@ -182,14 +213,24 @@ public final class RenderTarget implements AutoCloseable {
         clearWithinScissor(red, green, blue);
     }
 
+    /** As {@link #clear}, to black of alpha 0: for layers that are laid over something later. */
+    public void clearTransparent() {
+        gl.state().noScissor();
+        clearWithinScissor(new float[4]);
+    }
+
     /** As {@link #clear}, only where the scissor lets through. */
     public void clearWithinScissor(float red, float green, float blue) {
+        clearWithinScissor(new float[] {red, green, blue, 1});
+    }
+
+    private void clearWithinScissor(float[] rgba) {
         bind();
         gl.state().allowDepthClear();
         if (gl.state().listener() != null) {
-            gl.state().listener().cleared(new float[] {red, green, blue, 1});
+            gl.state().listener().cleared(rgba);
         }
-        glClearColor(red, green, blue, 1);
+        glClearColor(rgba[0], rgba[1], rgba[2], rgba[3]);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
 

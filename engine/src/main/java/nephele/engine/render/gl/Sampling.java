@@ -6,6 +6,8 @@ import static org.lwjgl.opengl.GL41C.*;
 public enum Sampling {
     /** Trilinear, anisotropic where present, repeating. */
     MIPMAPPED_REPEAT(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT),
+    /** Without smaller images, repeating along every axis: tiles of noise. */
+    LINEAR_REPEAT(GL_LINEAR, GL_LINEAR, GL_REPEAT),
     LINEAR_CLAMP(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE),
     NEAREST_CLAMP(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE),
     /** Compares with a reference depth and filters the four answers: {@code sampler2DArrayShadow}. */
@@ -30,7 +32,7 @@ public enum Sampling {
         glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
         glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
         glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
-        glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+        glTexParameteri(target, GL_TEXTURE_WRAP_R, target == GL_TEXTURE_3D ? wrap : GL_CLAMP_TO_EDGE);
         if (this == SHADOW_COMPARE) {
             glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
             glTexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);

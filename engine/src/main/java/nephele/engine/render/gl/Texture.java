@@ -4,7 +4,7 @@ import static org.lwjgl.opengl.GL41C.*;
 
 import java.nio.ByteBuffer;
 
-/** A texture of one size and format: flat, an array of layers, or a cube of six faces. */
+/** A texture of one size and format: flat, an array of layers, a cube of six faces, or a volume of slices. */
 public final class Texture implements AutoCloseable {
     private static final int TEXTURE_MAX_ANISOTROPY = 0x84FE;
 
@@ -12,7 +12,9 @@ public final class Texture implements AutoCloseable {
     public enum Shape {
         FLAT(GL_TEXTURE_2D),
         ARRAY(GL_TEXTURE_2D_ARRAY),
-        CUBE(GL_TEXTURE_CUBE_MAP);
+        CUBE(GL_TEXTURE_CUBE_MAP),
+        /** Filtered between its slices too. */
+        VOLUME(GL_TEXTURE_3D);
 
         private final int target;
 
@@ -21,12 +23,15 @@ public final class Texture implements AutoCloseable {
         }
     }
 
-    /** Texels of one layer. */
+    /** Texels of one layer, and how many layers or slices there are. */
     public record Extent(int width, int height, int layers) {
         public static Extent flat(int width, int height) {
             return new Extent(width, height, 1);
         }
     }
+
+    /** A rectangle of texels from {@code x}, {@code y} on. */
+    public record Region(int x, int y, int width, int height) {}
 
     private final GlContext gl;
     private final GlHandle handle;
@@ -37,7 +42,7 @@ public final class Texture implements AutoCloseable {
 
     /** Allocates without content. */
     public Texture(GlContext gl, String name, Shape shape, PixelFormat format, Extent extent, Sampling sampling) {
-        requireFits(gl.limits(), name, extent);
+        requireFits(gl.limits(), name, shape, extent);
         this.gl = gl;
         this.shape = shape;
         this.format = format;
@@ -52,12 +57,13 @@ public final class Texture implements AutoCloseable {
         allocate();
     }
 
-    private static void requireFits(GpuLimits limits, String name, Extent extent) {
-        int largest = Math.max(extent.width, extent.height);
-        if (largest > limits.maxTextureSize() || extent.layers > limits.maxArrayLayers()) {
+    private static void requireFits(GpuLimits limits, String name, Shape shape, Extent extent) {
+        boolean isVolume = shape == Shape.VOLUME;
+        int side = isVolume ? limits.maxVolumeSize() : limits.maxTextureSize();
+        int layers = isVolume ? side : limits.maxArrayLayers();
+        if (Math.max(extent.width, extent.height) > side || extent.layers > layers) {
             throw new GlUnavailableException(name + " requires a texture of " + extent.width + "x" + extent.height + "x"
-                    + extent.layers + "; this machine allows " + limits.maxTextureSize() + " and "
-                    + limits.maxArrayLayers() + " layers");
+                    + extent.layers + "; this machine allows " + side + " and " + layers + " layers");
         }
     }
 
@@ -75,7 +81,7 @@ public final class Texture implements AutoCloseable {
                         format.pixels,
                         format.type,
                         none);
-            case ARRAY -> allocateArray(none);
+            case ARRAY, VOLUME -> allocateLayers(none);
             case CUBE -> {
                 for (int face = 0; face < 6; face++) {
                     int target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face;
@@ -94,15 +100,15 @@ public final class Texture implements AutoCloseable {
         }
     }
 
-    private void allocateArray(ByteBuffer none) {
+    private void allocateLayers(ByteBuffer none) {
         for (int level = 0; level < levels(); level++) {
             glTexImage3D(
-                    GL_TEXTURE_2D_ARRAY,
+                    shape.target,
                     level,
                     format.internal,
                     Math.max(extent.width >> level, 1),
                     Math.max(extent.height >> level, 1),
-                    extent.layers,
+                    shape == Shape.VOLUME ? Math.max(extent.layers >> level, 1) : extent.layers,
                     0,
                     format.pixels,
                     format.type,
@@ -112,22 +118,43 @@ public final class Texture implements AutoCloseable {
 
     /** 1, or as many as lead to a single texel by halves. */
     private int levels() {
-        return sampling.isMipmapped() ? 32 - Integer.numberOfLeadingZeros(Math.max(extent.width, extent.height)) : 1;
+        int side = Math.max(extent.width, extent.height);
+        int largest = shape == Shape.VOLUME ? Math.max(side, extent.layers) : side;
+        return sampling.isMipmapped() ? 32 - Integer.numberOfLeadingZeros(largest) : 1;
     }
 
-    /** Replaces one layer or cube face; rows as stored, the first at t = 0. {@code texels} is direct. */
+    /** Replaces one layer, slice or cube face; rows as stored, the first at t = 0. {@code texels} is direct. */
     public void upload(int layer, ByteBuffer texels) {
+        upload(layer, new Region(0, 0, extent.width, extent.height), texels);
+    }
+
+    /** Replaces a part of one layer, slice or cube face; {@code texels} are the part's rows, one after another. */
+    public void upload(int layer, Region part, ByteBuffer texels) {
         bind(TextureUnit.UPLOAD);
-        if (shape == Shape.ARRAY) {
+        if (hasLayers()) {
             glTexSubImage3D(
-                    shape.target, 0, 0, 0, layer, extent.width, extent.height, 1, format.pixels, format.type, texels);
+                    shape.target,
+                    0,
+                    part.x,
+                    part.y,
+                    layer,
+                    part.width,
+                    part.height,
+                    1,
+                    format.pixels,
+                    format.type,
+                    texels);
         } else {
             int target = shape == Shape.CUBE ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + layer : shape.target;
-            glTexSubImage2D(target, 0, 0, 0, extent.width, extent.height, format.pixels, format.type, texels);
+            glTexSubImage2D(target, 0, part.x, part.y, part.width, part.height, format.pixels, format.type, texels);
         }
     }
 
-    /** Has the driver make the smaller images of a mipmapped flat texture from the largest. */
+    private boolean hasLayers() {
+        return shape == Shape.ARRAY || shape == Shape.VOLUME;
+    }
+
+    /** Has the driver make the smaller images of a mipmapped flat texture or volume from the largest. */
     public void generateLevels() {
         bind(TextureUnit.UPLOAD);
         glGenerateMipmap(shape.target);

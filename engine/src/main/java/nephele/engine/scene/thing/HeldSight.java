@@ -26,7 +26,8 @@ public final class HeldSight {
     /** Looks from somewhere; the copies have to be those of {@code moment}. */
     public void find(View view, Moment moment) {
         size = 0;
-        if (moment.held() == Moment.NOTHING) {
+        // In a mirror it is seen from elsewhere, however near to the mirror it is.
+        if (moment.held() == Moment.NOTHING || view.isMirrored()) {
             return;
         }
         for (int i = copies.bodyStart(moment.held()); i < copies.bodyEnd(moment.held()); i++) {

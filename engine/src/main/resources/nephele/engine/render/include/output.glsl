@@ -10,6 +10,9 @@
 layout(location = 0) out vec4 pixel;
 
 void writeRadiance(vec3 radiance) {
+#ifdef MIRRORS
+    radiance *= mirrorTint.rgb;
+#endif
 #if defined(OUTPUT_PLAIN)
     pixel = vec4(radiance, 1.0);
 #elif defined(OUTPUT_HDR)
@@ -19,7 +22,7 @@ void writeRadiance(vec3 radiance) {
 #endif
 }
 
-// Radiance of a surface, with what lies between it and the eye. Behind a portal the eye is a virtual one, as far from the
+// Radiance of a surface, with what lies between it and the eye. Behind an opening the eye is a virtual one, as far from the
 // surface as the whole way is long.
 void writeRadiance(vec3 radiance, vec3 relativePosition) {
 #ifdef FOG

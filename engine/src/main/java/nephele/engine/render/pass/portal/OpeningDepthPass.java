@@ -5,8 +5,8 @@ import java.util.Set;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.OpeningMesh;
+import nephele.engine.render.frame.OpeningNeeds;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
@@ -22,7 +22,7 @@ import nephele.engine.scene.ViewNode;
 public final class OpeningDepthPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
             "portal.depth",
-            request -> PortalNeeds.of(request, "where openings hide what is behind", OpeningDepthPass::new));
+            request -> OpeningNeeds.of(request, "where openings hide what is behind", OpeningDepthPass::new));
 
     private final GlContext gl;
     private GlProgram<Object> program;
@@ -56,9 +56,9 @@ public final class OpeningDepthPass implements Pass {
         }
         frame.surface().bind();
         gl.state().set(Depth.LESS_AND_WRITE_ONLY_DEPTH, Blend.REPLACE, Cull.NONE);
-        gl.state().depthOf(DepthOf.OPENING);
         program.use();
         for (int i = 0; i < children.size(); i++) {
+            gl.state().depthOf(OpeningMesh.depthOf(children.get(i)));
             openings.draw(children.get(i));
         }
         gl.state().depthOf(DepthOf.SURFACE);

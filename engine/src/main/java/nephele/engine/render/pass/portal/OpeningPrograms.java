@@ -3,6 +3,7 @@ package nephele.engine.render.pass.portal;
 import java.util.Map;
 import java.util.function.Function;
 import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.ShaderSource;
@@ -30,6 +31,14 @@ final class OpeningPrograms {
         return program(context, "picture.frag", uniforms -> {
             uniforms.sampler("shown", TextureUnit.COLOURS);
             return uniforms;
+        });
+    }
+
+    /** The fog between the eye and openings, times what they keep back. */
+    static GlProgram<Uniforms.Vector3> fog(LoadContext context) {
+        return program(context, "mirror-fog.frag", uniforms -> {
+            uniforms.block("Frame", FrameUniforms.BINDING);
+            return uniforms.vector3("keptBack");
         });
     }
 

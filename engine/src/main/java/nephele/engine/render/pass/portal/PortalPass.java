@@ -10,8 +10,9 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.OpeningMesh;
+import nephele.engine.render.frame.OpeningNeeds;
+import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
@@ -33,8 +34,8 @@ import nephele.engine.scene.ViewNode;
  * where the number is right, and it counts down again, leaving its own depth for what is drawn after it.
  */
 public final class PortalPass implements Pass {
-    public static final RenderFeature FEATURE =
-            new RenderFeature("portal", request -> PortalNeeds.of(request, "openings to see through", PortalPass::new));
+    public static final RenderFeature FEATURE = new RenderFeature(
+            "portal", request -> OpeningNeeds.of(request, "openings to see through", PortalPass::new));
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
 
@@ -43,7 +44,12 @@ public final class PortalPass implements Pass {
     private GlProgram<Uniforms.Vector4> colour;
     private GlProgram<Object> picture;
     private OpeningMesh openings;
-    private ClearColour clear;
+    /** {@code null} where nothing is to be added. */
+    private MirrorFog fog;
+
+    private Environment environment;
+    private Output output;
+    private ClearColour behind;
     /** Whether something is drawn wherever nothing else is, so that the clear colour never shows. */
     private boolean skyCovers;
 
@@ -63,15 +69,17 @@ public final class PortalPass implements Pass {
 
     @Override
     public void load(LoadContext context) {
-        Environment environment = context.scene().level().environment();
+        environment = context.scene().level().environment();
+        output = context.output();
+        behind = ClearColour.of(environment, output);
         nothing = OpeningPrograms.nothing(context);
         colour = OpeningPrograms.colour(context);
         picture = OpeningPrograms.picture(context);
         openings = context.shared().openings();
+        fog = MirrorFog.of(context);
         skyCovers = environment.sky() != null
                 && !(environment.sky() instanceof Sky.Constant)
                 && FogVeil.of(environment).isEmpty();
-        clear = ClearColour.of(environment, context.output());
     }
 
     @Override
@@ -80,10 +88,17 @@ public final class PortalPass implements Pass {
         for (int i = 0; i < children.size(); i++) {
             ViewNode child = children.get(i);
             switch (frame.nested().filling(child)) {
-                case SKY, VIEW -> drawThrough(frame, child);
+                case SKY, VIEW -> {
+                    drawThrough(frame, child);
+                    addFog(child);
+                }
                 case PICTURE -> {
                     frame.nested().picture(child).bind(TextureUnit.COLOURS);
                     cover(frame, child, picture);
+                    // The picture before shows the fog as well.
+                    if (!child.isTerminal()) {
+                        addFog(child);
+                    }
                 }
                 case MARK -> {
                     colour(MARK);
@@ -95,9 +110,17 @@ public final class PortalPass implements Pass {
 
     private void cover(FrameContext frame, ViewNode child, GlProgram<?> program) {
         frame.surface().bind();
-        gl.state().depthOf(DepthOf.OPENING);
+        gl.state().depthOf(OpeningMesh.depthOf(child));
         draw(child, program, Depth.EQUAL);
         gl.state().depthOf(DepthOf.SURFACE);
+    }
+
+    private void addFog(ViewNode child) {
+        if (fog != null) {
+            gl.state().depthOf(OpeningMesh.depthOf(child));
+            fog.draw(child);
+            gl.state().depthOf(DepthOf.SURFACE);
+        }
     }
 
     private void colour(ClearColour c) {
@@ -108,12 +131,14 @@ public final class PortalPass implements Pass {
         DrawState state = gl.state();
         int depth = frame.nested().openingsCounted(frame.node());
         frame.surface().bind();
-        state.depthOf(DepthOf.OPENING);
+        state.depthOf(OpeningMesh.depthOf(child));
         state.stencil(Stencil.EQUAL_COUNT_UP, depth);
         draw(child, nothing, Depth.EQUAL_ONLY_STENCIL);
         state.depthOf(DepthOf.FARTHEST);
-        colour(clear);
         state.stencil(Stencil.EQUAL, depth + 1);
+        if (!skyCovers) {
+            colour(behind.in(child.view(), environment, output));
+        }
         draw(
                 child,
                 skyCovers ? nothing : colour,
@@ -124,7 +149,7 @@ public final class PortalPass implements Pass {
         } else {
             frame.nested().draw(frame, child);
         }
-        state.depthOf(DepthOf.OPENING);
+        state.depthOf(OpeningMesh.depthOf(child));
         state.stencil(Stencil.EQUAL_COUNT_DOWN, depth + 1);
         draw(child, nothing, Depth.ALWAYS_AND_WRITE_ONLY_DEPTH);
         state.depthOf(DepthOf.SURFACE);
@@ -147,6 +172,9 @@ public final class PortalPass implements Pass {
         }
         if (picture != null) {
             picture.close();
+        }
+        if (fog != null) {
+            fog.close();
         }
     }
 }

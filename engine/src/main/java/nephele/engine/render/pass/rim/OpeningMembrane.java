@@ -44,14 +44,14 @@ final class OpeningMembrane implements AutoCloseable {
         program.use();
         Places places = program.uniforms();
         places.centre.set(
-                (float) (look.portal.centre().x() - look.view.eyeX()),
-                (float) (look.portal.centre().y() - look.view.eyeY()),
-                (float) (look.portal.centre().z() - look.view.eyeZ()),
+                (float) (look.centre.x() - look.view.eyeX()),
+                (float) (look.centre.y() - look.view.eyeY()),
+                (float) (look.centre.z() - look.view.eyeZ()),
                 0);
-        set(places.right, look.portal.frame().right());
-        set(places.up, look.portal.frame().up());
+        set(places.right, look.frame.right());
+        set(places.up, look.frame.up());
         places.tint.set((float) look.tint.x(), (float) look.tint.y(), (float) look.tint.z(), (float) look.opacity);
-        places.pattern.set(look.kind, look.cells, (float) look.seconds, (float) look.halfMetres());
+        places.pattern.set(look.kind, look.cells, (float) look.seconds, (float) look.halfMetres);
     }
 
     private static void set(Uniforms.Vector3 uniform, Vec3 v) {

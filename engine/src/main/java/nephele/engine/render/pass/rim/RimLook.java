@@ -2,11 +2,13 @@ package nephele.engine.render.pass.rim;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.scene.Ghost;
 import nephele.engine.scene.Moment;
+import nephele.engine.scene.Opening;
 import nephele.engine.scene.View;
 
 /** One rim as a view sees it; one object, filled again for each. */
@@ -17,12 +19,16 @@ final class RimLook {
     /** The third pattern is for portals that nobody shot. */
     private static final int OF_LEVEL = 2;
 
+    private static final Vec3 SILVER = new Vec3(0.3, 0.33, 0.36);
+
     private static final double GHOST_OPACITY = 0.92;
 
     private final List<Vec3> huesOfPairs = new ArrayList<>();
 
     View view;
     Portal portal;
+    Vec3 centre;
+    Basis frame;
     Vec3 tint;
     double openness;
     /** Below 1 for what is not there yet. */
@@ -33,11 +39,14 @@ final class RimLook {
     int kind;
 
     int cells;
+    /** Half of the longer side. */
+    double halfMetres;
+
     boolean isOpen;
 
     void of(Moment moment, int index, View newView) {
         view = newView;
-        portal = moment.portals().portal(index);
+        lie(moment.portals().portal(index));
         tint = tint(moment, index);
         openness = moment.openness(index);
         opacity = 1;
@@ -48,13 +57,35 @@ final class RimLook {
 
     void of(Ghost ghost, Moment moment, View newView) {
         view = newView;
-        portal = ghost.portal();
+        lie(ghost.portal());
         tint = RimColours.ofShot(ghost.colour());
         openness = 1;
         opacity = GHOST_OPACITY;
         seconds = moment.seconds() % REPEAT_SECONDS;
         kind = ghost.colour();
         isOpen = true;
+    }
+
+    /** A mirror as it looks where nothing is reflected in it. */
+    void of(Opening mirror, double now, View newView) {
+        view = newView;
+        portal = null;
+        centre = mirror.centre();
+        frame = mirror.frame();
+        halfMetres = Math.max(mirror.reach(1, 0), mirror.reach(0, 1));
+        tint = SILVER;
+        openness = 1;
+        opacity = 1;
+        seconds = now % REPEAT_SECONDS;
+        kind = OF_LEVEL;
+        isOpen = true;
+    }
+
+    private void lie(Portal newPortal) {
+        portal = newPortal;
+        centre = portal.centre();
+        frame = portal.frame();
+        halfMetres = Math.max(portal.aperture().widthMetres(), portal.aperture().heightMetres()) / 2;
     }
 
     private Vec3 tint(Moment moment, int portal) {
@@ -70,17 +101,11 @@ final class RimLook {
         return huesOfPairs.get(pair);
     }
 
-    /** Half of the aperture's longer side. */
-    double halfMetres() {
-        return Math.max(portal.aperture().widthMetres(), portal.aperture().heightMetres()) / 2;
-    }
-
     /** Whether the view may see any of it: from in front, before its own plane, in the picture and larger than a pixel. */
     boolean isIn(int pictureHeight) {
         double reach = Math.hypot(
                         portal.aperture().widthMetres() / 2, portal.aperture().heightMetres() / 2)
                 + 2 * RimShape.REACH_METRES;
-        Vec3 centre = portal.centre();
         double x = centre.x() - view.eyeX();
         double y = centre.y() - view.eyeY();
         double z = centre.z() - view.eyeZ();

@@ -72,15 +72,15 @@ final class RimPrograms implements AutoCloseable {
 
         void set(RimLook look) {
             centre.set(
-                    (float) (look.portal.centre().x() - look.view.eyeX()),
-                    (float) (look.portal.centre().y() - look.view.eyeY()),
-                    (float) (look.portal.centre().z() - look.view.eyeZ()),
+                    (float) (look.centre.x() - look.view.eyeX()),
+                    (float) (look.centre.y() - look.view.eyeY()),
+                    (float) (look.centre.z() - look.view.eyeZ()),
                     (float) look.openness);
-            set(right, look.portal.frame().right());
-            set(up, look.portal.frame().up());
-            set(back, look.portal.frame().back());
+            set(right, look.frame.right());
+            set(up, look.frame.up());
+            set(back, look.frame.back());
             tint.set((float) look.tint.x(), (float) look.tint.y(), (float) look.tint.z(), (float) look.opacity);
-            pattern.set(look.kind, look.cells, (float) look.seconds, (float) look.halfMetres());
+            pattern.set(look.kind, look.cells, (float) look.seconds, (float) look.halfMetres);
         }
 
         private static void set(Uniforms.Vector3 uniform, Vec3 v) {

@@ -7,8 +7,8 @@ import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews.Filling;
 import nephele.engine.render.frame.OpeningMesh;
+import nephele.engine.render.frame.OpeningNeeds;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
@@ -18,6 +18,7 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.Opening;
 import nephele.engine.scene.ViewNode;
 
 /**
@@ -37,7 +38,7 @@ public final class UnfilledPass implements Pass {
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        return PortalNeeds.of(request, "openings that nothing fills", UnfilledPass::new);
+        return OpeningNeeds.of(request, "openings that nothing fills", UnfilledPass::new);
     }
 
     @Override
@@ -67,9 +68,14 @@ public final class UnfilledPass implements Pass {
     }
 
     private void cover(FrameContext frame, ViewNode child) {
-        look.of(frame.moment(), child.portal(), frame.view());
+        Opening opening = child.opening();
+        if (opening.portal() == Opening.NO_PORTAL) {
+            look.of(opening, frame.moment().seconds(), frame.view());
+        } else {
+            look.of(frame.moment(), opening.portal(), frame.view());
+        }
         frame.surface().bind();
-        gl.state().depthOf(DepthOf.OPENING);
+        gl.state().depthOf(OpeningMesh.depthOf(child));
         gl.state().set(Depth.EQUAL, Blend.OVER, Cull.NONE);
         membrane.use(look);
         openings.draw(child);

@@ -5,6 +5,7 @@ import java.util.Set;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FullScreenDrawing;
+import nephele.engine.render.frame.LinearLight;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
@@ -28,11 +29,12 @@ public final class ToneMapPass implements Pass {
         drawing = new FullScreenDrawing(gl, "tone map");
     }
 
-    /** Nothing in a level asks for it yet: blended surfaces and bloom will. */
     private static List<Required> requiredBy(FrameRequest request) {
-        return request.output() == Output.HDR
-                ? List.of(new Required("output: hdr was asked for", ToneMapPass::new))
-                : List.of();
+        if (request.output() != Output.HDR) {
+            return List.of();
+        }
+        String because = LinearLight.because(request.level()).orElse("output: hdr was asked for");
+        return List.of(new Required(because, ToneMapPass::new));
     }
 
     @Override

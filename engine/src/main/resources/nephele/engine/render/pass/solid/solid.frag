@@ -59,6 +59,11 @@ vec3 along(vec3 direction, vec3 n, vec3 otherwise) {
 vec3 meshMappedNormal(vec3 texel, vec3 n) {
     vec3 right = cross(dFdy(relativePosition), faceNormal);
     vec3 above = cross(faceNormal, dFdx(relativePosition));
+#ifdef MIRRORS
+    // The picture's x and y follow one another the other way round about the normal.
+    right *= viewForward.w;
+    above *= viewForward.w;
+#endif
     vec2 rightwards = dFdx(st);
     vec2 upwards = dFdy(st);
     vec3 across = along(right * rightwards.x + above * upwards.x, n, textureAcross(n));

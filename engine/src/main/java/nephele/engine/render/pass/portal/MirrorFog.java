@@ -1,0 +1,60 @@
+package nephele.engine.render.pass.portal;
+
+import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.OpeningMesh;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.Uniforms;
+import nephele.engine.scene.ViewNode;
+import org.joml.Vector3dc;
+
+/**
+ * Adds the fog that lies before a tinted mirror to what is seen in it. A surface's radiance is tinted with all fog before
+ * it, so what the tint took from the fog on this side is given back, in linear light.
+ */
+final class MirrorFog implements AutoCloseable {
+    private final GlContext gl;
+    private final OpeningMesh openings;
+    private final GlProgram<Uniforms.Vector3> program;
+
+    private MirrorFog(LoadContext context) {
+        gl = context.gl();
+        openings = context.shared().openings();
+        program = OpeningPrograms.fog(context);
+    }
+
+    /** {@code null} where no fog lies before mirrors, or where the output holds no linear light to add to. */
+    static MirrorFog of(LoadContext context) {
+        boolean isFoggy = FogVeil.of(context.scene().level().environment()).isPresent();
+        return isFoggy
+                        && context.output() != Output.DIRECT
+                        && !context.scene().mirrors().isEmpty()
+                ? new MirrorFog(context)
+                : null;
+    }
+
+    /** Draws over an opening that has been filled, where its own depth is the nearest. */
+    void draw(ViewNode child) {
+        Vec3 kept = child.opening().tint();
+        if (kept.x() == 1 && kept.y() == 1 && kept.z() == 1) {
+            return;
+        }
+        Vector3dc before = child.parent().view().tint();
+        program.uniforms().set((float) (before.x() * (1 - kept.x())), (float) (before.y() * (1 - kept.y())), (float)
+                (before.z() * (1 - kept.z())));
+        gl.state().set(Depth.EQUAL, Blend.ADD, Cull.NONE);
+        program.use();
+        openings.draw(child);
+    }
+
+    @Override
+    public void close() {
+        program.close();
+    }
+}

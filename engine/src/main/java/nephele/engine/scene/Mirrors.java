@@ -1,0 +1,53 @@
+package nephele.engine.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Brush.BrushFace;
+import nephele.engine.level.Level;
+import nephele.engine.level.MirrorFaces;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Vec3;
+import nephele.engine.scene.SceneMaterials.Surface;
+import nephele.engine.scene.light.FaceFragment;
+import nephele.engine.scene.light.FaceFragments;
+
+/** The openings that a level's mirror faces are: one for each face that is not wholly hidden by other solids. */
+final class Mirrors {
+    private Mirrors() {}
+
+    /** @param statics of the level, as they are drawn */
+    static List<Opening> of(Level level, StaticShapes statics, SceneMaterials materials) {
+        if (!MirrorFaces.any(level)) {
+            return List.of();
+        }
+        List<Brush> brushes = statics.solids();
+        List<List<List<FaceFragment>>> fragments = FaceFragments.of(brushes);
+        List<Opening> mirrors = new ArrayList<>();
+        for (int brush = 0; brush < brushes.size(); brush++) {
+            for (int face = 0; face < brushes.get(brush).faces().size(); face++) {
+                BrushFace said = brushes.get(brush).faces().get(face);
+                Surface surface = materials.surfaces().get(materials.indexOf(said.material()));
+                List<Vec3> polygon = surface.material().mirror()
+                        ? visible(said, fragments.get(brush).get(face))
+                        : List.of();
+                if (!polygon.isEmpty()) {
+                    Vec3 tint = surface.material().baseColour();
+                    mirrors.add(Opening.ofMirror(
+                            mirrors.size(), polygon, said.plane().normal(), tint));
+                }
+            }
+        }
+        return List.copyOf(mirrors);
+    }
+
+    /** The part that other solids leave in sight, where it is one convex piece; else the face, which they stand before. */
+    private static List<Vec3> visible(BrushFace face, List<FaceFragment> fragments) {
+        List<FaceFragment> seen =
+                fragments.stream().filter(part -> !part.isCovered()).toList();
+        if (seen.isEmpty()) {
+            return List.of();
+        }
+        return seen.size() == 1 ? seen.get(0).outline() : face.polygon();
+    }
+}
