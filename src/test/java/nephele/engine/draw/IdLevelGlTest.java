@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
-import nephele.engine.level.LevelFile;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
@@ -40,7 +40,7 @@ class IdLevelGlTest {
         assertEquals(level, new QualityChoice("high", Map.of()).shown(level));
     }
 
-    private static Set<Integer> colours(LevelFile.Opened opened) {
+    private static Set<Integer> colours(OpenedLevel opened) {
         Set<Integer> seen = new HashSet<>();
         var level = IdLevel.of(opened.level());
         try (var gl = GlContext.offscreen();

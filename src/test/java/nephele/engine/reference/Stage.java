@@ -18,6 +18,7 @@ import nephele.engine.level.Sun;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 
@@ -112,7 +113,8 @@ final class Stage {
     }
 
     float[] picture(Pinhole eye, TraceSettings settings) {
-        return ReferencePicture.trace(TracedLevel.of(level(), pictures, Decoding.SRGB), eye, settings, done -> {});
+        return ReferencePicture.trace(
+                TracedLevel.of(PlacedLevel.of(level(), pictures), Decoding.SRGB), eye, settings, done -> {});
     }
 
     /** The one pixel of a picture that is hardly larger than a point. */

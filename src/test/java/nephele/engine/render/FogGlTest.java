@@ -9,6 +9,8 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.level.placed.NoFiles;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
@@ -83,9 +85,14 @@ class FogGlTest {
         Level foggy = new TestLevel().sky(sky).fog(1e-6, FOG).level();
         Level clear = new TestLevel().sky(sky).fog(0, FOG).level();
         assertEquals(
-                List.of(), FramePlan.of(FrameRequest.of(foggy, Output.PLAIN)).required());
+                List.of(),
+                FramePlan.of(FrameRequest.of(PlacedLevel.of(foggy, NoFiles.AT_ALL), Output.PLAIN))
+                        .required());
         assertEquals(
-                1, FramePlan.of(FrameRequest.of(clear, Output.PLAIN)).required().size());
+                1,
+                FramePlan.of(FrameRequest.of(PlacedLevel.of(clear, NoFiles.AT_ALL), Output.PLAIN))
+                        .required()
+                        .size());
         try (Offscreen offscreen = new Offscreen(4, 4)) {
             View view = offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1));
             for (int pixel : offscreen.pixels(foggy, view, Output.PLAIN)) {

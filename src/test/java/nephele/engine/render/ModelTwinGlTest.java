@@ -10,6 +10,7 @@ import nephele.engine.level.ModelPlacement.TransformStep.Scale;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
@@ -94,7 +95,7 @@ class ModelTwinGlTest {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             View view = offscreen.view(new Vec3(0.3, 2, 3.2), new Vec3(0, 0.4, 0.3));
             float[] drawn = offscreen.radiance(level, ASSETS, view);
-            TracedLevel twin = TracedLevel.of(level, ASSETS, Decoding.SRGB);
+            TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, ASSETS), Decoding.SRGB);
             int samples = level.environment().ambient() == null ? 48 : 1;
             TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
             return new float[][] {drawn, ReferencePicture.trace(twin, ReferenceEye.of(view), settings, done -> {})};

@@ -13,6 +13,9 @@ import java.util.stream.Collectors;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.placed.NoFiles;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
@@ -24,7 +27,8 @@ import org.junit.jupiter.api.Test;
 class RenderFeaturesTest {
     @Test
     void theEmptyLevelRequiresNothing() {
-        FramePlan plan = FramePlan.of(FrameRequest.of(new TestLevel().level(), Output.DIRECT));
+        FramePlan plan =
+                FramePlan.of(FrameRequest.of(PlacedLevel.of(new TestLevel().level(), NoFiles.AT_ALL), Output.DIRECT));
         assertEquals(List.of(), plan.required());
         assertEquals(RenderFeatures.ALL.size(), plan.explain().size());
         assertTrue(plan.explain().stream().allMatch(line -> line.endsWith(": not required")));
@@ -34,7 +38,9 @@ class RenderFeaturesTest {
     void aConstantSkyRequiresNothing() {
         Level level = new TestLevel().sky(new Sky.Constant(new Vec3(1, 0, 0))).level();
         assertEquals(
-                List.of(), FramePlan.of(FrameRequest.of(level, Output.DIRECT)).required());
+                List.of(),
+                FramePlan.of(FrameRequest.of(PlacedLevel.of(level, NoFiles.AT_ALL), Output.DIRECT))
+                        .required());
     }
 
     @Test
@@ -72,10 +78,12 @@ class RenderFeaturesTest {
                 Arrays.stream(Sky.class.getPermittedSubclasses()).collect(Collectors.toSet());
         assertEquals(permitted, skies().keySet());
         skies().forEach((kind, sky) -> {
-            List<String> lines =
-                    FramePlan.of(FrameRequest.of(new TestLevel().sky(sky).level(), Output.DIRECT)).explain().stream()
-                            .filter(line -> line.contains(": required by environment.sky: "))
-                            .toList();
+            List<String> lines = FramePlan.of(FrameRequest.of(
+                            PlacedLevel.of(new TestLevel().sky(sky).level(), NoFiles.AT_ALL), Output.DIRECT))
+                    .explain()
+                    .stream()
+                    .filter(line -> line.contains(": required by environment.sky: "))
+                    .toList();
             assertEquals(kind == Sky.Constant.class ? 0 : 1, lines.size(), kind + " " + lines);
         });
     }
@@ -89,7 +97,7 @@ class RenderFeaturesTest {
     }
 
     private static Set<String> required(Level level) {
-        return FramePlan.of(FrameRequest.of(level, Output.DIRECT)).steps().stream()
+        return FramePlan.of(FrameRequest.of(PlacedLevel.of(level, NoFiles.AT_ALL), Output.DIRECT)).steps().stream()
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())
                 .collect(Collectors.toSet());
@@ -105,7 +113,8 @@ class RenderFeaturesTest {
     }
 
     private static boolean isHeldDrawn(Level level, FigurePresence figure) {
-        return FramePlan.of(FrameRequest.of(level, Output.DIRECT, Quality.HIGH, figure))
+        return FramePlan.of(FrameRequest.of(
+                        level, StaticShapes.of(level, NoFiles.AT_ALL), Output.DIRECT, Quality.HIGH, figure))
                 .explain()
                 .contains("thing.held: required by player: a body that is held");
     }
@@ -113,10 +122,12 @@ class RenderFeaturesTest {
     @Test
     void outputHdrRequiresTheToneMapAndDirectDoesNot() {
         Level level = new TestLevel().level();
-        assertTrue(FramePlan.of(FrameRequest.of(level, Output.HDR))
+        assertTrue(FramePlan.of(FrameRequest.of(PlacedLevel.of(level, NoFiles.AT_ALL), Output.HDR))
                 .explain()
                 .contains("tonemap: required by output: hdr was asked for"));
-        assertTrue(FramePlan.of(FrameRequest.of(level, Output.DIRECT)).explain().contains("tonemap: not required"));
+        assertTrue(FramePlan.of(FrameRequest.of(PlacedLevel.of(level, NoFiles.AT_ALL), Output.DIRECT))
+                .explain()
+                .contains("tonemap: not required"));
     }
 
     @Test

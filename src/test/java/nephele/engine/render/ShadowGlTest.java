@@ -12,6 +12,8 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.Lamp;
+import nephele.engine.level.placed.NoFiles;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
@@ -269,7 +271,9 @@ class ShadowGlTest {
     }
 
     private static List<String> names(TestLevel level) {
-        return FramePlan.of(FrameRequest.of(level.level(), Output.DIRECT)).steps().stream()
+        return FramePlan.of(FrameRequest.of(PlacedLevel.of(level.level(), NoFiles.AT_ALL), Output.DIRECT))
+                .steps()
+                .stream()
                 .filter(step -> !step.required().isEmpty())
                 .map(step -> step.feature().name())
                 .toList();

@@ -12,6 +12,8 @@ import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
+import nephele.engine.level.placed.NoFiles;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
@@ -66,7 +68,8 @@ class TargetReadsGlTest {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
             levels().forEach((name, level) -> {
                 Set<Target> written = EnumSet.noneOf(Target.class);
-                FrameRequest request = FrameRequest.of(level, Output.HDR, Quality.LOW, figure);
+                FrameRequest request =
+                        FrameRequest.of(level, StaticShapes.of(level, NoFiles.AT_ALL), Output.HDR, Quality.LOW, figure);
                 for (Required required : FramePlan.of(request).required()) {
                     try (Pass pass = required.build().apply(offscreen.gl)) {
                         if (pass.stage() == Stage.IN_VIEWS_AFTER_OPAQUE) {

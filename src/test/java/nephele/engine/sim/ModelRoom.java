@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import nephele.engine.level.LevelJson;
 import nephele.engine.level.placed.NoFiles;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 
 /** A level of models, written as an author would, and the player in it. */
@@ -73,7 +74,8 @@ final class ModelRoom {
             String text = "{\"format\": \"nephele-level\", \"version\": 1, \"player\": {" + player + "}, \"solids\": "
                     + solids + ", \"bodies\": " + bodies + ", \"models\": " + models + rest + "}";
             var level = LevelJson.read("room.json", text.getBytes(StandardCharsets.UTF_8));
-            simulation = new Simulation(SimLevel.of(level, NoFiles.AT_ALL), SimSettings.DEFAULT, FaultLog.SILENT);
+            simulation = new Simulation(
+                    SimLevel.of(PlacedLevel.of(level, NoFiles.AT_ALL)), SimSettings.DEFAULT, FaultLog.SILENT);
             state = simulation.start();
         }
         return simulation;

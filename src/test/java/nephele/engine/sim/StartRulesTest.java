@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import nephele.engine.level.Body;
+import nephele.engine.level.Level;
 import nephele.engine.level.LevelJson;
 import nephele.engine.level.Problem;
 import nephele.engine.level.RoomLevel;
 import nephele.engine.level.placed.NoFiles;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
@@ -18,8 +20,12 @@ class StartRulesTest {
     private static final Vec3 AHEAD = new Vec3(0, 0, 1);
     private static final Vec3 LEFT = new Vec3(1, 0, 0);
 
+    private static List<Problem> errorsBeforeUse(Level level) {
+        return WorldRules.errorsBeforeUse(level, NoFiles.AT_ALL, () -> StaticShapes.of(level, NoFiles.AT_ALL));
+    }
+
     private static List<String> errors(RoomLevel room) {
-        return WorldRules.errorsBeforeUse(room.level(), NoFiles.AT_ALL).stream()
+        return errorsBeforeUse(room.level()).stream()
                 .map(problem -> problem.path() + " " + problem.message())
                 .toList();
     }
@@ -116,8 +122,8 @@ class StartRulesTest {
         String level = "{\"format\": \"nephele-level\", \"version\": 1, \"player\": {\"feet\": [9, 0, 9]},"
                 + " \"models\": [{\"id\": \"block\", \"file\": \"box_1_1.3d\"}], \"bodies\": [{\"id\": \"b\","
                 + " \"kind\": \"box\", \"centre\": [0, %s, 0], \"size\": [0.2, 0.2, 0.2], \"massKilograms\": 1}]}";
-        assertEquals(List.of(), WorldRules.errorsBeforeUse(level(level.formatted("0.6")), NoFiles.AT_ALL));
-        List<Problem> told = WorldRules.errorsBeforeUse(level(level.formatted("0.4")), NoFiles.AT_ALL);
+        assertEquals(List.of(), errorsBeforeUse(level(level.formatted("0.6"))));
+        List<Problem> told = errorsBeforeUse(level(level.formatted("0.4")));
         assertEquals(1, told.size());
         assertTrue(told.get(0).message().contains("'block'"), told.toString());
     }

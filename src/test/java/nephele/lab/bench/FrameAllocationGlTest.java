@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.level.LevelFile;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.Stopwatch;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
@@ -33,7 +33,7 @@ class FrameAllocationGlTest {
 
     /** What a frame of {@code level} makes while the eye moves and every body and the figure do, which holds one. */
     private static long bytesPerFrame(String level, Output output, Quality quality) {
-        LevelFile.Opened opened = new LevelName("levels/" + level).open();
+        OpenedLevel opened = new LevelName("levels/" + level).open();
         RenderSettings settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
         try (GlContext gl = GlContext.offscreen();
                 RenderTarget picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, 64, 36);
@@ -62,7 +62,7 @@ class FrameAllocationGlTest {
     }
 
     /** Half a metre there and back again. */
-    private static List<View> views(LevelFile.Opened opened) {
+    private static List<View> views(OpenedLevel opened) {
         View start =
                 Viewpoints.standard(opened.level(), opened.file(), 16.0 / 9).view(0);
         List<View> views = new ArrayList<>();
@@ -88,7 +88,7 @@ class FrameAllocationGlTest {
         return places;
     }
 
-    private static List<Moment.Posture> postures(LevelFile.Opened opened, List<View> views) {
+    private static List<Moment.Posture> postures(OpenedLevel opened, List<View> views) {
         List<Moment.Posture> postures = new ArrayList<>();
         for (int frame = 0; frame < views.size(); frame++) {
             Vector3d feet = views.get(frame)

@@ -14,13 +14,14 @@ import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.LevelFile;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.lab.oracle.LevelState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The oracle's pictures are kept: under which names, and what makes others of them. */
 class TradeSiteTest {
-    private static final LevelFile.Opened CAMERAS = new LevelName("levels/samples/cameras.json").open();
+    private static final OpenedLevel CAMERAS = new LevelName("levels/samples/cameras.json").open();
     private static final TradeSite.Extent SMALL = new TradeSite.Extent(4, 2, 1);
 
     @TempDir
@@ -65,7 +66,7 @@ class TradeSiteTest {
     }
 
     /** @param change is added to the last byte of every asset */
-    private static LevelFile.Opened with(LevelFile.Opened opened, int change) {
+    private static OpenedLevel with(OpenedLevel opened, int change) {
         AssetSource changed = new AssetSource() {
             @Override
             public byte[] bytes(String assetId) {
@@ -79,7 +80,7 @@ class TradeSiteTest {
                 return opened.assets().exists(assetId);
             }
         };
-        return new LevelFile.Opened(opened.file(), opened.level(), changed, Optional.empty());
+        return new OpenedLevel(new LevelFile.Opened(opened.file(), opened.level(), changed, Optional.empty()));
     }
 
     /** A class in a folder of a folder, of the same size: neither folder's time nor any length tells of it. */

@@ -3,10 +3,10 @@ package nephele.app.command;
 import java.util.stream.IntStream;
 import nephele.app.scenes.OpenedScene;
 import nephele.app.scenes.SceneName;
-import nephele.engine.level.LevelFile;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.named.AssetComplaint;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.gl.GlContext;
@@ -118,7 +118,7 @@ final class BenchCommand implements Command {
         }
     }
 
-    private void measure(LevelFile.Opened opened, Terminal terminal) {
+    private void measure(OpenedLevel opened, Terminal terminal) {
         try (var gl = GlContext.offscreen();
                 var drawing = AssetComplaint.named(opened, () -> drawing(opened, gl))) {
             print(bare ? bare(gl, drawing) : new Bench(gl).measure(drawing), terminal);
@@ -135,7 +135,7 @@ final class BenchCommand implements Command {
         }
     }
 
-    private LevelDrawing drawing(LevelFile.Opened opened, GlContext gl) {
+    private LevelDrawing drawing(OpenedLevel opened, GlContext gl) {
         var viewpoint = camera == null
                 ? Viewpoints.standard(opened.level(), opened.file(), picture.aspect())
                 : Viewpoints.named(opened.level(), opened.file(), camera, picture.aspect());
@@ -151,7 +151,7 @@ final class BenchCommand implements Command {
         }
     }
 
-    private int roundLength(LevelFile.Opened opened) {
+    private int roundLength(OpenedLevel opened) {
         if (frames != null) {
             return frames;
         }

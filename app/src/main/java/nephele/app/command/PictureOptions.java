@@ -1,13 +1,14 @@
 package nephele.app.command;
 
 import nephele.engine.draw.QualityChoice;
-import nephele.engine.level.LevelFile;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.BakedSky;
 import nephele.engine.terminal.PrintedProgress;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -49,7 +50,7 @@ final class PictureOptions {
     }
 
     /** What was asked for, else what the level requires. */
-    Output output(LevelFile.Opened opened) {
+    Output output(OpenedLevel opened) {
         return output != null ? output : choice().output(opened.level());
     }
 
@@ -62,10 +63,11 @@ final class PictureOptions {
     }
 
     /** @param forced instead of what was asked for, or null */
-    Renderer renderer(LevelFile.Opened opened, GlContext gl, Output forced, PrintedProgress progress) {
+    Renderer renderer(OpenedLevel opened, GlContext gl, Output forced, PrintedProgress progress) {
         var choice = choice();
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
-        return Renderer.load(gl, Scene.of(choice.shown(opened.level()), opened.assets(), progress), settings);
+        var shown = choice.shown(opened);
+        return Renderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
     }
 }

@@ -1,9 +1,8 @@
 package nephele.app.command;
 
-import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.named.AssetComplaint;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
@@ -43,10 +42,10 @@ final class ReferenceOptions {
     }
 
     /** Linear radiance, the bottom row first. Of ids one sample is taken, in the middle of each pixel: they do not mix. */
-    float[] trace(LevelFile.Opened opened, View view, PictureOptions picture, Terminal terminal) {
-        Level shown = picture.choice().shown(opened.level());
+    float[] trace(OpenedLevel opened, View view, PictureOptions picture, Terminal terminal) {
+        var shown = picture.choice().shown(opened);
         var decoding = picture.output(opened) == Output.PLAIN ? Decoding.AS_STORED : Decoding.SRGB;
-        var level = AssetComplaint.named(opened, () -> TracedLevel.of(shown, opened.assets(), decoding));
+        var level = AssetComplaint.named(opened, () -> TracedLevel.of(shown, decoding));
         int usual = samples == null ? USUAL_SAMPLES : samples;
         var settings = new TraceSettings(
                 picture.size().width(),

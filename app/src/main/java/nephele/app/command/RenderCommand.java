@@ -5,10 +5,10 @@ import java.util.ArrayList;
 import java.util.Locale;
 import java.util.Optional;
 import nephele.engine.level.CloudTechnique;
-import nephele.engine.level.LevelFile;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.AssetComplaint;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.render.Capture;
 import nephele.engine.render.DevelopedPicture;
@@ -94,7 +94,7 @@ final class RenderCommand implements Command {
         return ExitCode.DONE;
     }
 
-    private Renderer renderer(LevelFile.Opened opened, GlContext gl, Terminal terminal) {
+    private Renderer renderer(OpenedLevel opened, GlContext gl, Terminal terminal) {
         return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, PrintedProgress.ofBake(terminal.err()));
     }
 
@@ -129,7 +129,7 @@ final class RenderCommand implements Command {
         reference.check();
     }
 
-    private void save(float[] radiance, LevelFile.Opened opened) {
+    private void save(float[] radiance, OpenedLevel opened) {
         int width = picture.size().width();
         WrittenFile.write(out, file -> {
             if (isPfm()) {
@@ -188,7 +188,7 @@ final class RenderCommand implements Command {
                 description = "Horizontal field of view with --eye (default: the player's).")
         private Double fovDegrees;
 
-        Viewpoints.OfFrame in(LevelFile.Opened opened, double aspect) {
+        Viewpoints.OfFrame in(OpenedLevel opened, double aspect) {
             if ((eye == null) != (target == null)) {
                 throw CommandFailure.usage("--eye and --target need each other");
             }

@@ -4,9 +4,8 @@ import java.io.BufferedOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import nephele.engine.level.LevelFile;
-import nephele.engine.named.AssetComplaint;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.ReplayOrigin;
 import nephele.engine.sim.FaultLog;
 import nephele.engine.sim.Replay;
@@ -69,9 +68,8 @@ final class SimulateCommand implements Command {
         return ExitCode.DONE;
     }
 
-    private SimState play(LevelFile.Opened opened, Replay inputs, Terminal terminal) {
-        var level = AssetComplaint.named(opened, () -> SimLevel.of(opened.level(), opened.assets()));
-        var simulation = new Simulation(level, inputs.settings(), FaultLog.SILENT);
+    private SimState play(OpenedLevel opened, Replay inputs, Terminal terminal) {
+        var simulation = new Simulation(SimLevel.of(opened.placed()), inputs.settings(), FaultLog.SILENT);
         var lines = new PrintStream(new BufferedOutputStream(terminal.out(), 1 << 16), false, StandardCharsets.UTF_8);
         var last = inputs.play(simulation, new TickHashes(every, inputs.ticks(), lines::println));
         if (inputs.ticks() == 0) {

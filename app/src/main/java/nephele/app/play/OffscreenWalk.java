@@ -124,7 +124,7 @@ public final class OffscreenWalk {
     private Walk walk(Preparation.Prepared prepared, Replay replay) {
         var from = request.from() != null ? request.from() : replay.start();
         var beginning = new Walk.Beginning(request.level().fileName(), replay.settings(), from);
-        return new Walk(prepared.opened(), beginning, new ReplayInput(replay));
+        return new Walk(prepared.opened().level(), prepared.world(), beginning, new ReplayInput(replay));
     }
 
     private Renderer renderer(GlContext gl, Preparation.Prepared prepared) {

@@ -3,12 +3,13 @@ package nephele.app.play;
 import java.util.Optional;
 import nephele.app.window.Input;
 import nephele.engine.draw.Preparation;
-import nephele.engine.level.LevelFile;
+import nephele.engine.level.Level;
 import nephele.engine.named.AssetComplaint;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.thing.FigurePresence;
 import nephele.engine.sim.Replay;
+import nephele.engine.sim.SimLevel;
 import nephele.engine.sim.SimSettings;
 import nephele.engine.walk.ReplayInput;
 import nephele.engine.walk.Walk;
@@ -16,7 +17,8 @@ import nephele.engine.walk.Walk;
 /** One level being played: what is drawn and what is simulated. */
 final class Session implements AutoCloseable {
     private final PlayRequest request;
-    private final LevelFile.Opened level;
+    private final Level level;
+    private final SimLevel world;
     private final Renderer renderer;
     private final Input input;
     private final Optional<String> notice;
@@ -24,7 +26,8 @@ final class Session implements AutoCloseable {
 
     private Session(PlayRequest request, Preparation.Prepared prepared, Renderer renderer, Input input) {
         this.request = request;
-        this.level = prepared.opened();
+        this.level = prepared.opened().level();
+        this.world = prepared.world();
         this.notice = prepared.opened().notice();
         this.renderer = renderer;
         this.input = input;
@@ -47,7 +50,7 @@ final class Session implements AutoCloseable {
         SimSettings settings = replay != null ? replay.settings() : asked;
         var from = request.from() == null && replay != null ? replay.start() : request.from();
         var hands = replay != null ? new ReplayInput(replay) : new LiveInput(input);
-        walk = new Walk(level, new Walk.Beginning(request.level().fileName(), settings, from), hands);
+        walk = new Walk(level, world, new Walk.Beginning(request.level().fileName(), settings, from), hands);
     }
 
     /** From when on changed settings hold, in words. */
@@ -61,7 +64,7 @@ final class Session implements AutoCloseable {
 
     /** What was done since the start or the last restart. */
     Replay recording() {
-        return walk.recorder().replay().recordedIn(level.level());
+        return walk.recorder().replay().recordedIn(level);
     }
 
     Renderer renderer() {

@@ -3,17 +3,19 @@ package nephele.engine.draw;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.DoubleConsumer;
-import nephele.engine.level.LevelFile;
 import nephele.engine.named.AssetComplaint;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.BakedSky;
+import nephele.engine.sim.SimLevel;
 
 /** Reads a level and derives its scene on a thread of its own, while another one opens the window and its context. */
 public final class Preparation {
     private final FutureTask<Prepared> task;
 
-    /** A level that needs nothing but OpenGL to be drawn. */
-    public record Prepared(LevelFile.Opened opened, Scene scene, long nanos) {}
+    /** A level that needs nothing but OpenGL to be drawn, and nothing more to be simulated. */
+    public record Prepared(OpenedLevel opened, Scene scene, SimLevel world, long nanos) {}
 
     private Preparation(FutureTask<Prepared> task) {
         this.task = task;
@@ -24,9 +26,10 @@ public final class Preparation {
         var task = new FutureTask<>(() -> {
             long start = System.nanoTime();
             var opened = level.open();
-            var scene = AssetComplaint.named(
-                    opened, () -> Scene.of(quality.shown(opened.level()), opened.assets(), bakeProgress));
-            return new Prepared(opened, scene, System.nanoTime() - start);
+            var shown = quality.shown(opened);
+            var sky = BakedSky.of(shown, bakeProgress);
+            var scene = AssetComplaint.named(opened, () -> Scene.of(shown, sky));
+            return new Prepared(opened, scene, SimLevel.of(opened.placed()), System.nanoTime() - start);
         });
         var thread = new Thread(task, "level");
         thread.setDaemon(true);

@@ -5,6 +5,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.named.AssetComplaint;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Culling;
 import nephele.engine.render.RenderSettings.Decoration;
@@ -95,6 +98,13 @@ public record QualityChoice(String preset, Map<String, String> settings) {
     /** The level that is drawn: the author's, or one that shows something else about it. */
     public Level shown(Level level) {
         return showsIds() ? IdLevel.of(level) : level;
+    }
+
+    /** The same with what follows from it. */
+    public PlacedLevel shown(OpenedLevel opened) {
+        return showsIds()
+                ? AssetComplaint.named(opened, () -> opened.placed().as(shown(opened.level())))
+                : opened.placed();
     }
 
     /** What the level requires, unless values have to be drawn as they are. */

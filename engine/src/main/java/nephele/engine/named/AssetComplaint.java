@@ -2,7 +2,6 @@ package nephele.engine.named;
 
 import java.util.function.Supplier;
 import nephele.engine.asset.AssetException;
-import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelFormatException;
 import nephele.engine.level.LevelRules;
 import nephele.engine.level.Problem;
@@ -16,7 +15,7 @@ public final class AssetComplaint {
      *
      * @throws LevelFormatException where the level names what cannot be used
      */
-    public static <T> T named(LevelFile.Opened opened, Supplier<T> work) {
+    public static <T> T named(OpenedLevel opened, Supplier<T> work) {
         try {
             return work.get();
         } catch (AssetException failure) {

@@ -30,9 +30,10 @@ public record LevelName(String typed) {
     }
 
     /** The level, checked by every rule that reads no picture. */
-    public LevelFile.Opened open() throws LevelFormatException {
-        var opened = LevelFile.open(typed);
-        var errors = WorldRules.errorsBeforeUse(opened.level(), opened.assets());
+    public OpenedLevel open() throws LevelFormatException {
+        var opened = new OpenedLevel(LevelFile.open(typed));
+        var errors = WorldRules.errorsBeforeUse(
+                opened.level(), opened.assets(), () -> opened.placed().statics());
         if (!errors.isEmpty()) {
             throw new LevelFormatException(opened.file(), errors);
         }

@@ -2,7 +2,6 @@ package nephele.engine.named;
 
 import java.io.PrintStream;
 import java.util.List;
-import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelFormatException;
 import nephele.engine.level.LevelJson;
 import nephele.engine.level.Problem;
@@ -17,7 +16,7 @@ public final class ReplayOrigin {
      * @param warnings told when the level has changed since
      * @throws LevelFormatException when the replay names another level
      */
-    public static void require(LevelFile.Opened opened, String file, Replay replay, PrintStream warnings) {
+    public static void require(OpenedLevel opened, String file, Replay replay, PrintStream warnings) {
         String name = opened.level().name();
         if (replay.levelName() != null && !replay.levelName().equals(name)) {
             String message = "was recorded in the level '" + replay.levelName() + "', and " + opened.file() + " is '"

@@ -7,6 +7,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.FogVeil;
 import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
@@ -41,15 +42,11 @@ public final class TracedLevel {
      * The level with the portals that it starts with.
      *
      * @param decoding of the pictures of materials and sky
-     * @throws nephele.engine.asset.AssetException naming a picture or a mesh that is missing or cannot be used
+     * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
      */
-    public static TracedLevel of(Level level, AssetSource assets, Decoding decoding) {
-        return of(level, StaticShapes.of(level, assets), assets, decoding);
-    }
-
-    /** The same for static shapes that were derived from the level before. */
-    public static TracedLevel of(Level level, StaticShapes statics, AssetSource assets, Decoding decoding) {
-        return new TracedLevel(level, statics, assets, Portals.of(level), decoding);
+    public static TracedLevel of(PlacedLevel placed, Decoding decoding) {
+        Level level = placed.level();
+        return new TracedLevel(level, placed.statics(), placed.assets(), Portals.of(level), decoding);
     }
 
     Tracer tracer(Pinhole eye) {

@@ -83,7 +83,8 @@ public final class Renderer implements AutoCloseable {
     }
 
     private void buildPasses(List<RenderFeature> features) {
-        FrameRequest request = FrameRequest.of(scene.level(), settings.output(), settings.quality(), settings.figure());
+        FrameRequest request = FrameRequest.of(
+                scene.level(), scene.statics(), settings.output(), settings.quality(), settings.figure());
         passes.load(new LoadContext(gl, scene, request, shared), settings.decoration(), features);
         onceAFrame = passes.of(Stage.ONCE_A_FRAME);
         views = passes.views();

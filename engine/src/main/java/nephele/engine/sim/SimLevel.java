@@ -1,11 +1,11 @@
 package nephele.engine.sim;
 
 import java.util.List;
-import nephele.engine.asset.AssetSource;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
@@ -29,9 +29,8 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
         start = start == null ? ORIGIN : start;
     }
 
-    /** @throws nephele.engine.asset.AssetException naming a mesh that is missing or cannot be used */
-    public static SimLevel of(Level level, AssetSource assets) {
-        return of(level, StaticShapes.of(level, assets));
+    public static SimLevel of(PlacedLevel placed) {
+        return of(placed.level(), placed.statics());
     }
 
     /** Of a level without models. */
@@ -39,8 +38,7 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
         return of(level, StaticShapes.of(level));
     }
 
-    /** Of a level and the static shapes that were derived from it before. */
-    public static SimLevel of(Level level, StaticShapes statics) {
+    private static SimLevel of(Level level, StaticShapes statics) {
         return new SimLevel(
                 CollisionWorld.of(statics),
                 level.player(),

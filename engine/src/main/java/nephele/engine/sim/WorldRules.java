@@ -2,7 +2,7 @@ package nephele.engine.sim;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.asset.AssetException;
+import java.util.function.Supplier;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelRules;
@@ -42,16 +42,14 @@ public final class WorldRules {
     /**
      * The errors that every command tells when it opens a level: all but those of pictures and meshes, which are told
      * when these are read.
+     *
+     * @param statics the level's; asked for where bodies may start in them
      */
-    public static List<Problem> errorsBeforeUse(Level level, AssetSource assets) {
+    public static List<Problem> errorsBeforeUse(Level level, AssetSource assets, Supplier<StaticShapes> statics) {
         List<Problem> problems = new ArrayList<>(LevelRules.check(LevelRules.STRUCTURE, level, assets));
         problems.removeIf(problem -> !problem.isError());
         if (problems.isEmpty() && !level.bodies().isEmpty()) {
-            try {
-                StartRules.FREE.check(level, StaticShapes.of(level, assets), problems::add);
-            } catch (AssetException toldWhenItIsDrawn) {
-                return problems;
-            }
+            StartRules.FREE.check(level, statics.get(), problems::add);
         }
         return problems;
     }

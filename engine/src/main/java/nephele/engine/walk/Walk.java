@@ -3,7 +3,6 @@ package nephele.engine.walk;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.Viewpoints;
@@ -60,17 +59,13 @@ public final class Walk {
      */
     public record Beginning(String levelFile, SimSettings settings, PlayerStart from) {}
 
-    /** Through a level that was read. */
-    public Walk(LevelFile.Opened opened, Beginning beginning, TickInput input) {
-        this(opened.level(), SimLevel.of(opened.level(), opened.assets()), beginning, input);
-    }
-
     /** Through a level without models. */
     public Walk(Level level, Beginning beginning, TickInput input) {
         this(level, SimLevel.of(level), beginning, input);
     }
 
-    private Walk(Level level, SimLevel simLevel, Beginning beginning, TickInput input) {
+    /** @param simLevel of the level */
+    public Walk(Level level, SimLevel simLevel, Beginning beginning, TickInput input) {
         this.input = input;
         simulation = new Simulation(simLevel, beginning.settings, FaultLog.SILENT);
         SimState start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);

@@ -7,9 +7,9 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelJson;
 import nephele.engine.math.BitHash;
+import nephele.engine.named.OpenedLevel;
 
 /** What a level is made of: its text and the content of the assets that it names. */
 public final class LevelState {
@@ -18,7 +18,7 @@ public final class LevelState {
     private LevelState() {}
 
     /** Equal for equal levels with equal assets. An asset that is missing or no file counts as empty. */
-    public static String key(LevelFile.Opened opened) {
+    public static String key(OpenedLevel opened) {
         Level level = opened.level();
         long hash = BitHash.of(LevelJson.write(level));
         // Solids name materials, never assets, and there may be a hundred thousand of them.

@@ -7,7 +7,7 @@ import java.util.function.BiConsumer;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
-import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
@@ -16,6 +16,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
+import nephele.engine.scene.light.BakedSky;
 
 /**
  * A level ready to be traced and to be drawn in several ways.
@@ -37,10 +38,10 @@ final class ComparedLevel<W> implements AutoCloseable {
     /** @param ways in the order in which they are drawn */
     ComparedLevel(GlContext gl, Level level, AssetSource assets, Decoding decoding, Map<W, RenderSettings> ways) {
         this.gl = gl;
-        var statics = StaticShapes.of(level, assets);
-        traced = TracedLevel.of(level, statics, assets, decoding);
+        var placed = PlacedLevel.of(level, assets);
+        traced = TracedLevel.of(placed, decoding);
         cameras = new SeededCameras(level, traced, 16.0 / 9);
-        var scene = Scene.of(level, statics, assets, done -> {});
+        var scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
         try {
             ways.forEach((way, settings) -> renderers.put(way, Renderer.load(gl, scene, settings)));
         } catch (RuntimeException failure) {

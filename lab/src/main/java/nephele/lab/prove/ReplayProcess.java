@@ -18,7 +18,7 @@ public record ReplayProcess(JvmVariant variant, String level, Path replay, int e
     public static void main(String[] arguments) {
         var opened = new LevelName(arguments[0]).open();
         var replay = LevelName.replay(arguments[1]);
-        var level = SimLevel.of(opened.level(), opened.assets());
+        var level = SimLevel.of(opened.placed());
         var hashes = new TickHashes(Integer.parseInt(arguments[2]), replay.ticks(), System.out::println);
         replay.play(new Simulation(level, replay.settings(), FaultLog.SILENT), hashes);
     }

@@ -7,6 +7,7 @@ import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.named.Viewpoints;
@@ -76,7 +77,7 @@ public final class ShadowEdgesProof implements Proof {
         float[] shaded = radiance(scene.level(Shadows.CAST), view, gl, picture);
         float[] open = radiance(scene.level(Shadows.LEFT_OUT), view, gl, picture);
         var assets = new ResourceAssets(LevelAssets.JAR_LEVELS);
-        var traced = TracedLevel.of(scene.level(Shadows.CAST), assets, Decoding.SRGB);
+        var traced = TracedLevel.of(PlacedLevel.of(scene.level(Shadows.CAST), assets), Decoding.SRGB);
         var sights = new SightPicture(traced, view, WIDTH, HEIGHT);
         SurfaceSight sight = traced.sight(ReferenceEye.of(view));
         for (int i = 0; i < WIDTH * HEIGHT; i++) {

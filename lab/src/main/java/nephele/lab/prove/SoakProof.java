@@ -62,6 +62,6 @@ public final class SoakProof implements Proof {
     private static Walk walk(LevelName level, Preparation.Prepared prepared) {
         var replay = level.recordedWalk();
         var beginning = new Walk.Beginning(level.fileName(), replay.settings(), replay.start());
-        return new Walk(prepared.opened(), beginning, new ReplayInput(replay));
+        return new Walk(prepared.opened().level(), prepared.world(), beginning, new ReplayInput(replay));
     }
 }

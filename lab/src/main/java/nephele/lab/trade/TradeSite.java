@@ -3,11 +3,11 @@ package nephele.lab.trade;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.named.AssetComplaint;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
@@ -15,6 +15,7 @@ import nephele.engine.reference.TracedLevel;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
+import nephele.engine.scene.light.BakedSky;
 import nephele.engine.terminal.PrintedProgress;
 import nephele.lab.oracle.LevelState;
 import nephele.lab.oracle.ReferenceEye;
@@ -25,7 +26,7 @@ import nephele.lab.oracle.TracedPictures;
  * runs.
  */
 public final class TradeSite implements AutoCloseable {
-    private final LevelFile.Opened opened;
+    private final OpenedLevel opened;
     private final TradeView seen;
     private final Extent extent;
     private final Path folder;
@@ -44,7 +45,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     /** @param folder for what is kept between runs */
-    public TradeSite(LevelFile.Opened opened, TradeView seen, Extent extent, Path folder, PrintStream tell) {
+    public TradeSite(OpenedLevel opened, TradeView seen, Extent extent, Path folder, PrintStream tell) {
         this.opened = opened;
         this.seen = seen;
         this.extent = extent;
@@ -91,7 +92,10 @@ public final class TradeSite implements AutoCloseable {
     }
 
     public Scene scene(Level level) {
-        return AssetComplaint.named(opened, () -> Scene.of(level, opened.assets(), PrintedProgress.ofBake(tell)));
+        return AssetComplaint.named(opened, () -> {
+            var placed = opened.placed().as(level);
+            return Scene.of(placed, BakedSky.of(placed, PrintedProgress.ofBake(tell)));
+        });
     }
 
     /** The exact twin's radiance of this view, the bottom row first. */
@@ -104,7 +108,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     private float[] trace(Pinhole eye, TraceSettings settings) {
-        var level = AssetComplaint.named(opened, () -> TracedLevel.of(opened.level(), opened.assets(), Decoding.SRGB));
+        var level = AssetComplaint.named(opened, () -> TracedLevel.of(opened.placed(), Decoding.SRGB));
         return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(tell));
     }
 

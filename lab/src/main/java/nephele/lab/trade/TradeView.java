@@ -3,7 +3,7 @@ package nephele.lab.trade;
 import java.util.Comparator;
 import java.util.List;
 import nephele.engine.level.Camera;
-import nephele.engine.level.LevelFile;
+import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.scene.Moment;
 import nephele.engine.scene.View;
@@ -19,7 +19,7 @@ public record TradeView(View view, String camera) {
     private static final int HEIGHT = 360;
 
     /** @param camera one of the level's; {@code null} for the one that sees most of portals, and of equal ones the first */
-    public static TradeView of(LevelFile.Opened opened, String camera, double aspect) {
+    public static TradeView of(OpenedLevel opened, String camera, double aspect) {
         var level = opened.level();
         if (camera != null) {
             return new TradeView(

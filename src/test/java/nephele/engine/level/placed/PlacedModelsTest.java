@@ -32,6 +32,7 @@ import nephele.engine.model.Mesh;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.SimLevel;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -316,9 +317,12 @@ class PlacedModelsTest {
                 return false;
             }
         };
-        assertSame(statics, Scene.of(level, statics, unread, done -> {}).statics());
-        assertEquals(1, SimLevel.of(level, statics).statics().size());
-        TracedLevel traced = TracedLevel.of(level, statics, unread, Decoding.SRGB);
+        PlacedLevel placed = new PlacedLevel(level, unread, statics);
+        assertSame(
+                statics, placed.as(level.with(level.environment(), List.of())).statics());
+        assertSame(statics, Scene.of(placed, BakedSky.of(placed, done -> {})).statics());
+        assertEquals(1, SimLevel.of(placed).statics().size());
+        TracedLevel traced = TracedLevel.of(placed, Decoding.SRGB);
         Basis ahead = new Basis(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));
         Pinhole eye = new Pinhole(new Vec3(0, 2, 9), ahead, 1, 1, 0.1, 100);
         assertEquals(0, traced.sight(eye).at(0.5, 0.5));
@@ -335,7 +339,9 @@ class PlacedModelsTest {
         Level level = level(models);
         Assertions.assertTimeout(Duration.ofSeconds(20), () -> {
             assertEquals(10_000, Scene.of(level, NoFiles.AT_ALL).solids().slotCount());
-            assertEquals(10_000, SimLevel.of(level, NoFiles.AT_ALL).statics().size());
+            assertEquals(
+                    10_000,
+                    SimLevel.of(PlacedLevel.of(level, NoFiles.AT_ALL)).statics().size());
         });
     }
 }

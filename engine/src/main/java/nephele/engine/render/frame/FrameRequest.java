@@ -1,6 +1,8 @@
 package nephele.engine.render.frame;
 
 import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.thing.FigurePresence;
 
 /**
@@ -10,13 +12,15 @@ import nephele.engine.scene.thing.FigurePresence;
  * @param figure whether a player's figure, and what it holds, can appear
  */
 public record FrameRequest(Level level, LightMaps lightMaps, Output output, Quality quality, FigurePresence figure) {
-    public static FrameRequest of(Level level, Output output, Quality quality, FigurePresence figure) {
-        return new FrameRequest(level, LightMaps.of(level, figure), output, quality, figure);
+    /** @param statics that follow from the level */
+    public static FrameRequest of(
+            Level level, StaticShapes statics, Output output, Quality quality, FigurePresence figure) {
+        return new FrameRequest(level, LightMaps.of(level, statics, figure), output, quality, figure);
     }
 
     /** With quality HIGH and without a figure. */
-    public static FrameRequest of(Level level, Output output) {
-        return of(level, output, Quality.HIGH, FigurePresence.NEVER);
+    public static FrameRequest of(PlacedLevel placed, Output output) {
+        return of(placed.level(), placed.statics(), output, Quality.HIGH, FigurePresence.NEVER);
     }
 
     public boolean hasBodies() {

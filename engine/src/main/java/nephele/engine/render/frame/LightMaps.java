@@ -3,6 +3,7 @@ package nephele.engine.render.frame;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.thing.FigurePresence;
 
@@ -13,11 +14,11 @@ import nephele.engine.scene.thing.FigurePresence;
  * @param things of what moves, which has no place in the light map
  */
 public record LightMaps(TargetReads all, TargetReads things) {
-    public static LightMaps of(Level level, FigurePresence figure) {
+    public static LightMaps of(Level level, StaticShapes statics, FigurePresence figure) {
         List<Target> shadows = new ArrayList<>();
         boolean moving = !level.bodies().isEmpty() || figure == FigurePresence.POSSIBLE;
         boolean lamps = LightNeeds.lampShadow(level);
-        addIf(LightNeeds.sunShadow(level), Target.SUN_SHADOW, shadows);
+        addIf(LightNeeds.sunShadow(level, statics), Target.SUN_SHADOW, shadows);
         addIf(lamps, Target.LAMP_SHADOW, shadows);
         addIf(
                 moving && LightNeeds.sun(level) && level.environment().sun().castsShadow(),

@@ -1,12 +1,11 @@
 package nephele.engine.scene.light;
 
-import java.util.List;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Sun;
 import nephele.engine.level.appearance.Lamp;
+import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 
 /** Which kinds of light a level asks for. Each answers no as soon as its cause is taken away. */
@@ -28,16 +27,12 @@ public final class LightNeeds {
                 && (level.solids().size() > 1 || !level.models().isEmpty());
     }
 
-    /** A sun that casts, and a model or a solid that another one can be shaded by; derives every solid to know. */
-    public static boolean sunShadow(Level level) {
-        if (!sunCasts(level)) {
-            return false;
-        }
-        if (!level.models().isEmpty()) {
-            return true;
-        }
-        List<Brush> brushes = level.solids().stream().map(Brush::of).toList();
-        return ShadowCasters.any(brushes, level.environment().sun().directionTowardsSun());
+    /** A sun that casts, and a model or a solid that another one can be shaded by. */
+    public static boolean sunShadow(Level level, StaticShapes statics) {
+        return sunCasts(level)
+                && (!level.models().isEmpty()
+                        || ShadowCasters.any(
+                                statics.solids(), level.environment().sun().directionTowardsSun()));
     }
 
     public static boolean lamps(Level level) {

@@ -6,8 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.level.LevelFile;
 import nephele.engine.named.LevelName;
+import nephele.engine.named.OpenedLevel;
 import nephele.lab.oracle.LevelState;
 import nephele.lab.prove.Surroundings;
 import nephele.lab.trade.CodeState;
@@ -27,7 +27,7 @@ public final class TradeRun {
     private final TradeRequest request;
     private final PrintStream tell;
     private final Pictures pictures;
-    private final LevelFile.Opened opened;
+    private final OpenedLevel opened;
     private final TradeView seen;
     private String graphics = "";
 
@@ -39,7 +39,7 @@ public final class TradeRun {
         seen = TradeView.of(opened, request.camera(), request.extent().aspect());
     }
 
-    public LevelFile.Opened opened() {
+    public OpenedLevel opened() {
         return opened;
     }
 
