@@ -1,6 +1,5 @@
 package nephele.engine.math;
 
-
 /**
  * Triangles as they come from a file: three vertex numbers each, counter-clockwise.
  *
