@@ -19,6 +19,40 @@ public record Level(
         @Written List<ModelPlacement> models,
         @Written List<Body> bodies,
         @Written PortalGun portalGun) {
+    /** One that holds nothing yet but what it is seen by and from. */
+    public static Level of(String name, String description, Environment environment, List<Camera> cameras) {
+        return new Level(
+                name,
+                description,
+                environment,
+                null,
+                cameras,
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                null);
+    }
+
+    /** The same with other portals. */
+    public Level withPortals(List<PortalSpec> otherPortals) {
+        return new Level(
+                name,
+                description,
+                environment,
+                player,
+                cameras,
+                materials,
+                solids,
+                lights,
+                otherPortals,
+                models,
+                bodies,
+                portalGun);
+    }
+
     /** The same under other light: {@code environment} and {@code lights}. */
     public Level with(Environment changed, List<Light> otherLights) {
         return new Level(

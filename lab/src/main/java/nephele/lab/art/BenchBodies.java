@@ -35,19 +35,12 @@ public final class BenchBodies {
             bodies.add(new Body.Box("b" + i, centre, new Vec3(1, 1, 1), 1, null, 0.6, 0));
         }
         Solid ground = box("ground", new Vec3(0, -0.5, 0), new Vec3(200, 1, 200));
-        return new Level(
-                "Bench: stack of 500 boxes",
-                "case H: 20 layers of 5 x 5 unit boxes with gaps of 1 cm over a plane",
-                environment,
-                null,
-                List.of(camera(new Vec3(0, 12, 30), new Vec3(0, 8, 0))),
-                List.of(),
-                List.of(ground),
-                List.of(),
-                List.of(),
-                List.of(),
-                bodies,
-                null);
+        return Level.of(
+                        "Bench: stack of 500 boxes",
+                        "case H: 20 layers of 5 x 5 unit boxes with gaps of 1 cm over a plane",
+                        environment,
+                        List.of(camera(new Vec3(0, 12, 30), new Vec3(0, 8, 0))))
+                .with(List.of(), List.of(ground), bodies);
     }
 
     /**
@@ -69,20 +62,14 @@ public final class BenchBodies {
                         "down", "up", new Vec3(0, 0, 0), new Vec3(0, 1, 0), ALONG, 10, 10, PortalShape.RECTANGLE),
                 new PortalSpec(
                         "up", "down", new Vec3(0, 10, 0), new Vec3(0, -1, 0), ALONG, 10, 10, PortalShape.RECTANGLE));
-        return new Level(
-                "Bench: 200 bodies that never rest",
-                "boxes, balls and capsules that slide down two slopes and fall through the floor to the ceiling for"
-                        + " ever",
-                environment,
-                null,
-                List.of(camera(new Vec3(0, 5, 4.5), new Vec3(0, 4, 0))),
-                List.of(),
-                solids,
-                List.of(),
-                portals,
-                List.of(),
-                falling(),
-                null);
+        return Level.of(
+                        "Bench: 200 bodies that never rest",
+                        "boxes, balls and capsules that slide down two slopes and fall through the floor to the"
+                                + " ceiling for ever",
+                        environment,
+                        List.of(camera(new Vec3(0, 5, 4.5), new Vec3(0, 4, 0))))
+                .with(List.of(), solids, falling())
+                .withPortals(portals);
     }
 
     private static List<Body> falling() {

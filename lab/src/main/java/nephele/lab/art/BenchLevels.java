@@ -63,26 +63,13 @@ final class BenchLevels {
     }
 
     private static Level boxes(int count) {
-        Environment environment = sunlit();
         Level empty = level(
                 "Bench: " + count + " boxes",
                 "case C: unit boxes on a square grid of spacing 2, seen from a quarter in",
-                environment,
+                sunlit(),
                 path(frame -> BenchPath.boxes(count, frame)));
         Material box = new Material("box", ONE, "textures/bench/box.png", null, null, null, Vec3.ZERO, 1);
-        return new Level(
-                empty.name(),
-                empty.description(),
-                environment,
-                null,
-                empty.cameras(),
-                List.of(box),
-                grid(count),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                null);
+        return empty.with(List.of(box), grid(count));
     }
 
     private static List<Solid> grid(int count) {
@@ -103,19 +90,7 @@ final class BenchLevels {
     private static Level level(String name, String description, Environment environment, List<Camera.Waypoint> path) {
         Camera.Waypoint first = path.get(0);
         Camera camera = new Camera("main", first.position(), first.target(), UP, 0, 60, 0.5, 2000, path);
-        return new Level(
-                name,
-                description,
-                environment,
-                null,
-                List.of(camera),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                List.of(),
-                null);
+        return Level.of(name, description, environment, List.of(camera));
     }
 
     private interface Track {

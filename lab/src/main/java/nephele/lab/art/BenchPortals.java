@@ -47,27 +47,17 @@ final class BenchPortals {
         double exact = HEIGHT_METRES / 2 / StrictMath.tan(StrictMath.toRadians(main.verticalFovDegrees() / 2));
         Vec3 near = new Vec3(0, y, ahead + exact);
         Camera filled = new Camera("filled", near, new Vec3(0, y, ahead), UP, 0, 60, 0.5, 2000, List.of());
-        return new Level(
-                "Bench: 1 000 boxes and two portals",
-                "case G: the boxes through a pair of 8 x 4.5 m rectangles that face each other, 12 m ahead of the"
-                        + " camera and 12 m behind it; the view budget says how many views are nested. Camera 'filled'"
-                        + " sees nothing but the first",
-                boxes.environment(),
-                null,
-                List.of(main, filled),
-                boxes.materials(),
-                boxes.solids(),
-                List.of(),
-                pair(
+        return Level.of(
+                        "Bench: 1 000 boxes and two portals",
+                        "case G: the boxes through a pair of 8 x 4.5 m rectangles that face each other, 12 m ahead of"
+                            + " the camera and 12 m behind it; the view budget says how many views are nested. Camera"
+                            + " 'filled' sees nothing but the first",
+                        boxes.environment(),
+                        List.of(main, filled))
+                .with(boxes.materials(), boxes.solids())
+                .withPortals(List.of(
                         portal("ahead", "behind", new Vec3(0, y, ahead), new Vec3(0, 0, 1)),
-                        portal("behind", "ahead", new Vec3(0, y, eye.z() + AHEAD_METRES), new Vec3(0, 0, -1))),
-                List.of(),
-                List.of(),
-                null);
-    }
-
-    private static List<PortalSpec> pair(PortalSpec a, PortalSpec b) {
-        return List.of(a, b);
+                        portal("behind", "ahead", new Vec3(0, y, eye.z() + AHEAD_METRES), new Vec3(0, 0, -1))));
     }
 
     private static PortalSpec portal(String id, String to, Vec3 centre, Vec3 normal) {
@@ -77,21 +67,23 @@ final class BenchPortals {
     /** A hall with four rows of arches on three walls: all of them are in sight, and most see many others. */
     static Level hall(Environment environment) {
         Material box = new Material("box", new Vec3(1, 1, 1), "textures/bench/box.png", null, null, null, Vec3.ZERO, 1);
-        return new Level(
-                "Bench: 64 portals",
-                "a hall with four rows of arches on three walls, all in sight; each leads to another wall and sees"
-                        + " more arches",
-                environment,
-                null,
-                List.of(new Camera(
-                        "main", hallPoint(0).position(), hallPoint(0).target(), UP, 0, 60, 0.1, 500, hallPath())),
-                List.of(box),
-                hallSolids(),
-                List.of(),
-                hallPortals(),
-                List.of(),
-                List.of(),
-                null);
+        return Level.of(
+                        "Bench: 64 portals",
+                        "a hall with four rows of arches on three walls, all in sight; each leads to another wall and"
+                                + " sees more arches",
+                        environment,
+                        List.of(new Camera(
+                                "main",
+                                hallPoint(0).position(),
+                                hallPoint(0).target(),
+                                UP,
+                                0,
+                                60,
+                                0.1,
+                                500,
+                                hallPath())))
+                .with(List.of(box), hallSolids())
+                .withPortals(hallPortals());
     }
 
     private static List<Camera.Waypoint> hallPath() {

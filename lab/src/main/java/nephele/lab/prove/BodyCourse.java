@@ -50,7 +50,8 @@ final class BodyCourse {
             bodies.add(new Body.Box("t" + i, new Vec3(0, 0.5 + i, 0), new Vec3(1, 1, 1), 1, null, 0.6, 0));
         }
         return new BodyCourse(
-                with(plane, bodies), bodies.stream().map(Body::centre).toList());
+                plane.with(List.of(), plane.solids(), bodies),
+                bodies.stream().map(Body::centre).toList());
     }
 
     /** The 500 boxes; they belong where their gaps are closed downwards. */
@@ -67,22 +68,6 @@ final class BodyCourse {
     /** The 200 bodies of the shaft; they belong nowhere. */
     static BodyCourse restless() {
         return new BodyCourse(BenchBodies.shaft(DARK), List.of());
-    }
-
-    private static Level with(Level level, List<Body> bodies) {
-        return new Level(
-                level.name(),
-                level.description(),
-                level.environment(),
-                null,
-                level.cameras(),
-                List.of(),
-                level.solids(),
-                List.of(),
-                List.of(),
-                List.of(),
-                bodies,
-                null);
     }
 
     int size() {

@@ -65,22 +65,17 @@ public final class EyeCrossings implements AutoCloseable {
     private static Level level() {
         Environment environment = new Environment(
                 null, new Sky.Constant(new Vec3(0, 0, 1)), new Vec3(1, 1, 1), 0, ToneCurve.CLIP, null, List.of());
-        return new Level(
-                "crossings",
-                "",
-                environment,
-                null,
-                List.of(),
-                List.of(material("red", RED), material("grey", new Vec3(0.5, 0.5, 0.5))),
-                List.of(
-                        box("north", "red", new Vec3(0, 0, -5), new Vec3(12, 12, 2)),
-                        box("east", "red", new Vec3(5, 0, 0), new Vec3(2, 12, 8)),
-                        box("south", "grey", new Vec3(0, 0, 5), new Vec3(12, 12, 2)),
-                        box("west", "grey", new Vec3(-5, 0, 0), new Vec3(2, 12, 8)),
-                        box("floor", "grey", new Vec3(0, -5, 0), new Vec3(8, 2, 8)),
-                        box("ceiling", "grey", new Vec3(0, 5, 0), new Vec3(8, 2, 8))),
-                List.of(),
-                List.of(
+        return Level.of("crossings", "", environment, List.of())
+                .with(
+                        List.of(material("red", RED), material("grey", new Vec3(0.5, 0.5, 0.5))),
+                        List.of(
+                                box("north", "red", new Vec3(0, 0, -5), new Vec3(12, 12, 2)),
+                                box("east", "red", new Vec3(5, 0, 0), new Vec3(2, 12, 8)),
+                                box("south", "grey", new Vec3(0, 0, 5), new Vec3(12, 12, 2)),
+                                box("west", "grey", new Vec3(-5, 0, 0), new Vec3(2, 12, 8)),
+                                box("floor", "grey", new Vec3(0, -5, 0), new Vec3(8, 2, 8)),
+                                box("ceiling", "grey", new Vec3(0, 5, 0), new Vec3(8, 2, 8))))
+                .withPortals(List.of(
                         new PortalSpec(
                                 "n", "e", new Vec3(0.3, 0.1, -4), new Vec3(0, 0, 1), UP, 3, 3, PortalShape.RECTANGLE),
                         new PortalSpec(
@@ -91,10 +86,7 @@ public final class EyeCrossings implements AutoCloseable {
                                 new Vec3(0, 0, 1),
                                 3,
                                 3,
-                                PortalShape.RECTANGLE)),
-                List.of(),
-                List.of(),
-                null);
+                                PortalShape.RECTANGLE)));
     }
 
     private static Material material(String id, Vec3 colour) {

@@ -34,18 +34,8 @@ final class WhiteBoxes {
     Level lit(Sun sun, List<Light> lights) {
         var environment = new Environment(sun, null, Vec3.ZERO, 0, ToneCurve.CLIP, null, List.of());
         var white = new Material("white", new Vec3(1, 1, 1), null, null, null, null, Vec3.ZERO, 1);
-        return new Level(
-                "white boxes",
-                "",
-                environment,
-                null,
-                List.of(),
-                List.of(white),
-                List.copyOf(solids),
-                lights,
-                List.of(),
-                List.of(),
-                List.of(),
-                null);
+        return Level.of("white boxes", "", environment, List.of())
+                .with(List.of(white), List.copyOf(solids))
+                .with(environment, lights);
     }
 }

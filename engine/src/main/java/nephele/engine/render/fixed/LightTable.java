@@ -1,5 +1,6 @@
 package nephele.engine.render.fixed;
 
+import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlLight;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
@@ -28,50 +29,26 @@ final class LightTable {
         packed[at + 7] = ALL_AROUND;
         packed[at + 9] = before;
         if (light instanceof XmlLight.Directional directional) {
-            direction(
-                    at,
-                    moved.set(
-                            directional.towards().x(),
-                            directional.towards().y(),
-                            directional.towards().z()),
-                    worldFromLight);
+            direction(at, directional.towards(), worldFromLight);
             packed[at + 3] = 0;
         } else if (light instanceof XmlLight.Point point) {
-            position(
-                    at,
-                    moved.set(
-                            point.position().x(),
-                            point.position().y(),
-                            point.position().z()),
-                    worldFromLight);
+            position(at, point.position(), worldFromLight);
         } else if (light instanceof XmlLight.Spot spot) {
-            position(
-                    at,
-                    moved.set(
-                            spot.position().x(),
-                            spot.position().y(),
-                            spot.position().z()),
-                    worldFromLight);
-            direction(
-                    at + 4,
-                    moved.set(
-                            spot.direction().x(),
-                            spot.direction().y(),
-                            spot.direction().z()),
-                    worldFromLight);
+            position(at, spot.position(), worldFromLight);
+            direction(at + 4, spot.direction(), worldFromLight);
             packed[at + 7] =
                     spot.cutoffDegrees() >= 180 ? ALL_AROUND : (float) Math.cos(Math.toRadians(spot.cutoffDegrees()));
             packed[at + 8] = (float) spot.exponent();
         }
     }
 
-    private void position(int at, Vector3d v, Matrix4dc worldFromLight) {
-        worldFromLight.transformPosition(v);
+    private void position(int at, Vec3 p, Matrix4dc worldFromLight) {
+        Vector3d v = worldFromLight.transformPosition(moved.set(p.x(), p.y(), p.z()));
         packed[at + 3] = put(at, v) ? 1 : 0;
     }
 
-    private void direction(int at, Vector3d v, Matrix4dc worldFromLight) {
-        worldFromLight.transformDirection(v);
+    private void direction(int at, Vec3 d, Matrix4dc worldFromLight) {
+        Vector3d v = worldFromLight.transformDirection(moved.set(d.x(), d.y(), d.z()));
         double length = v.length();
         put(at, length > 0 ? v.div(length) : v);
     }

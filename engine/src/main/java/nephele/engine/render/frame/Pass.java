@@ -11,7 +11,10 @@ public interface Pass extends AutoCloseable {
         return Set.of();
     }
 
-    Set<Target> writes();
+    /** What later passes may read; most draw into the view's picture. */
+    default Set<Target> writes() {
+        return Set.of(Target.SURFACE);
+    }
 
     /** Whether it draws what is seen where nothing else is. */
     default boolean isSky() {

@@ -1,7 +1,6 @@
 package nephele.engine.render.pass.portal;
 
 import java.util.List;
-import java.util.Set;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.OpeningMesh;
@@ -9,7 +8,6 @@ import nephele.engine.render.frame.OpeningNeeds;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
@@ -35,11 +33,6 @@ public final class OpeningDepthPass implements Pass {
     @Override
     public Stage stage() {
         return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public Set<Target> writes() {
-        return Set.of(Target.SURFACE);
     }
 
     @Override

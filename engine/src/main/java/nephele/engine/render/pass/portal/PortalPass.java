@@ -1,7 +1,6 @@
 package nephele.engine.render.pass.portal;
 
 import java.util.List;
-import java.util.Set;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogVeil;
@@ -15,7 +14,6 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -60,11 +58,6 @@ public final class PortalPass implements Pass {
     @Override
     public Stage stage() {
         return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public Set<Target> writes() {
-        return Set.of(Target.SURFACE);
     }
 
     @Override

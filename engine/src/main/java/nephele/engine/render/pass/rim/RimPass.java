@@ -1,7 +1,6 @@
 package nephele.engine.render.pass.rim;
 
 import java.util.List;
-import java.util.Set;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -10,7 +9,6 @@ import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
@@ -43,11 +41,6 @@ public final class RimPass implements Pass {
     @Override
     public Stage stage() {
         return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public Set<Target> writes() {
-        return Set.of(Target.SURFACE);
     }
 
     @Override

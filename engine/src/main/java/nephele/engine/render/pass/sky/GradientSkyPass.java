@@ -1,7 +1,6 @@
 package nephele.engine.render.pass.sky;
 
 import java.util.List;
-import java.util.Set;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogVeil;
@@ -14,7 +13,6 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.Uniforms;
@@ -51,11 +49,6 @@ public final class GradientSkyPass implements Pass {
     @Override
     public Stage stage() {
         return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public Set<Target> writes() {
-        return Set.of(Target.SURFACE);
     }
 
     @Override

@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.IntBuffer;
 import java.util.List;
-import java.util.Set;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.FogVeil;
@@ -17,7 +16,6 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
@@ -61,11 +59,6 @@ public final class SkyboxPass implements Pass {
     @Override
     public Stage stage() {
         return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public Set<Target> writes() {
-        return Set.of(Target.SURFACE);
     }
 
     @Override

@@ -73,11 +73,6 @@ public final class SolidPass implements Pass {
     }
 
     @Override
-    public Set<Target> writes() {
-        return Set.of(Target.SURFACE);
-    }
-
-    @Override
     public void load(LoadContext context) {
         mesh = context.shared().solids();
         colours = context.shared().colourPictures(context);

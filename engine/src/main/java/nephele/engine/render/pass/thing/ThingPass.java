@@ -70,11 +70,6 @@ public final class ThingPass implements Pass {
     }
 
     @Override
-    public Set<Target> writes() {
-        return Set.of(Target.SURFACE);
-    }
-
-    @Override
     public void load(LoadContext context) {
         meshes = context.shared().things(context);
         visible = new VisibleThings(meshes.things(), meshes.copies());
