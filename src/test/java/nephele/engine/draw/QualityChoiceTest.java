@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import nephele.engine.render.frame.Output;
 import nephele.engine.terminal.CommandFailure;
 import org.junit.jupiter.api.Test;
 
@@ -29,6 +30,11 @@ class QualityChoiceTest {
         takesOnly("shadowTexels", 64, 16384);
         takesOnly("anisotropy", 1, 16);
         takesOnly("samples", 1, 8);
-        assertEquals(64, choice("shadowTexels", 64).on(true).shadowTexels());
+        assertEquals(
+                64,
+                choice("shadowTexels", 64)
+                        .settings(Output.DIRECT, true)
+                        .quality()
+                        .shadowTexels());
     }
 }

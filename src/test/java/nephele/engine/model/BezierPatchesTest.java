@@ -20,7 +20,7 @@ class BezierPatchesTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 10, 31})
     void degenerateCornersOfTheTeapotFaceAlongItsAxis(int tessellation) {
-        Mesh mesh = teapot.mesh(tessellation);
+        Mesh mesh = new BezierShape(teapot, tessellation).mesh();
         List<Vector3d> tip = new ArrayList<>();
         List<Vector3d> floor = new ArrayList<>();
         for (int i = 0; i < mesh.vertexCount(); i++) {
@@ -49,7 +49,7 @@ class BezierPatchesTest {
             }
             turned.add(new BezierPatch(points));
         }
-        Mesh mesh = new BezierPatches("turned.patch", turned).mesh(4);
+        Mesh mesh = new BezierShape(new BezierPatches("turned.patch", turned), 4).mesh();
         for (int i = 0; i < mesh.vertexCount(); i++) {
             Vector3d place = Triangles.position(mesh, i);
             if (Math.hypot(place.x, place.y) < 1e-9) {
@@ -72,7 +72,7 @@ class BezierPatchesTest {
     @Test
     void normalsAreUnitAndFaceAsTheTrianglesDo() {
         for (int tessellation : new int[] {1, 3, 10, 64, 256}) {
-            Mesh mesh = teapot.mesh(tessellation);
+            Mesh mesh = new BezierShape(teapot, tessellation).mesh();
             for (int i = 0; i < mesh.vertexCount(); i++) {
                 assertEquals(1, Triangles.vertexNormal(mesh, i).length(), 1e-6);
             }
@@ -104,7 +104,7 @@ class BezierPatchesTest {
         }
         BezierPatches saddle = BezierPatches.read("a.patch", text.toString().getBytes(StandardCharsets.UTF_8));
         for (int tessellation = 1; tessellation <= 256; tessellation++) {
-            Mesh mesh = saddle.mesh(tessellation);
+            Mesh mesh = new BezierShape(saddle, tessellation).mesh();
             for (int i = 0; i < mesh.vertexCount(); i++) {
                 Vector3d p = Triangles.position(mesh, i);
                 Vector3d wanted = new Vector3d(-p.y, -p.x, 1).normalize();
@@ -119,9 +119,9 @@ class BezierPatchesTest {
     /** The rims of lid, body, handle and spout are open; where patches meet there is no gap of even the last bit. */
     @Test
     void patchesMeetWithoutAGap() {
-        long coarse = EdgeCount.open(teapot.mesh(2));
+        long coarse = EdgeCount.open(new BezierShape(teapot, 2).mesh());
         for (int parts : new int[] {5, 7, 10, 31}) {
-            assertEquals(coarse * parts / 2, EdgeCount.open(teapot.mesh(parts)), parts + " parts");
+            assertEquals(coarse * parts / 2, EdgeCount.open(new BezierShape(teapot, parts).mesh()), parts + " parts");
         }
     }
 
@@ -132,8 +132,9 @@ class BezierPatchesTest {
             for (int i = 0; i < 16; i++) {
                 text.append(String.format(point, i)).append('\n');
             }
-            Mesh mesh = BezierPatches.read("a.patch", text.toString().getBytes(StandardCharsets.UTF_8))
-                    .mesh(4);
+            Mesh mesh = new BezierShape(
+                            BezierPatches.read("a.patch", text.toString().getBytes(StandardCharsets.UTF_8)), 4)
+                    .mesh();
             for (int i = 0; i < mesh.vertexCount(); i++) {
                 assertEquals(1, Triangles.vertexNormal(mesh, i).length(), 1e-6);
             }

@@ -25,7 +25,7 @@ class BrokenModelFilesTest {
 
     private static Mesh read(String name, byte[] bytes) {
         return name.endsWith(".patch")
-                ? BezierPatches.read(name, bytes).mesh(1)
+                ? new BezierShape(BezierPatches.read(name, bytes), 1).mesh()
                 : ModelFiles.read(name, bytes, neighbour -> null);
     }
 

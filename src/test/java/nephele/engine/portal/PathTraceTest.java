@@ -179,7 +179,11 @@ final class PathTraceTest {
             CrossingWord there = trace.word();
             assertEquals(0, trace.carryPoint(new Vector3d(from).add(way)).distance(end), 1e-9);
             Vector3d turned = trace.carryDirection(new Vector3d(way));
-            Vector3d byOrientation = trace.carryOrientation(new Quaterniond()).transform(new Vector3d(way));
+            Quaterniond orientation = new Quaterniond();
+            for (int j = 0; j < trace.crossings(); j++) {
+                portals.passage(trace.entered(j)).orientation(orientation);
+            }
+            Vector3d byOrientation = orientation.transform(new Vector3d(way));
             assertEquals(0, turned.distance(byOrientation), 1e-9);
             trace.walk(end, turned.negate());
             CrossingWord thereAndBack = there;

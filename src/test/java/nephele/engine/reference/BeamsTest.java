@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Function;
 import nephele.engine.level.Brush;
+import nephele.engine.level.TestLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
@@ -29,7 +30,7 @@ class BeamsTest {
 
     /** Some beside the other, some far away, some so thin that only few rays of a beam meet them. */
     private SurfaceRays surfaces() {
-        Stage stage = new Stage();
+        TestLevel stage = new TestLevel().skyLight();
         for (int i = 0; i < BOXES; i++) {
             stage.box("grey", new Vec3(within(8), within(8), within(8)), new Vec3(size(), size(), size()));
         }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import nephele.engine.level.Body;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
@@ -15,19 +16,20 @@ class BodySightTest {
     private static final TraceSettings SETTINGS = new TraceSettings(80, 60, 1, 1, 1);
     private static final Vec3 TOWARDS_EYE = new Vec3(0, 0, 1);
 
-    private static Stage stage() {
-        return new Stage()
-                .sky(new Sky.Gradient(new Vec3(0.1, 0.2, 0.9), Stage.grey(0.7), new Vec3(0.3, 0.2, 0)))
+    private static TestLevel stage() {
+        return new TestLevel()
+                .skyLight()
+                .sky(new Sky.Gradient(new Vec3(0.1, 0.2, 0.9), TestLevel.grey(0.7), new Vec3(0.3, 0.2, 0)))
                 .ambient(1)
-                .lambert("wall", Stage.grey(0.8))
-                .lambert("red", new Vec3(0.9, 0.1, 0))
-                .lambert("green", new Vec3(0, 0.5, 0.1));
+                .material("wall", TestLevel.grey(0.8))
+                .material("red", new Vec3(0.9, 0.1, 0))
+                .material("green", new Vec3(0, 0.5, 0.1));
     }
 
     /** By the area that they cover of a picture at distance d: a box's front, a disc, a disc drawn apart. */
     @Test
     void shapesCoverWhatTheyShould() {
-        Pinhole eye = Stage.eye(new Vec3(0, 0, 200), Vec3.ZERO, 0.005);
+        Pinhole eye = Traced.eye(new Vec3(0, 0, 200), Vec3.ZERO, 0.005);
         TraceSettings fine = new TraceSettings(400, 400, 1, 1, 1);
         double pixel = 2.0 * 2.0 / (400 * 400);
         Body[] bodies = {
@@ -37,7 +39,7 @@ class BodySightTest {
         };
         double[] areas = {0.48, Math.PI * 0.25, Math.PI * 0.09 + 0.6 * 0.8};
         for (int i = 0; i < bodies.length; i++) {
-            float[] seen = stage().body(bodies[i]).picture(eye, fine);
+            float[] seen = Traced.picture(stage().body(bodies[i]), eye, fine);
             int covered = 0;
             for (int at = 0; at < seen.length; at += 3) {
                 covered += Math.abs(seen[at] - 0.9f) < 1e-6 ? 1 : 0;
@@ -51,43 +53,43 @@ class BodySightTest {
     void aBoxIsABox() {
         Vec3 centre = new Vec3(0.3, 0.4, -0.2);
         Vec3 size = new Vec3(0.7, 0.8, 0.9);
-        Pinhole eye = Stage.eye(new Vec3(2, 2, 3), new Vec3(0, 0.3, 0), 0.6);
+        Pinhole eye = Traced.eye(new Vec3(2, 2, 3), new Vec3(0, 0.3, 0), 0.6);
         TraceSettings several = new TraceSettings(60, 50, 8, 1, 1);
-        float[] body =
-                floor().body(new Body.Box("b", centre, size, 1, "red", 0, 0)).picture(eye, several);
-        float[] solid = floor().box("red", centre, size).picture(eye, several);
+        float[] body = Traced.picture(floor().body(new Body.Box("b", centre, size, 1, "red", 0, 0)), eye, several);
+        float[] solid = Traced.picture(floor().box("red", centre, size), eye, several);
         assertArrayEquals(solid, body, 1e-5f);
     }
 
-    private static Stage floor() {
-        return new Stage()
-                .sky(new Sky.Constant(Stage.grey(0.5)))
-                .sun(new Vec3(-0.4, 1, 0.3), 2)
-                .lambert("wall", Stage.grey(0.8))
-                .lambert("red", new Vec3(0.9, 0.1, 0))
+    private static TestLevel floor() {
+        return new TestLevel()
+                .skyLight()
+                .sky(new Sky.Constant(TestLevel.grey(0.5)))
+                .castingSun(new Vec3(-0.4, 1, 0.3), 2)
+                .material("wall", TestLevel.grey(0.8))
+                .material("red", new Vec3(0.9, 0.1, 0))
                 .box("wall", new Vec3(0, -0.5, 0), new Vec3(20, 1, 20));
     }
 
     /** Under a lamp 3 m up, the shadow of a ball of radius r at height h ends where the tangent meets the ground. */
     @Test
     void aBallShadesADisc() {
-        Stage ball = new Stage()
+        TestLevel ball = new TestLevel()
                 .ambient(0.1)
-                .lambert("wall", Stage.grey(0.8))
-                .light(new Light.Point("l", new Vec3(0, 3, 0), Stage.grey(20), 50, true))
+                .material("wall", TestLevel.grey(0.8))
+                .light(new Light.Point("l", new Vec3(0, 3, 0), TestLevel.grey(20), 50, true))
                 .box("wall", new Vec3(0, -0.5, 0), new Vec3(20, 1, 20))
                 .body(new Body.Sphere("b", new Vec3(0, 1, 0), 0.4, 1, null, 0, 0));
         double edge = 3 * 0.4 / Math.sqrt(2 * 2 - 0.4 * 0.4);
         for (double off : new double[] {-0.01, 0.01}) {
-            float seen = ball.towards(new Vec3(4, 2, 0.3), new Vec3(edge + off, 0, 0), 1)[0];
+            float seen = Traced.towards(ball, new Vec3(4, 2, 0.3), new Vec3(edge + off, 0, 0), 1)[0];
             assertEquals(off > 0, seen > 0.09, "at " + off);
         }
     }
 
     /** Things and bodies around a doorway that is looked through along −z, with the eye's side before it. */
-    private static Stage doorway(Body... bodies) {
+    private static TestLevel doorway(Body... bodies) {
         double thin = 1e-4;
-        Stage stage = stage().box("wall", new Vec3(-3.5, 0, -thin / 2), new Vec3(6, 6, thin))
+        TestLevel stage = stage().box("wall", new Vec3(-3.5, 0, -thin / 2), new Vec3(6, 6, thin))
                 .box("wall", new Vec3(3.5, 0, -thin / 2), new Vec3(6, 6, thin))
                 .box("wall", new Vec3(0, 2, -thin / 2), new Vec3(1, 2, thin))
                 .box("wall", new Vec3(0, -2, -thin / 2), new Vec3(1, 2, thin))
@@ -99,12 +101,12 @@ class BodySightTest {
     }
 
     /** The same with a pair of portals instead: what was behind the doorway is turned by a quarter, at x = 100. */
-    private static Stage pair(Body... bodies) {
-        Stage stage = stage().box("wall", new Vec3(0, 0, -5), new Vec3(13, 6, 10))
+    private static TestLevel pair(Body... bodies) {
+        TestLevel stage = stage().box("wall", new Vec3(0, 0, -5), new Vec3(13, 6, 10))
                 .box("green", new Vec3(104, 0, -0.9), new Vec3(0.4, 3, 1))
                 .box("wall", new Vec3(99, 0, 0), new Vec3(2, 6, 6))
-                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE)
-                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(1, 0, 0));
+                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE, 1, 2)
+                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(1, 0, 0), 1, 2);
         for (Body body : bodies) {
             stage.body(body);
         }
@@ -122,9 +124,9 @@ class BodySightTest {
         };
         for (Body body : bodies) {
             for (Vec3 from : new Vec3[] {new Vec3(0.2, 0.1, 3), new Vec3(-1.2, 0.4, 0.7)}) {
-                Pinhole eye = Stage.eye(from, new Vec3(0, 0, -1), 0.7);
+                Pinhole eye = Traced.eye(from, new Vec3(0, 0, -1), 0.7);
                 int differing = differing(
-                        doorway(body).picture(eye, SETTINGS), pair(body).picture(eye, SETTINGS));
+                        Traced.picture(doorway(body), eye, SETTINGS), Traced.picture(pair(body), eye, SETTINGS));
                 assertTrue(differing <= 1, differing + " pixels differ of " + body);
             }
         }
@@ -135,12 +137,14 @@ class BodySightTest {
     void theImageIsSeenFromTheFarSide() {
         Body body = new Body.Sphere("b", new Vec3(0, 0, 0.1), 0.4, 1, "red", 0, 0);
         Body turned = new Body.Sphere("b", new Vec3(99.9, 0, 0), 0.4, 1, "red", 0, 0);
-        Pinhole eye = Stage.eye(new Vec3(103, 0.5, 2), new Vec3(100, 0, 0), 0.4);
-        float[] seen = pair(body).picture(eye, SETTINGS);
-        float[] expected = stage().box("green", new Vec3(104, 0, -0.9), new Vec3(0.4, 3, 1))
-                .box("wall", new Vec3(99, 0, 0), new Vec3(2, 6, 6))
-                .body(turned)
-                .picture(eye, SETTINGS);
+        Pinhole eye = Traced.eye(new Vec3(103, 0.5, 2), new Vec3(100, 0, 0), 0.4);
+        float[] seen = Traced.picture(pair(body), eye, SETTINGS);
+        float[] expected = Traced.picture(
+                stage().box("green", new Vec3(104, 0, -0.9), new Vec3(0.4, 3, 1))
+                        .box("wall", new Vec3(99, 0, 0), new Vec3(2, 6, 6))
+                        .body(turned),
+                eye,
+                SETTINGS);
         int red = 0;
         for (int i = 0; i < seen.length; i += 3) {
             boolean isBody = Math.abs(expected[i] - 0.9f) < 1e-6;
@@ -153,13 +157,13 @@ class BodySightTest {
     /** What has gone through a portal that hangs in the air is not behind it any more, and what has not is not beyond. */
     @Test
     void bodiesAreCutByThePlanesOfPortals() {
-        Stage hanging = stage().portal("a", "b", Vec3.ZERO, TOWARDS_EYE)
-                .portal("b", "a", new Vec3(100, 0, 0), TOWARDS_EYE)
+        TestLevel hanging = stage().portal("a", "b", Vec3.ZERO, TOWARDS_EYE, 1, 2)
+                .portal("b", "a", new Vec3(100, 0, 0), TOWARDS_EYE, 1, 2)
                 .body(new Body.Sphere("b", new Vec3(0, 0, 0.1), 0.4, 1, "red", 0, 0));
-        assertEquals(0.9, hanging.towards(new Vec3(0, 0, 3), Vec3.ZERO, 1)[0], 1e-6);
-        assertEquals(0.9, hanging.towards(new Vec3(100, 0, 3), new Vec3(100, 0, 0), 1)[0], 1e-6);
+        assertEquals(0.9, Traced.towards(hanging, new Vec3(0, 0, 3), Vec3.ZERO, 1)[0], 1e-6);
+        assertEquals(0.9, Traced.towards(hanging, new Vec3(100, 0, 3), new Vec3(100, 0, 0), 1)[0], 1e-6);
         for (double x : new double[] {0, 100}) {
-            float[] behind = hanging.towards(new Vec3(x, 0, -3), new Vec3(x, 0, 0), 1);
+            float[] behind = Traced.towards(hanging, new Vec3(x, 0, -3), new Vec3(x, 0, 0), 1);
             assertEquals(0.7, behind[0], 1e-6, "the sky, at " + x);
         }
     }

@@ -6,6 +6,7 @@ import java.util.Map;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
+import nephele.engine.level.TestLevel;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
@@ -15,11 +16,11 @@ class MirrorSightTest {
     private static final Vec3 TINT = new Vec3(0.5, 0.6, 0.8);
     private static final Vec3 RED = new Vec3(0.9, 0.2, 0.1);
 
-    private static Stage stage() {
-        return new Stage()
+    private static TestLevel stage() {
+        return new TestLevel()
                 .ambient(1)
-                .lambert("red", RED)
-                .lambert("blue", new Vec3(0.1, 0.2, 0.9))
+                .material("red", RED)
+                .material("blue", new Vec3(0.1, 0.2, 0.9))
                 .material(new Material("mirror", TINT, null, null, null, null, Vec3.ZERO, 1, true));
     }
 
@@ -39,41 +40,41 @@ class MirrorSightTest {
     /** Straight back onto the wall behind the eye, and off two mirrors at a right angle to the same wall. */
     @Test
     void eachMirrorMultipliesByItsColour() {
-        Stage room = stage().box("mirror", new Vec3(0, 0, -3.1), new Vec3(8, 8, 0.2))
+        TestLevel room = stage().box("mirror", new Vec3(0, 0, -3.1), new Vec3(8, 8, 0.2))
                 .box("red", new Vec3(0, 0, 5.1), new Vec3(8, 8, 0.2));
-        assertRadiance(red(1), room.towards(Vec3.ZERO, new Vec3(0.1, 0.1, -1), 1));
+        assertRadiance(red(1), Traced.towards(room, Vec3.ZERO, new Vec3(0.1, 0.1, -1), 1));
         room.box("mirror", new Vec3(4.1, 0, 0), new Vec3(0.2, 8, 6));
-        assertRadiance(red(2), room.towards(new Vec3(2, 0, 0), new Vec3(3, 0, -2), 1));
+        assertRadiance(red(2), Traced.towards(room, new Vec3(2, 0, 0), new Vec3(3, 0, -2), 1));
     }
 
     /** Through a portal onto a mirror, and back out of the same portal. */
     @Test
     void aMirrorBehindAPortal() {
-        Stage rooms = stage().box("red", new Vec3(0, 0, 5.1), new Vec3(8, 8, 0.2))
+        TestLevel rooms = stage().box("red", new Vec3(0, 0, 5.1), new Vec3(8, 8, 0.2))
                 .box("mirror", new Vec3(100, 0, -3.1), new Vec3(8, 8, 0.2))
-                .portal("a", "b", new Vec3(0, 0, -1), new Vec3(0, 0, 1))
-                .portal("b", "a", new Vec3(100, 0, -1), new Vec3(0, 0, -1));
-        assertRadiance(red(1), rooms.towards(Vec3.ZERO, new Vec3(0, 0, -1), 1));
+                .portal("a", "b", new Vec3(0, 0, -1), new Vec3(0, 0, 1), 1, 2)
+                .portal("b", "a", new Vec3(100, 0, -1), new Vec3(0, 0, -1), 1, 2);
+        assertRadiance(red(1), Traced.towards(rooms, Vec3.ZERO, new Vec3(0, 0, -1), 1));
     }
 
     /** Fog before the mirror keeps its colour, fog behind it is tinted with the rest. */
     @Test
     void fogBeforeAMirrorIsNotTinted() {
         double extinction = 0.2;
-        Stage room = stage().fog(extinction, new Vec3(0.4, 0.4, 0.4))
+        TestLevel room = stage().fog(extinction, new Vec3(0.4, 0.4, 0.4))
                 .box("mirror", new Vec3(0, 0, -3.1), new Vec3(8, 8, 0.2))
                 .box("red", new Vec3(0, 0, 5.1), new Vec3(8, 8, 0.2));
         double before = Math.exp(-3 * extinction);
         double behind = Math.exp(-8 * extinction);
         double expected = 0.4 * (1 - before) + before * TINT.x() * (0.4 * (1 - behind) + behind * RED.x());
-        assertEquals(expected, room.towards(Vec3.ZERO, new Vec3(0, 0, -1), 1)[0], 1e-6);
+        assertEquals(expected, Traced.towards(room, Vec3.ZERO, new Vec3(0, 0, -1), 1)[0], 1e-6);
     }
 
     /** A mirror sends no light onward: what stands before it is lit as before a black wall. */
     @Test
     void mirrorsLightNothing() {
-        Stage dark = stage().sun(new Vec3(0, 1, 0), 2).box("red", Vec3.ZERO, new Vec3(4, 0.2, 4));
-        Stage bright = stage().sun(new Vec3(0, 1, 0), 2).box("red", Vec3.ZERO, new Vec3(4, 0.2, 4));
+        TestLevel dark = stage().castingSun(new Vec3(0, 1, 0), 2).box("red", Vec3.ZERO, new Vec3(4, 0.2, 4));
+        TestLevel bright = stage().castingSun(new Vec3(0, 1, 0), 2).box("red", Vec3.ZERO, new Vec3(4, 0.2, 4));
         Solid.Face mirror = new Solid.Face("mirror", null);
         bright.solid(new Solid.Box(
                 "wall",
@@ -85,8 +86,8 @@ class MirrorSightTest {
                 Map.of(BoxFace.PLUS_Z, mirror)));
         Vec3 eye = new Vec3(0, 3, 1);
         Vec3 floor = new Vec3(0, 0.1, 0.5);
-        float[] without = dark.towards(eye, floor, 1);
-        float[] with = bright.towards(eye, floor, 1);
+        float[] without = Traced.towards(dark, eye, floor, 1);
+        float[] with = Traced.towards(bright, eye, floor, 1);
         for (int i = 0; i < 3; i++) {
             assertEquals(without[i], with[i], 0);
         }

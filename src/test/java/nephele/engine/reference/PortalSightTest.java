@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
@@ -15,32 +16,34 @@ import org.junit.jupiter.api.Test;
 /** What is seen through portals is what would be seen if the places behind them were there. */
 class PortalSightTest {
     private static final TraceSettings SETTINGS = new TraceSettings(96, 64, 1, 1, 1);
-    private static final Sky SKY = new Sky.Gradient(new Vec3(0.1, 0.2, 0.9), Stage.grey(0.7), new Vec3(0.3, 0.2, 0));
+    private static final Sky SKY =
+            new Sky.Gradient(new Vec3(0.1, 0.2, 0.9), TestLevel.grey(0.7), new Vec3(0.3, 0.2, 0));
     private static final Vec3 TOWARDS_EYE = new Vec3(0, 0, 1);
 
-    private static Stage stage() {
-        return new Stage()
+    private static TestLevel stage() {
+        return new TestLevel()
+                .skyLight()
                 .sky(SKY)
                 .ambient(1)
-                .lambert("wall", Stage.grey(0.8))
-                .lambert("red", new Vec3(0.9, 0.1, 0))
-                .lambert("green", new Vec3(0, 0.5, 0.1));
+                .material("wall", TestLevel.grey(0.8))
+                .material("red", new Vec3(0.9, 0.1, 0))
+                .material("green", new Vec3(0, 0.5, 0.1));
     }
 
     /** Things behind a doorway whose middle is at the origin and that is looked through along −z. */
-    private static Stage things(Stage stage) {
+    private static TestLevel things(TestLevel stage) {
         return stage.box("red", new Vec3(0.2, -0.6, -2), new Vec3(0.5, 0.8, 0.6))
                 .box("green", new Vec3(-0.9, 0, -4), new Vec3(1, 3, 0.4));
     }
 
     /** The same things behind a portal at (x, 0, 0) that looks along +x: turned by a quarter to the left. */
-    private static Stage turnedThings(Stage stage, double x) {
+    private static TestLevel turnedThings(TestLevel stage, double x) {
         return stage.box("red", new Vec3(x + 2, -0.6, 0.2), new Vec3(0.6, 0.8, 0.5))
                 .box("green", new Vec3(x + 4, 0, -0.9), new Vec3(0.4, 3, 1));
     }
 
     /** A thin wall, with a hole of 1 m × 2 m in it. */
-    private static Stage doorway() {
+    private static TestLevel doorway() {
         double thin = 1e-4;
         return things(stage())
                 .box("wall", new Vec3(-3.5, 0, -thin / 2), new Vec3(6, 6, thin))
@@ -49,19 +52,19 @@ class PortalSightTest {
                 .box("wall", new Vec3(0, -2, -thin / 2), new Vec3(1, 2, thin));
     }
 
-    private static Stage wall() {
+    private static TestLevel wall() {
         return stage().box("wall", new Vec3(0, 0, -5), new Vec3(13, 6, 10));
     }
 
     @Test
     void aPairShowsWhatAnOpenDoorwayShows() {
-        Stage pair = turnedThings(wall(), 100)
+        TestLevel pair = turnedThings(wall(), 100)
                 .box("wall", new Vec3(99, 0, 0), new Vec3(2, 6, 6))
-                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE)
-                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(1, 0, 0));
+                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE, 1, 2)
+                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(1, 0, 0), 1, 2);
         for (Vec3 from : new Vec3[] {new Vec3(0.2, 0.1, 3), new Vec3(-1.5, 0.4, 2), new Vec3(0, 0, 0.01)}) {
-            Pinhole eye = Stage.eye(from, new Vec3(from.x() / 2, 0, -1), 0.8);
-            int differing = differing(doorway().picture(eye, SETTINGS), pair.picture(eye, SETTINGS));
+            Pinhole eye = Traced.eye(from, new Vec3(from.x() / 2, 0, -1), 0.8);
+            int differing = differing(Traced.picture(doorway(), eye, SETTINGS), Traced.picture(pair, eye, SETTINGS));
             assertTrue(differing <= 1, differing + " pixels differ; one may meet the thin wall's edge");
         }
     }
@@ -78,42 +81,42 @@ class PortalSightTest {
     /** From behind, and without a partner, a portal is nothing. */
     @Test
     void whatLeadsNowhereShowsTheWall() {
-        Stage bare = things(wall());
-        Pinhole eye = Stage.eye(new Vec3(0.2, 0.1, 3), Vec3.ZERO, 0.8);
-        float[] expected = bare.picture(eye, SETTINGS);
-        Stage behind = things(wall())
-                .portal("a", "b", new Vec3(0, 0, 1), new Vec3(0, 0, -1))
-                .portal("b", "a", new Vec3(50, 0, 0), TOWARDS_EYE);
-        assertArrayEquals(expected, behind.picture(eye, SETTINGS));
-        Stage single = things(wall()).portal("a", "nobody", Vec3.ZERO, TOWARDS_EYE);
-        assertArrayEquals(expected, single.picture(eye, SETTINGS));
+        TestLevel bare = things(wall());
+        Pinhole eye = Traced.eye(new Vec3(0.2, 0.1, 3), Vec3.ZERO, 0.8);
+        float[] expected = Traced.picture(bare, eye, SETTINGS);
+        TestLevel behind = things(wall())
+                .portal("a", "b", new Vec3(0, 0, 1), new Vec3(0, 0, -1), 1, 2)
+                .portal("b", "a", new Vec3(50, 0, 0), TOWARDS_EYE, 1, 2);
+        assertArrayEquals(expected, Traced.picture(behind, eye, SETTINGS));
+        TestLevel single = things(wall()).portal("a", "nobody", Vec3.ZERO, TOWARDS_EYE, 1, 2);
+        assertArrayEquals(expected, Traced.picture(single, eye, SETTINGS));
     }
 
     /** Near and far count along the whole way: 3 m to the portal and 2 m on to the thing behind it. */
     @Test
     void depthGoesOnBehindAPortal() {
-        Stage pair = wall().box("red", new Vec3(100, 0, -3), new Vec3(2, 2, 2))
-                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE)
-                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(0, 0, -1));
-        Pinhole eye = Stage.eye(new Vec3(0, 0, 3), Vec3.ZERO, 1e-6);
+        TestLevel pair = wall().box("red", new Vec3(100, 0, -3), new Vec3(2, 2, 2))
+                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE, 1, 2)
+                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(0, 0, -1), 1, 2);
+        Pinhole eye = Traced.eye(new Vec3(0, 0, 3), Vec3.ZERO, 1e-6);
         TraceSettings one = new TraceSettings(1, 1, 1, 1, 1);
         for (double limit : new double[] {4.99, 5.01}) {
             Pinhole near = new Pinhole(eye.eye(), eye.basis(), 1e-6, 1e-6, limit, 1e4);
             Pinhole far = new Pinhole(eye.eye(), eye.basis(), 1e-6, 1e-6, 0.05, limit);
-            assertEquals(limit < 5 ? 0.9 : 0.7, pair.picture(near, one)[0], 1e-6);
-            assertEquals(limit < 5 ? 0.7 : 0.9, pair.picture(far, one)[0], 1e-6);
+            assertEquals(limit < 5 ? 0.9 : 0.7, Traced.picture(pair, near, one)[0], 1e-6);
+            assertEquals(limit < 5 ? 0.7 : 0.9, Traced.picture(pair, far, one)[0], 1e-6);
         }
     }
 
     /** Two portals 3 m apart face each other: a ray that climbs 1 mm a metre leaves them after its 333 crossings. */
     @Test
     void facingPortalsRepeatAsOftenAsARayMeetsThem() {
-        Stage facing = stage().box("red", new Vec3(0, 0, -1.6), new Vec3(4, 8, 0.2))
+        TestLevel facing = stage().box("red", new Vec3(0, 0, -1.6), new Vec3(4, 8, 0.2))
                 .box("green", new Vec3(0, 0, 1.6), new Vec3(4, 8, 0.2))
-                .portal("a", "b", new Vec3(0, 0, -1.5), TOWARDS_EYE)
-                .portal("b", "a", new Vec3(0, 0, 1.5), new Vec3(0, 0, -1));
+                .portal("a", "b", new Vec3(0, 0, -1.5), TOWARDS_EYE, 1, 2)
+                .portal("b", "a", new Vec3(0, 0, 1.5), new Vec3(0, 0, -1), 1, 2);
         Vec3 middle = Vec3.ZERO;
-        float[] wall = facing.towards(middle, new Vec3(0, 1e-3, -1), 1);
+        float[] wall = Traced.towards(facing, middle, new Vec3(0, 1e-3, -1), 1);
         assertEquals(0.9, wall[0], 1e-6);
         EyePath path = new EyePath(
                 new SurfaceRays(StaticShapes.of(facing.level()), List.of(), 0),
@@ -121,23 +124,23 @@ class PortalSightTest {
                 ReflectingFaces.NONE);
         assertTrue(path.walk(middle.toVector(), new Vec3(0, 1e-3, -1).toVector(), 0.05, 1e9));
         assertEquals(1, path.ray().originY(), 3.1e-3, "in the last space, under the upper edge");
-        float[] along = facing.towards(middle, new Vec3(0, 0, -1), 1);
+        float[] along = Traced.towards(facing, middle, new Vec3(0, 0, -1), 1);
         assertEquals(0.7, along[0], 1e-6, "never black: the sky stands for what is smaller than any pixel");
     }
 
     /** The eye goes through, the light of a lamp or of the sun does not. */
     @Test
     void lightDoesNotPassPortals() {
-        Light lamp = new Light.Point("l", new Vec3(0, 0, 1), Stage.grey(50), 20, true);
-        Stage dark = new Stage()
+        Light lamp = new Light.Point("l", new Vec3(0, 0, 1), TestLevel.grey(50), 20, true);
+        TestLevel dark = new TestLevel()
                 .ambient(0)
-                .lambert("m", Stage.grey(1))
+                .material("m", TestLevel.grey(1))
                 .light(lamp)
                 .box("m", new Vec3(0, 0, -5), new Vec3(13, 6, 10))
                 .box("m", new Vec3(100, 0, -5), new Vec3(13, 6, 0.5))
-                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE)
-                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(0, 0, -1));
-        assertEquals(0, dark.towards(new Vec3(0, 0, 2), new Vec3(0, 0, 0), 1)[0]);
-        assertTrue(dark.towards(new Vec3(0, 0, 2), new Vec3(0.8, 0, 0), 1)[0] > 0);
+                .portal("a", "b", Vec3.ZERO, TOWARDS_EYE, 1, 2)
+                .portal("b", "a", new Vec3(100, 0, 0), new Vec3(0, 0, -1), 1, 2);
+        assertEquals(0, Traced.towards(dark, new Vec3(0, 0, 2), new Vec3(0, 0, 0), 1)[0]);
+        assertTrue(Traced.towards(dark, new Vec3(0, 0, 2), new Vec3(0.8, 0, 0), 1)[0] > 0);
     }
 }

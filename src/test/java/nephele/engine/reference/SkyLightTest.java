@@ -3,6 +3,7 @@ package nephele.engine.reference;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
@@ -11,43 +12,48 @@ import org.junit.jupiter.api.Test;
 
 /** Light of the sky against what is worked out by hand. */
 class SkyLightTest {
-    private static final Sky WHITE = new Sky.Constant(Stage.grey(1));
+    private static final Sky WHITE = new Sky.Constant(TestLevel.grey(1));
 
     /** White bodies under an even white sky are not seen. */
     @Test
     void aWhiteFurnaceIsWhite() {
-        Stage furnace = new Stage()
+        TestLevel furnace = new TestLevel()
+                .skyLight()
                 .sky(WHITE)
-                .lambert("lambert", Stage.grey(1))
-                .gloss("insulator", Stage.grey(1), 0.3, 0)
-                .gloss("metal", Stage.grey(1), 0.6, 1)
-                .box("lambert", new Vec3(-2, 0, 0), Stage.grey(1))
-                .box("insulator", new Vec3(0, 0, 0), Stage.grey(1))
-                .box("metal", new Vec3(2, 0, 0), Stage.grey(1));
+                .material("lambert", TestLevel.grey(1))
+                .gloss("insulator", TestLevel.grey(1), 0.3, 0)
+                .gloss("metal", TestLevel.grey(1), 0.6, 1)
+                .box("lambert", new Vec3(-2, 0, 0), TestLevel.grey(1))
+                .box("insulator", new Vec3(0, 0, 0), TestLevel.grey(1))
+                .box("metal", new Vec3(2, 0, 0), TestLevel.grey(1));
         // Apart from the light that one box takes from the next.
-        Stage alone =
-                new Stage().sky(WHITE).gloss("metal", Stage.grey(1), 0.6, 1).box("metal", Vec3.ZERO, Stage.grey(2));
-        Pinhole eye = Stage.eye(new Vec3(1, 3, 6), Vec3.ZERO, 0.6);
+        TestLevel alone = new TestLevel()
+                .skyLight()
+                .sky(WHITE)
+                .gloss("metal", TestLevel.grey(1), 0.6, 1)
+                .box("metal", Vec3.ZERO, TestLevel.grey(2));
+        Pinhole eye = Traced.eye(new Vec3(1, 3, 6), Vec3.ZERO, 0.6);
         TraceSettings settings = new TraceSettings(24, 16, 4, 1, 1);
-        for (float value : alone.picture(eye, settings)) {
+        for (float value : Traced.picture(alone, eye, settings)) {
             assertEquals(1, value, 1e-3);
         }
         for (Vec3 top : new Vec3[] {new Vec3(-2, 0.5, 0), new Vec3(0, 0.5, 0), new Vec3(2, 0.5, 0)}) {
-            assertEquals(1, furnace.towards(new Vec3(1, 3, 6), top, 1)[0], 1e-3);
+            assertEquals(1, Traced.towards(furnace, new Vec3(1, 3, 6), top, 1)[0], 1e-3);
         }
     }
 
     /** An endless wall that reaches the elevation φ hides (1 − cos φ) / 2 of the cosine-weighted sky. */
     @Test
     void aWallHidesItsShareOfTheSky() {
-        Stage walled = new Stage()
+        TestLevel walled = new TestLevel()
+                .skyLight()
                 .sky(WHITE)
-                .lambert("m", Stage.grey(1))
+                .material("m", TestLevel.grey(1))
                 .box("m", new Vec3(0, -0.5, 0), new Vec3(4000, 1, 4000))
                 .box("m", new Vec3(0, 2, -0.5), new Vec3(4000, 4, 1));
         for (double z : new double[] {1e-3, 1, 4, 20}) {
             double hidden = (1 - z / Math.sqrt(16 + z * z)) / 2;
-            float seen = walled.towards(new Vec3(0.5, 3, 8), new Vec3(0, 0, z), 4096)[0];
+            float seen = Traced.towards(walled, new Vec3(0.5, 3, 8), new Vec3(0, 0, z), 4096)[0];
             assertEquals(1 - hidden, seen, 2e-3, z + " m before the wall");
         }
     }
@@ -55,7 +61,7 @@ class SkyLightTest {
     /** Under L = a + b y from all sides a normal at cosine c to the zenith receives a + ⅔ b c. */
     @Test
     void aLinearSkyGivesTwoThirdsOfItsSlope() {
-        Sky linear = new Sky.Gradient(Stage.grey(3), Stage.grey(2), Stage.grey(1));
+        Sky linear = new Sky.Gradient(TestLevel.grey(3), TestLevel.grey(2), TestLevel.grey(1));
         SkyLight light =
                 new SkyLight(SkyRadiance.of(linear, id -> null, Decoding.SRGB).orElseThrow());
         for (int i = 0; i < 200; i++) {

@@ -8,10 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.AssetException;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
@@ -24,7 +26,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class FramePlanGlTest {
     private static TestLevel everything() {
         return new TestLevel()
-                .shadowingSun(new Vec3(0.2, 1, 0.1), 2)
+                .castingSun(new Vec3(0.2, 1, 0.1), 2)
                 .skyLight()
                 .sky(new Sky.Gradient(TestLevel.grey(0.1), TestLevel.grey(0.5), TestLevel.grey(0.2)))
                 .textured("tiles", "tiles.png")

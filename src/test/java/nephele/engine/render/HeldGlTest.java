@@ -4,14 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.pass.thing.HeldPass;
+import nephele.engine.render.pass.thing.ThingPass;
 import nephele.engine.scene.Moment;
 import nephele.engine.scene.View;
 import nephele.engine.scene.thing.FigurePresence;
@@ -23,7 +25,7 @@ class HeldGlTest {
     private static final int HEIGHT = 90;
     private static final int BLACK = 0;
     /** A white wall behind the middle of a black face. */
-    private static final int THROUGH = (int) Math.round(255 * (1 - HeldPass.FACE_OPACITY));
+    private static final int THROUGH = (int) Math.round(255 * (1 - ThingPass.HELD_FACE_OPACITY));
 
     private static final Vec3 BEFORE_THE_EYE = new Vec3(0, 0, -1);
     private static final Vec3 ELSEWHERE = new Vec3(0, 0, -3);

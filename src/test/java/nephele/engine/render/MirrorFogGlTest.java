@@ -4,11 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import java.util.Map;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.draw.Outputs;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
+import nephele.engine.level.TestLevel;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;

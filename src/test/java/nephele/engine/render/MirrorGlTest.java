@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
+import nephele.engine.level.TestLevel;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;

@@ -3,6 +3,7 @@ package nephele.engine.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -10,6 +11,7 @@ import nephele.engine.level.ModelPlacement.TransformStep.Rotate;
 import nephele.engine.level.ModelPlacement.TransformStep.Scale;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
@@ -27,7 +29,7 @@ class ModelGlTest {
 
     private static TestLevel room() {
         return new TestLevel()
-                .shadowingSun(new Vec3(0.5, 0.8, 0.3), 2)
+                .castingSun(new Vec3(0.5, 0.8, 0.3), 2)
                 .light(new Light.Point("l", new Vec3(-2, 2.5, 1.5), TestLevel.grey(6), 12, true))
                 .material("floor", TestLevel.grey(0.6))
                 .material(new Material("gloss", new Vec3(0.7, 0.3, 0.2), null, 0.4, 0.0, null, Vec3.ZERO, 1))
@@ -124,7 +126,7 @@ class ModelGlTest {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             Vector3d toSun = new Vector3d(0.6, 0.5, 0.7).normalize();
             Level level = new TestLevel()
-                    .shadowingSun(Vec3.of(toSun), 3)
+                    .castingSun(Vec3.of(toSun), 3)
                     .ambient(0)
                     .material("m", TestLevel.grey(0.5))
                     .model("sphere_1_192_128.3d", "m", new Rotate(new Vec3(1, 2, 3), 40), new Scale(new Vec3(-2, 2, 2)))

@@ -2,7 +2,9 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
@@ -21,7 +23,7 @@ class ModelShadowGlTest {
         double inner = 2 * HALF_METRES;
         double outer = inner + 2 * THICK_METRES;
         double middle = HALF_METRES + THICK_METRES / 2;
-        TestLevel room = new TestLevel().shadowingSun(sun, 1000).ambient(0).material("m", TestLevel.grey(0.8));
+        TestLevel room = new TestLevel().castingSun(sun, 1000).ambient(0).material("m", TestLevel.grey(0.8));
         for (int side = -1; side <= 1; side += 2) {
             room.box("m", new Vec3(0, side * middle, 0), new Vec3(outer, THICK_METRES, outer))
                     .box("m", new Vec3(side * middle, 0, 0), new Vec3(THICK_METRES, inner, inner))

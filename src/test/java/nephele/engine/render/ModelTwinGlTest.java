@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
@@ -9,6 +10,7 @@ import nephele.engine.level.ModelPlacement.TransformStep.Rotate;
 import nephele.engine.level.ModelPlacement.TransformStep.Scale;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
@@ -74,7 +76,7 @@ class ModelTwinGlTest {
     void shadowsAndSkyAreNearlyTheSame() {
         Level level = shapes().skyLight()
                 .sky(new Sky.Gradient(new Vec3(0.4, 0.6, 1), TestLevel.grey(0.8), TestLevel.grey(0.2)))
-                .shadowingSun(new Vec3(0.4, 0.7, 0.5), 3)
+                .castingSun(new Vec3(0.4, 0.7, 0.5), 3)
                 .box("floor", new Vec3(0, -0.5, 0), new Vec3(9, 1, 9))
                 .level();
         float[][] both = both(level);

@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import java.nio.ByteBuffer;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Development;

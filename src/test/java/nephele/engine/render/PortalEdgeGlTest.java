@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Set;
 import java.util.TreeSet;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.Output;

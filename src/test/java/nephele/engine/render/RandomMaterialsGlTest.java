@@ -3,9 +3,11 @@ package nephele.engine.render;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.PixelFormat;

@@ -6,11 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
 import nephele.engine.level.PortalShape;
 import nephele.engine.level.Solid;
+import nephele.engine.level.TestLevel;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;

@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;

@@ -8,7 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.RenderSettings.Narrowing;

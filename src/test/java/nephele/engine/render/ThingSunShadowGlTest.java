@@ -3,8 +3,10 @@ package nephele.engine.render;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
+import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.Output;

@@ -53,14 +53,6 @@ final class BenchCommand implements Command {
     @Mixin
     private PictureOptions picture;
 
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
-
     @Override
     public ExitCode run(Terminal terminal) {
         if (frames != null && frames < 1) {

@@ -12,7 +12,6 @@ import nephele.engine.level.Problem;
 import nephele.engine.sim.WorldRules;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
 /** Prints the problems of levels, one a line. */
@@ -20,14 +19,6 @@ import picocli.CommandLine.Parameters;
 final class CheckCommand implements Command {
     @Parameters(arity = "1..*", paramLabel = "LEVEL", description = "Level files.")
     private List<String> levels;
-
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
 
     @Override
     public ExitCode run(Terminal terminal) {

@@ -6,7 +6,4 @@ import nephele.engine.terminal.Terminal;
 /** One command of the jar; picocli fills its annotated fields before it runs. */
 public interface Command {
     ExitCode run(Terminal terminal) throws Exception;
-
-    /** The options that every command has. */
-    CommonOptions common();
 }

@@ -57,7 +57,9 @@ public final class CommandLineFront {
 
     private ExitCode run(CommandEntry entry, Command command, String[] arguments) {
         var commandLine = new CommandLine(command);
+        var common = new CommonOptions();
         commandLine
+                .addMixin("common", common)
                 .setExpandAtFiles(false)
                 .registerConverter(Output.class, new WordConverter<>(Output.class))
                 .registerConverter(Shading.class, new WordConverter<>(SceneCommand.shadings()))
@@ -81,7 +83,7 @@ public final class CommandLineFront {
             return ExitCode.USAGE;
         } catch (Exception | LinkageError | OutOfMemoryError | StackOverflowError failure) {
             var explained = Explanation.of(failure, List.of(arguments));
-            return explained.tell(terminal, "nephele " + entry.name(), command.common().verbose);
+            return explained.tell(terminal, "nephele " + entry.name(), common.verbose);
         }
     }
 }

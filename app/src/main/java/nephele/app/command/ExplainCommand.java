@@ -6,7 +6,6 @@ import nephele.engine.render.FramePlan;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
 /** Says which features a level requires, and why. */
@@ -14,14 +13,6 @@ import picocli.CommandLine.Parameters;
 final class ExplainCommand implements Command {
     @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
     private String level;
-
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
 
     @Override
     public ExitCode run(Terminal terminal) {

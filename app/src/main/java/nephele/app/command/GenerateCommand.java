@@ -17,7 +17,6 @@ import nephele.engine.model.ShapeParameter;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -54,14 +53,6 @@ final class GenerateCommand implements Command {
 
     @Option(names = "--two-sided", description = "Give a plane a face downward as well.")
     private boolean twoSided;
-
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
 
     @Override
     public ExitCode run(Terminal terminal) {

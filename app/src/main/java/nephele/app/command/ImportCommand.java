@@ -8,7 +8,6 @@ import nephele.engine.level.Level;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -24,14 +23,6 @@ final class ImportCommand implements Command {
             paramLabel = "LEVEL.json",
             description = "The level to write; its meshes and pictures go beside it. An old one stays as .bak.")
     private Path out;
-
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
 
     @Override
     public ExitCode run(Terminal terminal) {

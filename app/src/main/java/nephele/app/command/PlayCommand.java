@@ -88,16 +88,8 @@ final class PlayCommand implements Command {
     @Mixin
     private QualityOptions quality;
 
-    @Mixin
-    private CommonOptions common;
-
     static Preload preload() {
         return SystemDisplay.isPresent() ? Preload.nothing() : Preload.offscreenGraphics();
-    }
-
-    @Override
-    public CommonOptions common() {
-        return common;
     }
 
     @Override

@@ -14,7 +14,6 @@ import nephele.lab.prove.ProofRun;
 import nephele.lab.prove.ProofTable;
 import nephele.lab.prove.Proofs;
 import nephele.lab.prove.Surroundings;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -49,14 +48,6 @@ final class ProveCommand implements Command {
 
     @Option(names = "--list", description = "List the proofs and their claims.")
     private boolean list;
-
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
 
     @Override
     public ExitCode run(Terminal terminal) throws Exception {

@@ -63,14 +63,6 @@ final class RenderCommand implements Command {
             description = "Draw N frames at the same time and save the last (default: 1).")
     private int frames;
 
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
-
     @Override
     public ExitCode run(Terminal terminal) {
         checkUsage();

@@ -72,14 +72,6 @@ final class SceneCommand implements Command {
     @Mixin
     private LookOptions look;
 
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
-
     /** Wireframe has an option of its own. */
     static EnumSet<Shading> shadings() {
         return EnumSet.complementOf(EnumSet.of(Shading.WIREFRAME));

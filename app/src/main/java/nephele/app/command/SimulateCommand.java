@@ -17,7 +17,6 @@ import nephele.engine.sim.TickHashes;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -42,14 +41,6 @@ final class SimulateCommand implements Command {
 
     @Option(names = "--dump", paramLabel = "FILE.json", description = "Write the last state.")
     private Path dump;
-
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
 
     @Override
     public ExitCode run(Terminal terminal) {

@@ -19,7 +19,6 @@ import nephele.lab.trade.report.Report;
 import nephele.lab.trade.run.TradeRequest;
 import nephele.lab.trade.run.TradeRun;
 import nephele.lab.trade.run.Trades;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -69,14 +68,6 @@ final class TradeCommand implements Command {
 
     @Option(names = "--list", description = "List the subjects and their settings.")
     private boolean list;
-
-    @Mixin
-    private CommonOptions common;
-
-    @Override
-    public CommonOptions common() {
-        return common;
-    }
 
     @Override
     public ExitCode run(Terminal terminal) throws Exception {

@@ -4,15 +4,11 @@ import java.util.List;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Unmatched;
 
 /** A command of the design that has no body yet: it answers --help and otherwise says so. */
 @picocli.CommandLine.Command(synopsisHeading = "Usage (not built yet): ")
 final class UnbuiltCommand implements Command {
-    @Mixin
-    private CommonOptions common;
-
     @Unmatched
     private List<String> arguments;
 
@@ -20,10 +16,5 @@ final class UnbuiltCommand implements Command {
     public ExitCode run(Terminal terminal) {
         throw CommandFailure.environment(
                 "this command is not built yet in this version. `nephele --help` lists the others.");
-    }
-
-    @Override
-    public CommonOptions common() {
-        return common;
     }
 }

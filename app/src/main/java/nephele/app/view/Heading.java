@@ -28,7 +28,7 @@ record Heading(Basis level, double yawDegrees, double pitchDegrees) {
      * gives way to another one, as in {@link Basis#lookAt}; a zero up is y.
      */
     static Heading between(Vec3 eye, Vec3 target, Vec3 up) {
-        Vec3 given = Directions.unit(up.x(), up.y(), up.z());
+        Vec3 given = Directions.unit(up);
         Vec3 pole = given == null ? Basis.WORLD.up() : given;
         Basis looking = Basis.lookAt(eye, target, pole, null);
         if (looking == null) {
@@ -37,7 +37,7 @@ record Heading(Basis level, double yawDegrees, double pitchDegrees) {
         }
         double slope = Directions.angle(pole, looking.back()) - Math.PI / 2;
         Vec3 levelBack = Directions.cross(looking.right(), pole);
-        levelBack = Directions.unit(levelBack.x(), levelBack.y(), levelBack.z());
+        levelBack = Directions.unit(levelBack);
         Basis level = new Basis(Directions.cross(pole, levelBack), pole, levelBack);
         return new Heading(level, 0, StrictMath.toDegrees(slope));
     }

@@ -129,10 +129,6 @@ public final class GameWindow implements AutoCloseable {
         }
     }
 
-    public boolean isFullScreen() {
-        return fullScreen;
-    }
-
     public void toggleFullScreen() {
         long monitor = glfwGetPrimaryMonitor();
         GLFWVidMode mode = monitor == NULL ? null : glfwGetVideoMode(monitor);

@@ -77,11 +77,6 @@ public record QualityChoice(String preset, Map<String, String> settings) {
         return quality;
     }
 
-    /** The quality for a machine: auto is low where OpenGL runs in software, else ultra. */
-    public Quality on(boolean software) {
-        return settings(Output.DIRECT, software).quality();
-    }
-
     /** All that is drawn with. Ids are never blended, decorated or taken from another frame. */
     public RenderSettings settings(Output output, boolean software) {
         var all = RenderSettings.of(output, preset(software));

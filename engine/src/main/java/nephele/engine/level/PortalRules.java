@@ -71,10 +71,7 @@ final class PortalRules {
         Vec3 p = portal.centre();
         double[] corners = mesh.corners();
         // Along the normal from a millimetre before the surface to one behind it.
-        Vec3 from = new Vec3(
-                p.x() + ON_FACE_METRES * normal.x(),
-                p.y() + ON_FACE_METRES * normal.y(),
-                p.z() + ON_FACE_METRES * normal.z());
+        Vec3 from = Directions.moved(p, ON_FACE_METRES, normal);
         Ray ray = new Ray(from.x(), from.y(), from.z(), -normal.x(), -normal.y(), -normal.z());
         for (int triangle = 0; triangle < mesh.count(); triangle++) {
             double way = TriangleMeeting.parameter(ray, corners, 9 * triangle);

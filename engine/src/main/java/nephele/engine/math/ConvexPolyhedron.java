@@ -57,7 +57,9 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
                     centre.y() + x * halfX.y() + y * halfY.y() + z * halfZ.y(),
                     centre.z() + x * halfX.z() + y * halfY.z() + z * halfZ.z());
         }
-        Vec3[] outward = {halfX, opposite(halfX), halfY, opposite(halfY), halfZ, opposite(halfZ)};
+        Vec3[] outward = {
+            halfX, Directions.opposite(halfX), halfY, Directions.opposite(halfY), halfZ, Directions.opposite(halfZ)
+        };
         List<Face> faces = new ArrayList<>();
         for (int face = 0; face < 6; face++) {
             Plane flat = Plane.of(outward[face], 0);
@@ -65,10 +67,6 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
             faces.add(boxFace(face, c, new Plane(flat.nx(), flat.ny(), flat.nz(), flat.signedDistance(corner))));
         }
         return new ConvexPolyhedron(List.copyOf(faces), List.of(c), Aabb.of(List.of(c)));
-    }
-
-    private static Vec3 opposite(Vec3 v) {
-        return new Vec3(-v.x(), -v.y(), -v.z());
     }
 
     private static Face boxFace(int face, Vec3[] c, Plane plane) {

@@ -1,6 +1,6 @@
 package nephele.engine.math;
 
-/** Directions as values: what stays right where the textbook formula divides by zero or takes acos(1 + ε). */
+/** Directions and ways as values: what stays right where the textbook formula divides by zero or takes acos(1 + ε). */
 public final class Directions {
     private Directions() {}
 
@@ -20,6 +20,39 @@ public final class Directions {
         double sz = Math.scalb(z, -exponent);
         double length = Math.sqrt(sx * sx + sy * sy + sz * sz);
         return new Vec3(sx / length, sy / length, sz / length);
+    }
+
+    /** The unit vector along {@code v}, or {@code null}: as {@link #unit(double, double, double)}. */
+    public static Vec3 unit(Vec3 v) {
+        return unit(v.x(), v.y(), v.z());
+    }
+
+    public static Vec3 opposite(Vec3 v) {
+        return new Vec3(-v.x(), -v.y(), -v.z());
+    }
+
+    public static Vec3 scaled(Vec3 v, double by) {
+        return new Vec3(v.x() * by, v.y() * by, v.z() * by);
+    }
+
+    public static Vec3 between(Vec3 from, Vec3 to) {
+        return new Vec3(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
+    }
+
+    /** {@code from} + {@code times} · {@code way}. */
+    public static Vec3 moved(Vec3 from, double times, Vec3 way) {
+        return new Vec3(from.x() + times * way.x(), from.y() + times * way.y(), from.z() + times * way.z());
+    }
+
+    /** The point at a share of the way from {@code a} to {@code b}. */
+    public static Vec3 mixed(Vec3 a, Vec3 b, double share) {
+        return new Vec3(
+                a.x() + (b.x() - a.x()) * share, a.y() + (b.y() - a.y()) * share, a.z() + (b.z() - a.z()) * share);
+    }
+
+    /** {@code ofA} · {@code a} + {@code ofB} · {@code b}. */
+    public static Vec3 combined(Vec3 a, double ofA, Vec3 b, double ofB) {
+        return new Vec3(ofA * a.x() + ofB * b.x(), ofA * a.y() + ofB * b.y(), ofA * a.z() + ofB * b.z());
     }
 
     public static double dot(Vec3 a, Vec3 b) {
@@ -53,7 +86,7 @@ public final class Directions {
     /** A unit vector perpendicular to a unit vector, always the same one. */
     public static Vec3 perpendicular(Vec3 direction) {
         Vec3 side = cross(farthestAxis(direction), direction);
-        return unit(side.x(), side.y(), side.z());
+        return unit(side);
     }
 
     /**
@@ -66,16 +99,13 @@ public final class Directions {
         double t = Double.isNaN(share) ? 0 : Math.max(0, Math.min(1, share));
         double angle = angle(from, to);
         if (angle < 1e-3) {
-            return unit(
-                    from.x() + t * (to.x() - from.x()),
-                    from.y() + t * (to.y() - from.y()),
-                    from.z() + t * (to.z() - from.z()));
+            return unit(mixed(from, to, t));
         }
         Vec3 axis = cross(from, to);
-        Vec3 unitAxis = length(axis) < 1e-9 ? perpendicular(from) : unit(axis.x(), axis.y(), axis.z());
+        Vec3 unitAxis = length(axis) < 1e-9 ? perpendicular(from) : unit(axis);
         Vec3 side = cross(unitAxis, from);
         double cos = StrictMath.cos(t * angle);
         double sin = StrictMath.sin(t * angle);
-        return unit(cos * from.x() + sin * side.x(), cos * from.y() + sin * side.y(), cos * from.z() + sin * side.z());
+        return unit(combined(from, cos, side, sin));
     }
 }

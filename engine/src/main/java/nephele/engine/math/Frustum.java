@@ -70,11 +70,6 @@ public final class Frustum {
         return new Frustum(new double[0], 0, 0, 0, 0);
     }
 
-    /** Everything in front of {@code plane}, however far. */
-    public static Frustum inFrontOnly(Plane plane) {
-        return new Frustum(new double[0], 0, 0, 0, 0).inFrontOf(plane);
-    }
-
     /** Also cuts away what lies behind {@code plane}, given in the world. */
     public Frustum inFrontOf(Plane plane) {
         double[] more = Arrays.copyOf(planes, (count + 1) * STRIDE);

@@ -160,7 +160,7 @@ public final class HeightField {
     /** The unit normal of a triangle's front. */
     public Vec3 normal(int triangle) {
         Vec3 up = upwards(triangle);
-        return Directions.unit(up.x(), up.y(), up.z());
+        return Directions.unit(up);
     }
 
     /** The ray parameter at which a ray meets a triangle from either side; infinity for a miss. */

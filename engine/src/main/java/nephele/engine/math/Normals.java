@@ -33,7 +33,7 @@ public final class Normals {
         if (unit == null) {
             return flattened(linear, normal);
         }
-        return flipsWinding(linear) ? new Vec3(-unit.x(), -unit.y(), -unit.z()) : unit;
+        return flipsWinding(linear) ? Directions.opposite(unit) : unit;
     }
 
     private static Vec3 combined(Vec3 a, Vec3 b, Vec3 c, Vec3 weight) {
@@ -44,7 +44,7 @@ public final class Normals {
     }
 
     private static Vec3 flattened(Matrix3dc linear, Vec3 normal) {
-        Vec3 old = Directions.unit(normal.x(), normal.y(), normal.z());
+        Vec3 old = Directions.unit(normal);
         if (old == null) {
             return new Vec3(0, 1, 0);
         }
@@ -52,9 +52,9 @@ public final class Normals {
         Vec3 first = image(linear, tangent);
         Vec3 second = image(linear, Directions.cross(old, tangent));
         Vec3 longer = Directions.length(first) >= Directions.length(second) ? first : second;
-        Vec3 line = Directions.unit(longer.x(), longer.y(), longer.z());
+        Vec3 line = Directions.unit(longer);
         Vec3 inside = image(linear, old);
-        Vec3 side = Directions.unit(inside.x(), inside.y(), inside.z());
+        Vec3 side = Directions.unit(inside);
         return perpendicularTo(line, side == null ? old : side);
     }
 
@@ -64,9 +64,9 @@ public final class Normals {
             return side;
         }
         double along = Directions.dot(side, line);
-        Vec3 rest = new Vec3(side.x() - along * line.x(), side.y() - along * line.y(), side.z() - along * line.z());
+        Vec3 rest = Directions.moved(side, -along, line);
         boolean parallel = Directions.length(rest) < 1e-6;
-        return parallel ? Directions.perpendicular(line) : Directions.unit(rest.x(), rest.y(), rest.z());
+        return parallel ? Directions.perpendicular(line) : Directions.unit(rest);
     }
 
     private static Vec3 image(Matrix3dc m, Vec3 v) {

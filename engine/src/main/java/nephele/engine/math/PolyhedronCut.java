@@ -109,10 +109,7 @@ public record PolyhedronCut(ConvexPolyhedron behind, ConvexPolyhedron inFront) {
         Vec3 from = forward ? a : b;
         Vec3 to = forward ? b : a;
         double t = Math.abs(forward ? atA : atB) / (Math.abs(atA) + Math.abs(atB));
-        return new Vec3(
-                from.x() + (to.x() - from.x()) * t,
-                from.y() + (to.y() - from.y()) * t,
-                from.z() + (to.z() - from.z()) * t);
+        return Directions.mixed(from, to, t);
     }
 
     private static boolean isFirst(Vec3 a, Vec3 b) {

@@ -14,7 +14,7 @@ public final class Rotations {
 
     /** The rotation by an angle around an axis of any length; none around an axis of length zero. */
     public static Quaterniond aroundAxis(Vec3 axis, double radians) {
-        Vec3 unit = Directions.unit(axis.x(), axis.y(), axis.z());
+        Vec3 unit = Directions.unit(axis);
         if (unit == null || !Double.isFinite(radians)) {
             return new Quaterniond();
         }

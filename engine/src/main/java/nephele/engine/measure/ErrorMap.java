@@ -16,14 +16,6 @@ public record ErrorMap(int width, int height, float[] error) {
         return sum / error.length;
     }
 
-    public double greatest() {
-        double greatest = 0;
-        for (float value : error) {
-            greatest = Math.max(greatest, value);
-        }
-        return greatest;
-    }
-
     /** @param share of the pixels that have at most this error, 0–1 */
     public double quantile(double share) {
         float[] sorted = error.clone();

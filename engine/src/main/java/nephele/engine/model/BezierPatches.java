@@ -13,9 +13,4 @@ public record BezierPatches(String file, List<BezierPatch> patches) {
     public static BezierPatches read(String file, byte[] bytes) {
         return new PatchFile(file, bytes).read();
     }
-
-    /** @param tessellation parts of each side of a patch, 1 to 512, within what a mesh may have in all */
-    public Mesh mesh(int tessellation) {
-        return new BezierShape(this, tessellation).mesh();
-    }
 }

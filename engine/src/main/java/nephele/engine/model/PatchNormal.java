@@ -20,10 +20,6 @@ final class PatchNormal {
         this.vanishing = VANISHING * squaredSize(patch);
     }
 
-    Vector3d at(int column, int row, int parts) {
-        return unit(cross(CubicWeights.at(column, parts), CubicWeights.at(row, parts)), column, row, parts);
-    }
-
     /** @param cross product of the derivatives; may be changed */
     Vector3d unit(Vector3d cross, int column, int row, int parts) {
         if (cross.length() > vanishing) {

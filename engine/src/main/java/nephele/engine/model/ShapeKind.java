@@ -51,10 +51,6 @@ public enum ShapeKind {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    public List<ShapeParameter> parameters() {
-        return parameters;
-    }
-
     /** @throws IllegalArgumentException with what is wanted instead, for users */
     public Shape shape(List<String> numbers) {
         if (numbers.size() != parameters.size()) {

@@ -140,13 +140,4 @@ public final class Aperture {
     public boolean contains(double x, double y) {
         return outside(x, y) <= 0;
     }
-
-    /** How far the aperture reaches along a direction of its plane. */
-    public double reach(double x, double y) {
-        double most = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < corners.length; i += 2) {
-            most = Math.max(most, corners[i] * x + corners[i + 1] * y);
-        }
-        return most;
-    }
 }

@@ -1,6 +1,7 @@
 package nephele.engine.portal;
 
 import nephele.engine.math.Basis;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Isometry;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
@@ -33,7 +34,7 @@ public final class Passage implements Isometry {
     public static Passage between(Portal entry, Portal exit) {
         Basis a = entry.frame();
         Basis b = exit.frame();
-        Matrix3d toWorld = columns(opposite(b.right()), b.up(), opposite(b.back()));
+        Matrix3d toWorld = columns(Directions.opposite(b.right()), b.up(), Directions.opposite(b.back()));
         return new Passage(
                 entry.centre(),
                 exit.centre(),
@@ -42,10 +43,6 @@ public final class Passage implements Isometry {
 
     private static Matrix3d columns(Vec3 x, Vec3 y, Vec3 z) {
         return new Matrix3d(x.toVector(), y.toVector(), z.toVector());
-    }
-
-    private static Vec3 opposite(Vec3 v) {
-        return new Vec3(-v.x(), -v.y(), -v.z());
     }
 
     /** Moves a point from before the entry to before the exit. */

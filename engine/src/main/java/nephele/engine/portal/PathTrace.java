@@ -1,7 +1,6 @@
 package nephele.engine.portal;
 
 import java.util.Arrays;
-import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -137,14 +136,6 @@ public final class PathTrace {
             portals.passage(entered[i]).point(point);
         }
         return point;
-    }
-
-    /** Turns an orientation (world from body) at the path's start into the one at its end. */
-    public Quaterniond carryOrientation(Quaterniond worldFromBody) {
-        for (int i = 0; i < crossings; i++) {
-            portals.passage(entered[i]).orientation(worldFromBody);
-        }
-        return worldFromBody;
     }
 
     @Override

@@ -2,6 +2,7 @@ package nephele.engine.portal;
 
 import nephele.engine.level.PortalSpec;
 import nephele.engine.math.Basis;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -21,7 +22,7 @@ public record Portal(String id, Vec3 centre, Basis frame, Aperture aperture) {
 
     /** The frame that looks along {@code normal}, with its up as near to {@code up} as can be. */
     public static Basis facing(Vec3 normal, Vec3 up) {
-        Vec3 behind = new Vec3(-normal.x(), -normal.y(), -normal.z());
+        Vec3 behind = Directions.opposite(normal);
         return Basis.lookAt(Vec3.ZERO, behind, up, Basis.WORLD);
     }
 

@@ -58,7 +58,7 @@ final class Illumination {
     }
 
     private static Vector3dc unit(Vec3 v) {
-        return Directions.unit(v.x(), v.y(), v.z()).toVector();
+        return Directions.unit(v).toVector();
     }
 
     /**

@@ -13,7 +13,6 @@ import nephele.engine.render.pass.shadow.ThingShadowPass;
 import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
-import nephele.engine.render.pass.thing.HeldPass;
 import nephele.engine.render.pass.thing.ThingPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 
@@ -35,7 +34,7 @@ public final class RenderFeatures {
             PortalPass.FEATURE,
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
-            HeldPass.FEATURE,
+            ThingPass.HELD,
             // After all.
             ToneMapPass.FEATURE);
 

@@ -28,10 +28,6 @@ public record SceneMaterials(
     /** Where a picture is: which array, which layer. */
     public record Slot(int array, int layer) {
         public static final Slot NONE = new Slot(-1, 0);
-
-        public boolean isPresent() {
-            return array >= 0;
-        }
     }
 
     /** A material with its pictures found. */

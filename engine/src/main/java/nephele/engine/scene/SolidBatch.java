@@ -41,8 +41,4 @@ public record SolidBatch(Form form, Kind kind, Vec3 cellOrigin, int firstIndex, 
     int start(int slot) {
         return firstIndex + (slot == 0 ? 0 : indexEnds[slot - 1]);
     }
-
-    public int indexCount() {
-        return indexEnds.length == 0 ? 0 : indexEnds[indexEnds.length - 1];
-    }
 }

@@ -42,16 +42,4 @@ public final class FixedStep {
     public long droppedTicks() {
         return droppedTicks;
     }
-
-    /**
-     * Seconds as the nanoseconds that {@link #advance} takes; negative time is none, endless time the longest.
-     *
-     * @throws IllegalArgumentException for NaN
-     */
-    public static long nanos(double seconds) {
-        if (Double.isNaN(seconds)) {
-            throw new IllegalArgumentException("a frame's time must be a number");
-        }
-        return (long) Math.max(0, Math.min(seconds * NANOS_PER_SECOND, Long.MAX_VALUE));
-    }
 }

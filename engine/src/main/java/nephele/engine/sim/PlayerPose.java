@@ -34,8 +34,8 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         PlayerState b = after.player();
         CrossingWord crossed = after.around().trace().playerCrossed();
         Portals portals = after.around().portals();
-        Vec3 centre = mix(brought(a.centre(), crossed, portals), b.centre(), share);
-        Vec3 eye = mix(brought(a.eye(), crossed, portals), b.eye(), share);
+        Vec3 centre = Directions.mixed(brought(a.centre(), crossed, portals), b.centre(), share);
+        Vec3 eye = Directions.mixed(brought(a.eye(), crossed, portals), b.eye(), share);
         Basis view = crossed.length() == 0 && a.tilt().isViewLevel() && b.tilt().isViewLevel()
                 ? level(a.heading(), b.heading(), share)
                 : turned(brought(PlayerEye.view(a), crossed, portals), PlayerEye.view(b), share);
@@ -160,10 +160,5 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
             seen = portals.passage(toEye.entered(i)).basis(seen);
         }
         return toEye.crossings() == 0 ? this : new PlayerPose(Vec3.of(toEye.place()), seen, body, later);
-    }
-
-    private static Vec3 mix(Vec3 a, Vec3 b, double share) {
-        return new Vec3(
-                a.x() + (b.x() - a.x()) * share, a.y() + (b.y() - a.y()) * share, a.z() + (b.z() - a.z()) * share);
     }
 }

@@ -1,6 +1,7 @@
 package nephele.engine.sim;
 
 import nephele.engine.math.BitHash;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerBody.Stance;
 
@@ -64,7 +65,7 @@ public record PlayerState(
         Vec3 centre = centre();
         double above = eyeMetres - stance.centreAboveFeet();
         Vec3 up = tilt.up();
-        return new Vec3(centre.x() + above * up.x(), centre.y() + above * up.y(), centre.z() + above * up.z());
+        return Directions.moved(centre, above, up);
     }
 
     boolean isFinite() {

@@ -110,7 +110,7 @@ final class DraftPlacements {
             return isWithin(scale.by(), 1e-6, 1e7);
         } else if (step instanceof Step.Rotate rotate) {
             Vec3 axis = rotate.axis();
-            Vec3 unit = Directions.unit(axis.x(), axis.y(), axis.z());
+            Vec3 unit = Directions.unit(axis);
             if (unit != null) {
                 steps.add(new TransformStep.Rotate(unit, rotate.angleDegrees() % 360));
             }

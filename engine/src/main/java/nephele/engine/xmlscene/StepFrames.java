@@ -22,13 +22,9 @@ final class StepFrames {
             Step step = steps.get(i);
             curves[i] = step instanceof Step.Follow follow ? new CurveFrame(follow.points()) : null;
             axes[i] = step instanceof Step.Rotate rotate
-                    ? unit(rotate.axis())
-                    : step instanceof Step.Spin spin ? unit(spin.axis()) : null;
+                    ? Directions.unit(rotate.axis())
+                    : step instanceof Step.Spin spin ? Directions.unit(spin.axis()) : null;
         }
-    }
-
-    private static Vec3 unit(Vec3 axis) {
-        return Directions.unit(axis.x(), axis.y(), axis.z());
     }
 
     boolean moves() {

@@ -1,7 +1,6 @@
 package nephele.lab.prove;
 
 import java.util.List;
-import java.util.function.DoubleUnaryOperator;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
@@ -100,44 +99,5 @@ public final class BruteForce {
         Vector3d u = new Vector3d(b).sub(a);
         double t = u.lengthSquared() == 0 ? 0 : new Vector3d(p).sub(a).dot(u) / u.lengthSquared();
         return u.mul(Math.max(0, Math.min(1, t))).add(a).distance(p);
-    }
-
-    /**
-     * The first fraction of the way at which a capsule is {@code gap} from the solid, 1 for none: the distance is convex
-     * along the way, so thirds find the nearest place and halves the first near enough.
-     */
-    public static double fraction(Vector3d halfAxis, Vector3d from, Vector3d way, double gap, ConvexPolyhedron solid) {
-        DoubleUnaryOperator excess = t -> {
-            Vector3d centre = new Vector3d(way).mul(t).add(from);
-            return distance(new Vector3d(centre).sub(halfAxis), new Vector3d(centre).add(halfAxis), solid) - gap;
-        };
-        double nearest = leastBetweenZeroAndOne(excess);
-        if (excess.applyAsDouble(nearest) > 0) {
-            return 1;
-        }
-        double low = 0;
-        for (int i = 0; i < 50; i++) {
-            double middle = (low + nearest) / 2;
-            if (excess.applyAsDouble(middle) > 0) {
-                low = middle;
-            } else {
-                nearest = middle;
-            }
-        }
-        return low;
-    }
-
-    private static double leastBetweenZeroAndOne(DoubleUnaryOperator convex) {
-        double low = 0;
-        double high = 1;
-        for (int i = 0; i < 60; i++) {
-            double third = (high - low) / 3;
-            if (convex.applyAsDouble(low + third) < convex.applyAsDouble(high - third)) {
-                high -= third;
-            } else {
-                low += third;
-            }
-        }
-        return low;
     }
 }

@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.level.Body;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import org.joml.Quaterniond;
@@ -58,9 +59,7 @@ record DroppedBody(Body body, BodyState start) {
     }
 
     private static Vec3 upTo(SplittableRandom random, double most) {
-        Vec3 direction = direction(random);
-        double length = random.nextDouble(0, most);
-        return new Vec3(length * direction.x(), length * direction.y(), length * direction.z());
+        return Directions.scaled(direction(random), random.nextDouble(0, most));
     }
 
     /** Even over the sphere: height and longitude are. */

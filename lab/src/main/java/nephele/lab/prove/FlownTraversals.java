@@ -100,13 +100,9 @@ final class FlownTraversals {
         List<BodyState> states = new ArrayList<>();
         for (int i = 0; i < PAIRS; i++) {
             BodyState state = bodies.state(i);
-            states.add(state.moving(opposite(state.velocity()), opposite(state.spin())));
+            states.add(state.moving(Directions.opposite(state.velocity()), Directions.opposite(state.spin())));
         }
         return Bodies.of(states);
-    }
-
-    private static Vec3 opposite(Vec3 v) {
-        return new Vec3(-v.x(), -v.y(), -v.z());
     }
 
     private void compare(Bodies bodies) {

@@ -25,10 +25,10 @@ final class LeavingRays {
         Vec3 normal = TriangleRay.normal(corners, 0);
         double a = random.nextDouble();
         double b = (1 - a) * random.nextDouble();
-        Vec3 out = random.nextBoolean() ? normal : new Vec3(-normal.x(), -normal.y(), -normal.z());
+        Vec3 out = random.nextBoolean() ? normal : Directions.opposite(normal);
         Vec3 side = Directions.cross(out, direction(random));
         double slope = unit % 2 == 0 ? 1 : StrictMath.pow(10, random.nextDouble(0, 6));
-        var onward = new Vec3(out.x() + slope * side.x(), out.y() + slope * side.y(), out.z() + slope * side.z());
+        var onward = Directions.moved(out, slope, side);
         Vec3 origin = TriangleHit.at(a, b, 1 - a - b).originTowards(onward, corners, 0);
         if (new TriangleRay(Ray.of(origin, onward)).meets(corners, 0, Double.POSITIVE_INFINITY, hit)) {
             failures.add("ray " + unit + " meets the triangle it leaves, " + hit.distance() + " on");

@@ -44,8 +44,9 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
         for (int i = 0; i < DIRECTIONS; i++) {
             double x = StrictMath.cos(Math.PI * i / DIRECTIONS);
             double y = StrictMath.sin(Math.PI * i / DIRECTIONS);
-            Vec3 direction = onFace(sum(across, x, up, y));
-            if (litMetres(direction, metres) + litMetres(sum(direction, -1, direction, 0), metres) < metres) {
+            Vec3 direction = onFace(Directions.combined(across, x, up, y));
+            if (litMetres(direction, metres) + litMetres(Directions.combined(direction, -1, direction, 0), metres)
+                    < metres) {
                 return true;
             }
         }
@@ -54,12 +55,12 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
 
     /** The step on the face that the light sees as one across its rays. */
     private Vec3 onFace(Vec3 step) {
-        return sum(step, 1, way, -Directions.dot(normal, step) / Directions.dot(normal, way));
+        return Directions.combined(step, 1, way, -Directions.dot(normal, step) / Directions.dot(normal, way));
     }
 
     private double litMetres(Vec3 direction, double most) {
         for (int i = 1; i <= STEPS; i++) {
-            if (!isLit(sum(place, 1, direction, most * i / STEPS))) {
+            if (!isLit(Directions.combined(place, 1, direction, most * i / STEPS))) {
                 return most * (i - 1) / STEPS;
             }
         }
@@ -91,9 +92,5 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
 
     private static boolean isWithin(Brush brush, Vec3 point) {
         return brush.shape().faces().stream().allMatch(face -> face.plane().signedDistance(point) < TOUCH_METRES);
-    }
-
-    private static Vec3 sum(Vec3 a, double s, Vec3 b, double t) {
-        return new Vec3(s * a.x() + t * b.x(), s * a.y() + t * b.y(), s * a.z() + t * b.z());
     }
 }

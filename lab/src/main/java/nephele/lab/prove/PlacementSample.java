@@ -3,11 +3,7 @@ package nephele.lab.prove;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import nephele.engine.level.PortalShape;
-import nephele.engine.math.Directions;
-import nephele.engine.math.Vec3;
-import nephele.engine.portal.Aperture;
-import nephele.engine.portal.placement.FourLines;
+import nephele.engine.portal.placement.Aim;
 import nephele.engine.portal.placement.Gun;
 import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placed;
@@ -21,8 +17,7 @@ import nephele.engine.portal.placement.Placement;
 public final class PlacementSample {
     private final List<Question> questions = new ArrayList<>();
 
-    private record Question(
-            WallShot shot, int triangle, Vec3 right, Vec3 up, FourLines fourLines, Placement fixed, boolean fits) {}
+    private record Question(RectangleQuestion rectangle, Placement fixed) {}
 
     public PlacementSample(int count) {
         for (long seed = 0; questions.size() < count; seed++) {
@@ -35,29 +30,9 @@ public final class PlacementSample {
     }
 
     private static Question question(WallShot shot) {
-        Aperture rectangle = Aperture.of(
-                PortalShape.RECTANGLE,
-                shot.gun.aperture().widthMetres(),
-                shot.gun.aperture().heightMetres());
-        Vec3 up = shot.wall.place().expectedUp(shot.aim.view());
-        Vec3 right = Directions.cross(up, shot.wall.place().normal());
-        int triangle = 0;
-        while (!ClippedAreas.contains(shot.wall.pieces().get(triangle), shot.x, shot.y)) {
-            triangle++;
-        }
-        return new Question(
-                shot,
-                triangle,
-                scaled(right, rectangle.widthMetres() / 2),
-                scaled(up, rectangle.heightMetres() / 2),
-                new FourLines(shot.wall.soup()),
-                new Placement(shot.wall.surfaces(), new Gun(rectangle, shot.gun.rangeMetres(), 0)),
-                new ClippedAreas(shot.wall.pieces(), List.of())
-                        .isWhole(WallShot.shape(rectangle, shot, 0), shot.x, shot.y));
-    }
-
-    private static Vec3 scaled(Vec3 v, double by) {
-        return new Vec3(v.x() * by, v.y() * by, v.z() * by);
+        RectangleQuestion asked = RectangleQuestion.of(shot);
+        Gun fixed = new Gun(asked.rectangle(), shot.gun.rangeMetres(), 0);
+        return new Question(asked, new Placement(shot.wall.surfaces(), fixed));
     }
 
     public int size() {
@@ -66,18 +41,17 @@ public final class PlacementSample {
 
     /** Whether the rectangle fits where one aims, in truth. */
     public boolean fits(int question) {
-        return questions.get(question).fits;
+        return questions.get(question).rectangle.fits();
     }
 
     public boolean fourLines(int question) {
-        Question asked = questions.get(question);
-        Vec3 centre = asked.shot.wall.place().world(asked.shot.x, asked.shot.y, 0);
-        return asked.fourLines.fits(asked.triangle, centre, asked.right, asked.up);
+        return questions.get(question).rectangle.byFourLines();
     }
 
     /** The exact answer about the very place. */
     public boolean exact(int question) {
         Question asked = questions.get(question);
-        return asked.fixed.place("shot", asked.shot.aim, List.of(), MovingSurfaces.NONE) instanceof Placed.Fits;
+        Aim aim = asked.rectangle.shot().aim;
+        return asked.fixed.place("shot", aim, List.of(), MovingSurfaces.NONE) instanceof Placed.Fits;
     }
 }

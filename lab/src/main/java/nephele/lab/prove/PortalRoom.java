@@ -8,6 +8,7 @@ import nephele.engine.collision.CollisionWorld;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
@@ -94,15 +95,11 @@ final class PortalRoom {
                 ConvexPolyhedron.fromPlanes(List.of(
                         through(frame.normal(), frame.centre()),
                         through(frame.frame().right(), frame.world(1.2, 0, 0)),
-                        through(opposite(frame.frame().right()), frame.world(-1.2, 0, 0)),
+                        through(Directions.opposite(frame.frame().right()), frame.world(-1.2, 0, 0)),
                         through(frame.frame().up(), frame.world(0, 1.3, 0)),
                         through(new Vec3(0, -1, 0), origin),
-                        through(opposite(frame.normal()), frame.world(0, 0, -2.2))))));
+                        through(Directions.opposite(frame.normal()), frame.world(0, 0, -2.2))))));
         return frame;
-    }
-
-    private static Vec3 opposite(Vec3 v) {
-        return new Vec3(-v.x(), -v.y(), -v.z());
     }
 
     private static Plane through(Vec3 n, Vec3 p) {
@@ -219,7 +216,7 @@ final class PortalRoom {
         for (int i = 0; i < end.aperture().corners(); i++) {
             for (double before : new double[] {0, least}) {
                 Vec3 p = end.world(end.aperture().cornerX(i), end.aperture().cornerY(i), before);
-                corners.add(new Vec3(p.x() - origin.x(), p.y() - origin.y(), p.z() - origin.z()));
+                corners.add(Directions.between(origin, p));
             }
         }
         return Aabb.of(corners).overlaps(box);

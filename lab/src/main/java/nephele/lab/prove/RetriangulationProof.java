@@ -105,7 +105,7 @@ public final class RetriangulationProof implements Proof {
     private static WallPlace tilted(WallPlace wall, double aroundX, double aroundY) {
         Vec3 normal = Directions.unit(Math.tan(aroundY), Math.tan(aroundX), 1);
         Vec3 right = Directions.cross(new Vec3(0, 1, 0), normal);
-        Vec3 unit = Directions.unit(right.x(), right.y(), right.z());
+        Vec3 unit = Directions.unit(right);
         return new WallPlace(wall.origin(), unit, Directions.cross(normal, unit), normal);
     }
 
@@ -114,7 +114,7 @@ public final class RetriangulationProof implements Proof {
             Aperture aperture = Aperture.of(PortalShape.values()[shape], 1.2 + 2 * grownMetres, 2.1 + 2 * grownMetres);
             Vec3 eye = place.world(x + eyeX, y + eyeY, 4);
             Vec3 target = place.world(x, y, 0);
-            Vec3 way = Directions.unit(target.x() - eye.x(), target.y() - eye.y(), target.z() - eye.z());
+            Vec3 way = Directions.unit(Directions.between(eye, target));
             return new Placement(surfaces, new Gun(aperture, 100, 0.75))
                     .place("p", new Aim(eye, WallPlace.looking(way, 0)), List.of(), MovingSurfaces.NONE);
         }

@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.PathTrace;
@@ -34,7 +35,7 @@ final class SeamedClearance {
     double depth(PlayerState player) {
         Vec3 up = player.tilt().up();
         Vec3 side = perpendicular(up);
-        Vec3 other = cross(up, side);
+        Vec3 other = Directions.cross(up, side);
         double half = player.stance().heightMetres() / 2;
         double straight = half - PlayerBody.RADIUS;
         Vector3d centre = player.centre().toVector();
@@ -43,18 +44,9 @@ final class SeamedClearance {
             double angle = 2 * Math.PI * i / AROUND;
             double a = PlayerBody.RADIUS * StrictMath.cos(angle);
             double b = PlayerBody.RADIUS * StrictMath.sin(angle);
-            Vec3 out =
-                    new Vec3(a * side.x() + b * other.x(), a * side.y() + b * other.y(), a * side.z() + b * other.z());
+            Vec3 out = Directions.combined(side, a, other, b);
             for (double height : new double[] {-straight, 0, straight}) {
-                deepest = Math.max(
-                        deepest,
-                        depthAt(
-                                centre,
-                                new Vec3(
-                                        out.x() + height * up.x(),
-                                        out.y() + height * up.y(),
-                                        out.z() + height * up.z()),
-                                1));
+                deepest = Math.max(deepest, depthAt(centre, Directions.moved(out, height, up), 1));
             }
         }
         return deepest;
@@ -110,15 +102,8 @@ final class SeamedClearance {
     }
 
     private static Vec3 perpendicular(Vec3 up) {
-        return Math.abs(up.y()) > 0.9 ? unit(cross(up, new Vec3(1, 0, 0))) : unit(cross(up, new Vec3(0, 1, 0)));
-    }
-
-    private static Vec3 unit(Vec3 v) {
-        double length = Math.sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
-        return new Vec3(v.x() / length, v.y() / length, v.z() / length);
-    }
-
-    private static Vec3 cross(Vec3 a, Vec3 b) {
-        return new Vec3(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x());
+        return Math.abs(up.y()) > 0.9
+                ? Directions.unit(Directions.cross(up, new Vec3(1, 0, 0)))
+                : Directions.unit(Directions.cross(up, new Vec3(0, 1, 0)));
     }
 }

@@ -143,7 +143,7 @@ final class SeededCameras {
 
     private boolean isSeen(Vec3 place, SplittableRandom random) {
         Vec3 start = starts.get(random.nextInt(starts.size()));
-        Vec3 way = new Vec3(place.x() - start.x(), place.y() - start.y(), place.z() - start.z());
+        Vec3 way = Directions.between(start, place);
         return ways.freeMetres(start, towards(start, place)) >= Directions.length(way) - 1e-6;
     }
 
@@ -153,7 +153,7 @@ final class SeededCameras {
         for (int i = 0; i < 2; i++) {
             Vec3 d = direction(random, 0.5);
             double metres = Math.min(ways.freeMetres(place, d), LONGEST_WALK) * random.nextDouble();
-            Vec3 next = new Vec3(place.x() + metres * d.x(), place.y() + metres * d.y(), place.z() + metres * d.z());
+            Vec3 next = Directions.moved(place, metres, d);
             place = isInside(next) ? place : next;
         }
         return place;

@@ -125,7 +125,7 @@ public final class ShadowEdgesProof implements Proof {
         if (sight.isLit(Vec3.ZERO, way, scene.limit()) == isLit) {
             return 0;
         }
-        Vec3 unit = Directions.unit(way.x(), way.y(), way.z());
+        Vec3 unit = Directions.unit(way);
         Vec3 across = Directions.perpendicular(unit);
         Vec3 up = Directions.cross(unit, across);
         double texel = scene.texelMetres(sight.place());
@@ -133,8 +133,7 @@ public final class ShadowEdgesProof implements Proof {
             for (int i = 0; i < DIRECTIONS; i++) {
                 double x = radius * texel * StrictMath.cos(2 * Math.PI * i / DIRECTIONS);
                 double y = radius * texel * StrictMath.sin(2 * Math.PI * i / DIRECTIONS);
-                Vec3 shift =
-                        new Vec3(x * across.x() + y * up.x(), x * across.y() + y * up.y(), x * across.z() + y * up.z());
+                Vec3 shift = Directions.combined(across, x, up, y);
                 if (sight.isLit(shift, way, scene.limit()) == isLit) {
                     return radius;
                 }

@@ -78,7 +78,7 @@ final class ShadowScene {
             double length = towardsSun.toVector().length();
             return new Vec3(towardsSun.x() / length, towardsSun.y() / length, towardsSun.z() / length);
         }
-        return new Vec3(lamp.x() - place.x(), lamp.y() - place.y(), lamp.z() - place.z());
+        return Directions.between(place, lamp);
     }
 
     /** Share of {@link #wayToLight} on which something may shade. */
@@ -90,7 +90,7 @@ final class ShadowScene {
     double texelMetres(Vec3 place) {
         if (axis != null) {
             Vec3 way = wayToLight(place);
-            double depth = -Directions.dot(way, Directions.unit(axis.x(), axis.y(), axis.z()));
+            double depth = -Directions.dot(way, Directions.unit(axis));
             return 2 * depth * Math.tan(Math.toRadians(OUTER_DEGREES)) / LampShadows.LARGEST_SIDE;
         }
         if (lamp != null) {

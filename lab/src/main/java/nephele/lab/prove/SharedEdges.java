@@ -28,12 +28,9 @@ final class SharedEdges {
         Vec3[] rim = rim(hub, random);
         Vec3 end = rim[(int) (unit % SPOKES)];
         double share = unit % 5 == 0 ? 0 : 0.99 * random.nextDouble();
-        Vec3 aim = new Vec3(
-                hub.x() + share * (end.x() - hub.x()),
-                hub.y() + share * (end.y() - hub.y()),
-                hub.z() + share * (end.z() - hub.z()));
+        Vec3 aim = Directions.mixed(hub, end, share);
         Vec3 origin = new Vec3(hub.x() + random.nextDouble(-2, 2), hub.y() + random.nextDouble(-2, 2), 9);
-        var direction = new Vec3(aim.x() - origin.x(), aim.y() - origin.y(), aim.z() - origin.z());
+        var direction = Directions.between(origin, aim);
         if (!meetsFan(new TriangleRay(Ray.of(origin, direction)), hub, rim, unit)) {
             failures.add("ray " + unit + " slips through the fan");
         }

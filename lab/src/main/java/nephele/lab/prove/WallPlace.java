@@ -39,7 +39,7 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
     }
 
     private static Vec3 sum(Vec3 a, double ofA, Vec3 b, double ofB) {
-        return Directions.unit(ofA * a.x() + ofB * b.x(), ofA * a.y() + ofB * b.y(), ofA * a.z() + ofB * b.z());
+        return Directions.unit(Directions.combined(a, ofA, b, ofB));
     }
 
     Vec3 world(double x, double y, double height) {
@@ -62,14 +62,14 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
     }
 
     private Vec3 fromOrigin(Vec3 p) {
-        return new Vec3(p.x() - origin.x(), p.y() - origin.y(), p.z() - origin.z());
+        return Directions.between(origin, p);
     }
 
     /** A prism over a convex counter-clockwise polygon, from one height to another. */
     Brush prism(double[] polygon, double low, double high, boolean portalable) {
         List<Solid.PlaneFace> planes = new ArrayList<>();
         planes.add(plane(normal, world(0, 0, high), portalable));
-        planes.add(plane(opposite(normal), world(0, 0, low), portalable));
+        planes.add(plane(Directions.opposite(normal), world(0, 0, low), portalable));
         for (int i = 0; i < polygon.length; i += 2) {
             int j = (i + 2) % polygon.length;
             double dx = polygon[j] - polygon[i];
@@ -82,10 +82,6 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
 
     private static Solid.PlaneFace plane(Vec3 normal, Vec3 through, boolean portalable) {
         return new Solid.PlaneFace(normal, Directions.dot(normal, through), null, portalable);
-    }
-
-    private static Vec3 opposite(Vec3 v) {
-        return new Vec3(-v.x(), -v.y(), -v.z());
     }
 
     /** Looks along a direction without roll; straight up or down with any yaw. */
@@ -104,7 +100,7 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
             return Directions.unit(
                     Math.signum(along.y()) * along.x(), Math.abs(along.y()), Math.signum(along.y()) * along.z());
         }
-        Vec3 seen = opposite(view.back());
+        Vec3 seen = Directions.opposite(view.back());
         // Straight down the view's own up is what is ahead, straight up its opposite.
         Vec3 ahead = Math.abs(seen.y()) > 1 - 1e-9
                 ? new Vec3(-seen.y() * view.up().x(), 0, -seen.y() * view.up().z())

@@ -60,10 +60,8 @@ final class WallShot {
         Vec3 eye = wall.place().world(x + dx, y + dy, away);
         Vec3 target = wall.place().world(x, y, 0);
         Vec3 n = wall.place().normal();
-        Vec3 direction = slant == 0
-                ? new Vec3(-n.x(), -n.y(), -n.z())
-                : new Vec3(target.x() - eye.x(), target.y() - eye.y(), target.z() - eye.z());
-        Vec3 unit = Directions.unit(direction.x(), direction.y(), direction.z());
+        Vec3 direction = slant == 0 ? Directions.opposite(n) : Directions.between(eye, target);
+        Vec3 unit = Directions.unit(direction);
         return new Aim(eye, WallPlace.looking(unit, random.nextDouble(-3, 3)));
     }
 
@@ -73,7 +71,7 @@ final class WallShot {
         Vec3 b = wall.place().up();
         double cos = Math.cos(angle);
         double sin = Math.sin(angle);
-        Vec3 right = Directions.unit(cos * a.x() + sin * b.x(), cos * a.y() + sin * b.y(), cos * a.z() + sin * b.z());
+        Vec3 right = Directions.unit(Directions.combined(a, cos, b, sin));
         Vec3 up = Directions.cross(wall.place().normal(), right);
         Vec3 centre = wall.place().world(x + random.nextDouble(-2, 2), y + random.nextDouble(-2, 2), 0);
         Aperture aperture = Aperture.of(shape(random), random.nextDouble(0.4, 1.6), random.nextDouble(0.6, 2.4));

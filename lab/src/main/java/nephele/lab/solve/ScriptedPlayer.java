@@ -38,10 +38,6 @@ public final class ScriptedPlayer {
         state = simulation.start();
     }
 
-    public SimState state() {
-        return state;
-    }
-
     public Replay replay() {
         return recorder.replay();
     }

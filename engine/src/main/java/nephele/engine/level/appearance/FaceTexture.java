@@ -29,7 +29,8 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
         Vec3 normal = face.plane().normal();
         Vec3 across = across(normal);
         Vec3 up = Directions.cross(normal, across);
-        return new FaceTexture(across, up, axis(face, across, textureMetres), axis(face, opposite(up), textureMetres));
+        return new FaceTexture(
+                across, up, axis(face, across, textureMetres), axis(face, Directions.opposite(up), textureMetres));
     }
 
     /** In which unit direction s grows on what looks along {@code n}. */
@@ -37,11 +38,7 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
         Vec3 s = Math.abs(n.y()) > HORIZONTAL
                 ? new Vec3(1 - n.x() * n.x(), -n.y() * n.x(), -n.z() * n.x())
                 : Directions.cross(new Vec3(0, 1, 0), n);
-        return Directions.unit(s.x(), s.y(), s.z());
-    }
-
-    private static Vec3 opposite(Vec3 v) {
-        return new Vec3(-v.x(), -v.y(), -v.z());
+        return Directions.unit(s);
     }
 
     private static Axis axis(BrushFace face, Vec3 direction, double textureMetres) {

@@ -101,13 +101,10 @@ final class ConvexModel {
 
     private double area(int triangle) {
         Vec3 a = mesh.corner(triangle, 0);
-        return Directions.length(
-                        Directions.cross(between(a, mesh.corner(triangle, 1)), between(a, mesh.corner(triangle, 2))))
+        return Directions.length(Directions.cross(
+                        Directions.between(a, mesh.corner(triangle, 1)),
+                        Directions.between(a, mesh.corner(triangle, 2))))
                 / 2;
-    }
-
-    private static Vec3 between(Vec3 from, Vec3 to) {
-        return new Vec3(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
     }
 
     /** Each place once; false when there are more than the planes can have between them (Euler). */
@@ -132,7 +129,7 @@ final class ConvexModel {
     }
 
     private boolean isSame(Vec3 a, Vec3 b) {
-        return Directions.length(between(a, b)) <= tolerance;
+        return Directions.length(Directions.between(a, b)) <= tolerance;
     }
 
     /** Empty when a plane's triangles do not fill the polygon between its corners. */
@@ -158,7 +155,8 @@ final class ConvexModel {
     private static double area(List<Vec3> ring) {
         var sum = Vec3.ZERO.toVector();
         for (int i = 2; i < ring.size(); i++) {
-            Vec3 doubled = Directions.cross(between(ring.get(0), ring.get(i - 1)), between(ring.get(0), ring.get(i)));
+            Vec3 doubled = Directions.cross(
+                    Directions.between(ring.get(0), ring.get(i - 1)), Directions.between(ring.get(0), ring.get(i)));
             sum.add(doubled.x(), doubled.y(), doubled.z());
         }
         return sum.length() / 2;

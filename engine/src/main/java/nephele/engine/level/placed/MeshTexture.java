@@ -15,24 +15,18 @@ public record MeshTexture(Vec3 right, Vec3 down) {
     public static MeshTexture of(WorldTriangles mesh, int triangle) {
         Vec3 n = mesh.faceNormal(triangle);
         Vec3 a = mesh.corner(triangle, 0);
-        Vec3 ab = between(a, mesh.corner(triangle, 1));
-        Vec3 ac = between(a, mesh.corner(triangle, 2));
+        Vec3 ab = Directions.between(a, mesh.corner(triangle, 1));
+        Vec3 ac = Directions.between(a, mesh.corner(triangle, 2));
         Vec3 alongAb = Directions.cross(ac, n);
         Vec3 alongAc = Directions.cross(n, ab);
         double area = Directions.dot(n, Directions.cross(ab, ac));
         double s = mesh.s(triangle, 0);
         double t = mesh.t(triangle, 0);
         return new MeshTexture(
-                mixed(alongAb, (mesh.s(triangle, 1) - s) / area, alongAc, (mesh.s(triangle, 2) - s) / area),
-                mixed(alongAb, (mesh.t(triangle, 1) - t) / area, alongAc, (mesh.t(triangle, 2) - t) / area));
-    }
-
-    private static Vec3 between(Vec3 from, Vec3 to) {
-        return new Vec3(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
-    }
-
-    private static Vec3 mixed(Vec3 a, double ofA, Vec3 b, double ofB) {
-        return new Vec3(ofA * a.x() + ofB * b.x(), ofA * a.y() + ofB * b.y(), ofA * a.z() + ofB * b.z());
+                Directions.combined(
+                        alongAb, (mesh.s(triangle, 1) - s) / area, alongAc, (mesh.s(triangle, 2) - s) / area),
+                Directions.combined(
+                        alongAb, (mesh.t(triangle, 1) - t) / area, alongAc, (mesh.t(triangle, 2) - t) / area));
     }
 
     /** Unit direction in which s grows on a surface with this normal. */
@@ -43,13 +37,12 @@ public record MeshTexture(Vec3 right, Vec3 down) {
 
     /** Unit direction in which t falls. */
     public Vec3 up(Vec3 normal) {
-        Vec3 along = along(new Vec3(-down.x(), -down.y(), -down.z()), normal);
+        Vec3 along = along(Directions.opposite(down), normal);
         return along == null ? Directions.cross(normal, across(normal)) : along;
     }
 
     private static Vec3 along(Vec3 direction, Vec3 normal) {
         double off = Directions.dot(direction, normal);
-        return Directions.unit(
-                direction.x() - off * normal.x(), direction.y() - off * normal.y(), direction.z() - off * normal.z());
+        return Directions.unit(Directions.moved(direction, -off, normal));
     }
 }

@@ -89,7 +89,7 @@ public record WorldTriangles(
         Vec3 doubled = Directions.cross(ab, ac);
         double longest = Math.max(Math.max(square(ab), square(ac)), square(between(p, b, c)));
         boolean hasArea = Directions.length(doubled) > LEAST_HEIGHT * longest;
-        return hasArea ? Directions.unit(doubled.x(), doubled.y(), doubled.z()) : null;
+        return hasArea ? Directions.unit(doubled) : null;
     }
 
     private static Vec3 between(double[] p, int a, int b) {

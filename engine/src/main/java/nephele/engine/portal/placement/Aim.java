@@ -1,6 +1,7 @@
 package nephele.engine.portal.placement;
 
 import nephele.engine.math.Basis;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
@@ -11,6 +12,6 @@ import nephele.engine.math.Vec3;
 public record Aim(Vec3 eye, Basis view) {
     /** Of unit length. */
     public Vec3 direction() {
-        return new Vec3(-view.back().x(), -view.back().y(), -view.back().z());
+        return Directions.opposite(view.back());
     }
 }

@@ -90,8 +90,8 @@ sealed interface Blocker {
             for (int i = 0; i < shape.corners().size(); i++) {
                 Vec3 a = shape.corners().get(i);
                 Vec3 b = shape.corners().get((i + 1) % shape.corners().size());
-                Vec3 out = Directions.cross(Patch.between(a, b), n);
-                Vec3 unit = Directions.unit(out.x(), out.y(), out.z());
+                Vec3 out = Directions.cross(Directions.between(a, b), n);
+                Vec3 unit = Directions.unit(out);
                 if (unit != null) {
                     sides.add(new Plane(unit.x(), unit.y(), unit.z(), Directions.dot(unit, a) + Tolerance.CRACK));
                 }

@@ -1,6 +1,7 @@
 package nephele.engine.portal.placement;
 
 import java.util.List;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -23,7 +24,7 @@ final class FittedPlane {
             for (Vec3 corner : patch.corners()) {
                 middle.fma(
                         area / patch.corners().size(),
-                        Patch.between(first, corner).toVector());
+                        Directions.between(first, corner).toVector());
             }
             weight += area;
         }

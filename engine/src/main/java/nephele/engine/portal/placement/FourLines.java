@@ -59,15 +59,12 @@ public final class FourLines {
     }
 
     private static Vec3 sum(Vec3 o, Vec3 a, double ofA, Vec3 b, double ofB) {
-        return new Vec3(
-                o.x() + ofA * a.x() + ofB * b.x(),
-                o.y() + ofA * a.y() + ofB * b.y(),
-                o.z() + ofA * a.z() + ofB * b.z());
+        return Directions.moved(Directions.moved(o, ofA, a), ofB, b);
     }
 
     private boolean walk(int start, Vec3 from, Vec3 to) {
         Vec3 normal = normal(start);
-        Vec3 way = Patch.between(from, to);
+        Vec3 way = Directions.between(from, to);
         int current = start;
         for (int steps = 0; steps < soup.triangleCount(); steps++) {
             int exit = exit(current, normal, from, way);
@@ -88,9 +85,9 @@ public final class FourLines {
         double earliest = 1;
         for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
             Vec3 a = corner(side);
-            Vec3 out = Directions.cross(Patch.between(a, corner(3 * triangle + (side + 1) % 3)), normal);
+            Vec3 out = Directions.cross(Directions.between(a, corner(3 * triangle + (side + 1) % 3)), normal);
             double rate = Directions.dot(out, way);
-            double at = Directions.dot(out, Patch.between(from, a)) / rate;
+            double at = Directions.dot(out, Directions.between(from, a)) / rate;
             if (rate > 0 && at < earliest) {
                 earliest = at;
                 exit = side;
@@ -102,8 +99,8 @@ public final class FourLines {
     private Vec3 normal(int triangle) {
         Vec3 a = corner(3 * triangle);
         Vec3 n = Directions.cross(
-                Patch.between(a, corner(3 * triangle + 1)), Patch.between(a, corner(3 * triangle + 2)));
-        return Directions.unit(n.x(), n.y(), n.z());
+                Directions.between(a, corner(3 * triangle + 1)), Directions.between(a, corner(3 * triangle + 2)));
+        return Directions.unit(n);
     }
 
     private Vec3 corner(int at) {

@@ -21,7 +21,7 @@ record Patch(
     /** {@code null} for what has no area to speak of. */
     static Patch of(List<Vec3> corners, boolean portalable) {
         Vec3 doubled = doubledArea(corners);
-        Vec3 normal = Directions.unit(doubled.x(), doubled.y(), doubled.z());
+        Vec3 normal = Directions.unit(doubled);
         double area = Directions.length(doubled) / 2;
         double longest = longestEdge(corners);
         if (normal == null || !(area > 1e-12 * longest * longest)) {
@@ -34,7 +34,8 @@ record Patch(
         Vec3 o = corners.get(0);
         var sum = Vec3.ZERO.toVector();
         for (int i = 2; i < corners.size(); i++) {
-            Vec3 area = Directions.cross(between(o, corners.get(i - 1)), between(o, corners.get(i)));
+            Vec3 area =
+                    Directions.cross(Directions.between(o, corners.get(i - 1)), Directions.between(o, corners.get(i)));
             sum.add(area.x(), area.y(), area.z());
         }
         return new Vec3(sum.x, sum.y, sum.z);
@@ -44,13 +45,9 @@ record Patch(
         double longest = 0;
         for (int i = 0; i < corners.size(); i++) {
             Vec3 next = corners.get((i + 1) % corners.size());
-            longest = Math.max(longest, Directions.length(between(corners.get(i), next)));
+            longest = Math.max(longest, Directions.length(Directions.between(corners.get(i), next)));
         }
         return longest;
-    }
-
-    static Vec3 between(Vec3 from, Vec3 to) {
-        return new Vec3(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
     }
 
     /** Whether it faces the plane's way and none of its corners is off the plane; slivers lean as they will. */

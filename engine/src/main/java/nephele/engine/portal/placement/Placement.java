@@ -91,7 +91,7 @@ public final class Placement {
             return hit;
         }
         double back = frame.height(hit) / rate;
-        return new Vec3(hit.x() - back * direction.x(), hit.y() - back * direction.y(), hit.z() - back * direction.z());
+        return Directions.moved(hit, -back, direction);
     }
 
     private Placed onRegion(String id, Region region, Vec3 where, Basis view, List<Portal> others) {

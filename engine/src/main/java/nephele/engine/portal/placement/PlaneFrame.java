@@ -48,16 +48,10 @@ record PlaneFrame(Vec3 origin, Basis axes) {
     }
 
     Vec3 world(double x, double y) {
-        return new Vec3(
-                origin.x() + x * axes.right().x() + y * axes.up().x(),
-                origin.y() + x * axes.right().y() + y * axes.up().y(),
-                origin.z() + x * axes.right().z() + y * axes.up().z());
+        return Directions.moved(Directions.moved(origin, x, axes.right()), y, axes.up());
     }
 
     Vec3 worldDirection(double x, double y) {
-        return Directions.unit(
-                x * axes.right().x() + y * axes.up().x(),
-                x * axes.right().y() + y * axes.up().y(),
-                x * axes.right().z() + y * axes.up().z());
+        return Directions.unit(Directions.combined(axes.right(), x, axes.up(), y));
     }
 }

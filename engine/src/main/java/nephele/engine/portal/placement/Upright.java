@@ -58,8 +58,7 @@ final class Upright {
 
     private static Vec3 alongSurface(Vec3 direction, Vec3 normal) {
         double off = Directions.dot(direction, normal);
-        return Directions.unit(
-                direction.x() - off * normal.x(), direction.y() - off * normal.y(), direction.z() - off * normal.z());
+        return Directions.unit(Directions.moved(direction, -off, normal));
     }
 
     /** Exactly opposite directions turn counter-clockwise seen from in front. */
@@ -69,11 +68,6 @@ final class Upright {
         double turn = share * (angle < OPPOSITE - Math.PI ? Math.PI : angle);
         double cos = StrictMath.cos(turn);
         double sin = StrictMath.sin(turn);
-        return alongSurface(
-                new Vec3(
-                        cos * from.x() + sin * left.x(),
-                        cos * from.y() + sin * left.y(),
-                        cos * from.z() + sin * left.z()),
-                normal);
+        return alongSurface(Directions.combined(from, cos, left, sin), normal);
     }
 }

@@ -1,6 +1,7 @@
 package nephele.engine.render.frame;
 
 import nephele.engine.level.Sun;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.light.LampGrid;
@@ -33,12 +34,7 @@ final class LightUniforms {
     /** @param anchor what positions in shaders are relative to */
     static void setLampGrid(Uniforms uniforms, LampGrid grid, Vec3 anchor) {
         Vec3 cell = grid.cellMetres();
-        set(
-                uniforms.vector3("lampGridMin"),
-                new Vec3(
-                        grid.min().x() - anchor.x(),
-                        grid.min().y() - anchor.y(),
-                        grid.min().z() - anchor.z()));
+        set(uniforms.vector3("lampGridMin"), Directions.between(anchor, grid.min()));
         set(uniforms.vector3("lampGridCellsPerMetre"), new Vec3(1 / cell.x(), 1 / cell.y(), 1 / cell.z()));
         set(uniforms.vector3("lampGridSize"), new Vec3(grid.columns(), grid.floors(), grid.rows()));
     }

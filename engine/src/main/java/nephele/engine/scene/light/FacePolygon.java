@@ -2,6 +2,7 @@ package nephele.engine.scene.light;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -36,14 +37,10 @@ final class FacePolygon {
                 kept.add(a);
             }
             if (Math.abs(da) > ON_PLANE_METRES && Math.abs(db) > ON_PLANE_METRES && da < 0 != db < 0) {
-                kept.add(mix(a, b, da / (da - db)));
+                kept.add(Directions.mixed(a, b, da / (da - db)));
             }
         }
         return hasInside && kept.size() >= 3 ? kept : List.of();
-    }
-
-    private static Vec3 mix(Vec3 a, Vec3 b, double t) {
-        return new Vec3(a.x() + t * (b.x() - a.x()), a.y() + t * (b.y() - a.y()), a.z() + t * (b.z() - a.z()));
     }
 
     static double area(List<Vec3> polygon) {

@@ -5,6 +5,7 @@ import nephele.engine.level.Light;
 import nephele.engine.level.appearance.Lamp;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -41,7 +42,7 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows) {
         for (int i = 0; i < lamps.size(); i++) {
             Lamp lamp = lamps.get(i);
             Vec3 p = lamp.position();
-            Vec3 relative = new Vec3(p.x() - anchor.x(), p.y() - anchor.y(), p.z() - anchor.z());
+            Vec3 relative = Directions.between(anchor, p);
             put(packed, 16 * i, relative, lamp.inverseSquareRange());
             put(packed, 16 * i + 4, lamp.radiantIntensity(), lamp.coneScale());
             put(packed, 16 * i + 8, lamp.axis(), lamp.coneOffset());

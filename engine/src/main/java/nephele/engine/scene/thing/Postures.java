@@ -14,7 +14,7 @@ final class Postures {
     private Postures() {}
 
     static Posture sane(Posture p) {
-        Vec3 up = Directions.unit(p.up().x(), p.up().y(), p.up().z());
+        Vec3 up = Directions.unit(p.up());
         return new Posture(
                 new Vec3(
                         finite(p.centre().x()),

@@ -31,10 +31,6 @@ record Rounded(double[] centre, double[] half, double[] roundness, double taper)
         return new Rounded(centre, half, roundness, share);
     }
 
-    Rounded mirrored() {
-        return new Rounded(new double[] {-centre[0], centre[1], centre[2]}, half, roundness, taper);
-    }
-
     /** @param sides around; half as many rows */
     void addTo(Builder mesh, int sides) {
         int rows = Math.max(4, sides / 2);

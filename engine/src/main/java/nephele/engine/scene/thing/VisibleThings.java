@@ -81,17 +81,6 @@ public final class VisibleThings {
         return false;
     }
 
-    /** Every instance with its finest mesh. */
-    public void takeAll() {
-        runs = 0;
-        for (int group = 0; group < things.groups().size(); group++) {
-            ThingGroup shape = things.groups().get(group);
-            for (int i = copies.start(group); i < copies.start(group + 1); i += shape.parts()) {
-                add(group, i, shape.steps()[0]);
-            }
-        }
-    }
-
     /** What is held and nothing else, with its finest mesh. */
     public void take(HeldSight held) {
         runs = 0;

@@ -1,6 +1,7 @@
 package nephele.lab.trade.subject;
 
 import nephele.engine.math.Basis;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portal;
@@ -36,8 +37,8 @@ final class SourceTeleport {
 
     private static Basis ahead(Portal exit) {
         Vec3 n = exit.normal();
-        Vec3 back = new Vec3(-n.x(), -n.y(), -n.z());
+        Vec3 back = Directions.opposite(n);
         Vec3 r = exit.frame().right();
-        return new Basis(new Vec3(-r.x(), -r.y(), -r.z()), exit.frame().up(), back);
+        return new Basis(Directions.opposite(r), exit.frame().up(), back);
     }
 }

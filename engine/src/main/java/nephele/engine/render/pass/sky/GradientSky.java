@@ -2,6 +2,7 @@ package nephele.engine.render.pass.sky;
 
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.SkyRadiance;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /** The Java twin of {@code gradient.frag}. */
@@ -15,6 +16,6 @@ public final class GradientSky {
         Vec3 end = sineOfAltitude > 0 ? sky.zenith() : sky.ground();
         double t = Math.abs(sineOfAltitude);
         Vec3 h = sky.horizon();
-        return new Vec3(h.x() + (end.x() - h.x()) * t, h.y() + (end.y() - h.y()) * t, h.z() + (end.z() - h.z()) * t);
+        return Directions.mixed(h, end, t);
     }
 }

@@ -15,17 +15,27 @@ import nephele.engine.render.frame.ThingMeshes;
 import nephele.engine.scene.thing.HeldSight;
 import nephele.engine.scene.thing.VisibleThings;
 
-/** What moves: one call for each run of things that look alike and are seen. */
+/**
+ * What moves: one call for each run of things that look alike and are seen. What the player holds before the own eyes
+ * has a pass of its own, because it is see-through, over all else that the view shows. Bodies are convex, so one layer of
+ * front faces covers each pixel and no order matters. Its shadow and every other sight of it stay solid.
+ */
 public final class ThingPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("thing", ThingPass::requiredBy);
+    public static final RenderFeature HELD = new RenderFeature("thing.held", ThingPass::heldRequiredBy);
 
+    /** The share of what is behind that the middle of a held face hides: a define of {@code held-look.glsl}. */
+    public static final double HELD_FACE_OPACITY = 0.3;
+
+    private final ThingLook look;
     private final TargetReads reads;
     private ThingMeshes meshes;
     private VisibleThings visible;
     private HeldSight held;
     private ThingDraw draw;
 
-    private ThingPass(TargetReads reads) {
+    private ThingPass(ThingLook look, TargetReads reads) {
+        this.look = look;
         this.reads = reads;
     }
 
@@ -34,13 +44,24 @@ public final class ThingPass implements Pass {
             return List.of();
         }
         String because = request.hasBodies() ? "bodies: things that move" : "player: a figure to be seen";
-        return List.of(
-                new Required(because, gl -> new ThingPass(request.lightMaps().things())));
+        return required(because, ThingLook.SOLID, request);
+    }
+
+    /** A player's hands, where there is something for them to hold. */
+    private static List<Required> heldRequiredBy(FrameRequest request) {
+        return request.mayShowFigure() && request.hasBodies()
+                ? required("player: a body that is held", ThingLook.SEE_THROUGH, request)
+                : List.of();
+    }
+
+    private static List<Required> required(String because, ThingLook look, FrameRequest request) {
+        TargetReads reads = request.lightMaps().things();
+        return List.of(new Required(because, gl -> new ThingPass(look, reads)));
     }
 
     @Override
     public Stage stage() {
-        return Stage.IN_VIEWS;
+        return look == ThingLook.SOLID ? Stage.IN_VIEWS : Stage.IN_VIEWS_AFTER_OPAQUE;
     }
 
     @Override
@@ -58,12 +79,14 @@ public final class ThingPass implements Pass {
         meshes = context.shared().things(context);
         visible = new VisibleThings(meshes.things(), meshes.copies());
         held = new HeldSight(meshes.copies());
-        draw = new ThingDraw(context, ThingLook.SOLID, reads);
+        draw = new ThingDraw(context, look, reads);
     }
 
     @Override
     public void draw(FrameContext frame) {
-        meshes.update(frame.moment());
+        if (look == ThingLook.SOLID) {
+            meshes.update(frame.moment());
+        }
         held.find(frame.view(), frame.moment());
         see(frame);
         if (visible.runs() > 0) {
@@ -72,7 +95,9 @@ public final class ThingPass implements Pass {
     }
 
     private void see(FrameContext frame) {
-        if (frame.limits() != null) {
+        if (look == ThingLook.SEE_THROUGH) {
+            visible.take(held);
+        } else if (frame.limits() != null) {
             visible.find(frame.view(), frame.limits(), frame.surface().height(), held);
         } else {
             visible.find(frame.view(), frame.surface().height(), held);

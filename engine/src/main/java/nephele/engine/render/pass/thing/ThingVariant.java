@@ -30,7 +30,7 @@ record ThingVariant(SurfaceVariant surface, boolean detailed, ThingLook look) {
         Defines defines = surface.addTo(light.addForThings(Defines.of(context)), materialsPerBlock)
                 .withIf(detailed, "DETAIL");
         if (look == ThingLook.SEE_THROUGH) {
-            defines.with("SEE_THROUGH").with("FACE_OPACITY", HeldPass.FACE_OPACITY);
+            defines.with("SEE_THROUGH").with("FACE_OPACITY", ThingPass.HELD_FACE_OPACITY);
         }
         return new GlProgram<>(
                 context.gl(),

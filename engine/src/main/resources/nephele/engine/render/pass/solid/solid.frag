@@ -4,6 +4,7 @@
 #include "surface-light.glsl"
 #endif
 #ifdef NORMAL_MAP
+#include "face-texture.glsl"
 #include "normal-map.glsl"
 uniform sampler2DArray normals;
 #endif
@@ -41,11 +42,6 @@ flat in vec3 emission;
 #endif
 
 #ifdef NORMAL_MAP
-// The directions of the texture on a face, as level.appearance.FaceTexture defines them.
-vec3 textureAcross(vec3 n) {
-    return normalize(abs(n.y) > 0.999 ? vec3(1.0, 0.0, 0.0) - n * n.x : cross(vec3(0.0, 1.0, 0.0), n));
-}
-
 #ifdef MODEL
 // A direction laid along the surface; where there is none, another one.
 vec3 along(vec3 direction, vec3 n, vec3 otherwise) {

@@ -10,6 +10,9 @@ uniform sampler2DArray normals;
 #ifdef TEXTURED
 uniform sampler2DArray colours;
 #endif
+#if defined(TEXTURED) || defined(NORMAL_MAP)
+#include "face-texture.glsl"
+#endif
 #ifdef DETAIL
 #include "thing-detail.glsl"
 #endif
@@ -30,11 +33,6 @@ in vec2 onSurface;
 
 #if defined(TEXTURED) || defined(NORMAL_MAP)
 const float TURN = 6.28318531;
-
-// The directions of the texture on a face, as level.appearance.FaceTexture defines them for solids.
-vec3 textureAcross(vec3 n) {
-    return normalize(abs(n.y) > 0.999 ? vec3(1.0, 0.0, 0.0) - n * n.x : cross(vec3(0.0, 1.0, 0.0), n));
-}
 
 // As the oracle has it (reference.BodySurfaces): t grows downwards. A box has the texture's middle in the middle of each face; a round shape a whole number of repeats around it, and its
 // equator or the middle of its side half-way up. As on solids t falls upwards. Twin: reference.BodySurfaces.

@@ -3,12 +3,12 @@ package nephele.engine.math;
 import java.util.Arrays;
 
 /** Runs of slots in the order they came; a run that touches the one before it is joined to it. */
-public final class RangeList implements RangeVisitor {
+final class RangeList implements RangeVisitor {
     private int[] bounds = new int[32];
     private int size;
     private int slots;
 
-    public void clear() {
+    void clear() {
         size = 0;
         slots = 0;
     }
@@ -32,21 +32,21 @@ public final class RangeList implements RangeVisitor {
         size++;
     }
 
-    public int size() {
+    int size() {
         return size;
     }
 
     /** Slots in all runs together. */
-    public int slots() {
+    int slots() {
         return slots;
     }
 
-    public int first(int run) {
+    int first(int run) {
         return bounds[2 * run];
     }
 
     /** One past the last slot. */
-    public int end(int run) {
+    int end(int run) {
         return bounds[2 * run + 1];
     }
 }

@@ -1,28 +1,13 @@
-package nephele.engine.render;
+package nephele.engine.level;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import nephele.engine.level.Body;
-import nephele.engine.level.BoxFace;
-import nephele.engine.level.Environment;
-import nephele.engine.level.Fog;
-import nephele.engine.level.Level;
-import nephele.engine.level.Light;
-import nephele.engine.level.Material;
-import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.ModelPlacement.TransformStep;
-import nephele.engine.level.PortalShape;
-import nephele.engine.level.PortalSpec;
-import nephele.engine.level.Sky;
-import nephele.engine.level.Solid;
-import nephele.engine.level.Sun;
-import nephele.engine.level.TextureMapping;
-import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
-/** Small levels for drawing tests, put together piece by piece. */
-final class TestLevel {
+/** Small levels for tests of drawing and tracing, put together piece by piece. */
+public final class TestLevel {
     private Sun sun;
     private Sky sky;
     private Vec3 ambient = Vec3.ZERO;
@@ -36,63 +21,62 @@ final class TestLevel {
     private final List<Body> bodies = new ArrayList<>();
     private final List<ModelPlacement> models = new ArrayList<>();
 
-    TestLevel sun(Vec3 towards, double irradiance) {
+    /** A sun without shadows. */
+    public TestLevel sun(Vec3 towards, double irradiance) {
         sun = new Sun(towards, grey(irradiance), false);
         return this;
     }
 
-    TestLevel castingSun(Vec3 towards, double irradiance) {
+    public TestLevel castingSun(Vec3 towards, double irradiance) {
         sun = new Sun(towards, grey(irradiance), true);
         return this;
     }
 
     /** Instead of an ambient constant, which is black unless given. */
-    TestLevel skyLight() {
+    public TestLevel skyLight() {
         ambient = null;
         return this;
     }
 
-    TestLevel sky(Sky newSky) {
+    public TestLevel sky(Sky newSky) {
         sky = newSky;
         return this;
     }
 
-    TestLevel ambient(double radiance) {
+    public TestLevel ambient(double radiance) {
         ambient = grey(radiance);
         return this;
     }
 
-    /** As {@link #sun}, with a shadow. */
-    TestLevel shadowingSun(Vec3 towards, double irradiance) {
-        sun = new Sun(towards, grey(irradiance), true);
-        return this;
-    }
-
-    TestLevel develop(ToneCurve curve, double stops) {
+    public TestLevel develop(ToneCurve curve, double stops) {
         toneCurve = curve;
         exposureStops = stops;
         return this;
     }
 
-    TestLevel fog(double extinctionPerMetre, Vec3 radiance) {
+    public TestLevel fog(double extinctionPerMetre, Vec3 radiance) {
         fog = new Fog(extinctionPerMetre, radiance);
         return this;
     }
 
-    TestLevel material(String id, Vec3 baseColour) {
+    public TestLevel material(String id, Vec3 baseColour) {
         return material(new Material(id, baseColour, null, null, null, null, Vec3.ZERO, 1));
     }
 
-    TestLevel material(Material material) {
+    public TestLevel material(Material material) {
         materials.add(material);
         return this;
     }
 
-    TestLevel textured(String id, String texture) {
+    public TestLevel gloss(String id, Vec3 colour, double roughness, double metallic) {
+        return material(new Material(id, colour, null, roughness, metallic, null, Vec3.ZERO, 1));
+    }
+
+    public TestLevel textured(String id, String texture) {
         return material(new Material(id, grey(1), texture, null, null, null, Vec3.ZERO, 1));
     }
 
-    TestLevel box(String material, Vec3 centre, Vec3 size) {
+    public TestLevel box(String material, Vec3 centre, Vec3 size) {
         return solid(new Solid.Box(
                 "box" + solids.size(),
                 material,
@@ -103,43 +87,43 @@ final class TestLevel {
                 Map.<BoxFace, Solid.Face>of()));
     }
 
-    TestLevel solid(Solid solid) {
+    public TestLevel solid(Solid solid) {
         solids.add(solid);
         return this;
     }
 
     /** A portal without rim or wall of its own. */
-    TestLevel portal(String id, String linkedTo, Vec3 centre, Vec3 normal, double width, double height) {
+    public TestLevel portal(String id, String linkedTo, Vec3 centre, Vec3 normal, double width, double height) {
         Vec3 up = Math.abs(normal.y()) > 0.9 ? new Vec3(0, 0, -1) : new Vec3(0, 1, 0);
         return portal(new PortalSpec(id, linkedTo, centre, normal, up, width, height, PortalShape.RECTANGLE));
     }
 
     /** A cube that may move. */
-    TestLevel cube(String material, Vec3 centre, double side) {
+    public TestLevel cube(String material, Vec3 centre, double side) {
         return body(new Body.Box("body" + bodies.size(), centre, grey(side), 10, material, 0.6, 0));
     }
 
-    TestLevel body(Body body) {
+    public TestLevel body(Body body) {
         bodies.add(body);
         return this;
     }
 
-    TestLevel model(String file, String material, TransformStep... steps) {
+    public TestLevel model(String file, String material, TransformStep... steps) {
         models.add(new ModelPlacement("model" + models.size(), file, null, List.of(steps), material, false));
         return this;
     }
 
-    TestLevel portal(PortalSpec portal) {
+    public TestLevel portal(PortalSpec portal) {
         portals.add(portal);
         return this;
     }
 
-    TestLevel light(Light light) {
+    public TestLevel light(Light light) {
         lights.add(light);
         return this;
     }
 
-    Level level() {
+    public Level level() {
         Environment environment = new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, List.of());
         return new Level(
                 "test",
@@ -156,7 +140,7 @@ final class TestLevel {
                 null);
     }
 
-    static Vec3 grey(double value) {
+    public static Vec3 grey(double value) {
         return new Vec3(value, value, value);
     }
 }

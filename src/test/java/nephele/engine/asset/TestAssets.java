@@ -1,4 +1,4 @@
-package nephele.engine.render;
+package nephele.engine.asset;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
@@ -10,21 +10,27 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntBinaryOperator;
 import javax.imageio.ImageIO;
-import nephele.engine.asset.AssetException;
-import nephele.engine.asset.AssetSource;
 
 /** Pictures made by the test itself. */
-final class TestAssets implements AssetSource {
-    static final TestAssets NONE = new TestAssets();
+public final class TestAssets implements AssetSource {
+    public static final TestAssets NONE = new TestAssets();
 
     private final Map<String, byte[]> files = new HashMap<>();
 
     /** @param rgbAt 0xrrggbb of a pixel, row 0 at the top */
-    TestAssets picture(String id, int width, int height, IntBinaryOperator rgbAt) {
-        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        for (int y = 0; y < height; y++) {
-            for (int x = 0; x < width; x++) {
-                image.setRGB(x, y, rgbAt.applyAsInt(x, y));
+    public TestAssets picture(String id, int width, int height, IntBinaryOperator rgbAt) {
+        return add(id, new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB), rgbAt);
+    }
+
+    /** @param argbAt 0xaarrggbb of a pixel, row 0 at the top */
+    public TestAssets seeThroughPicture(String id, int width, int height, IntBinaryOperator argbAt) {
+        return add(id, new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB), argbAt);
+    }
+
+    private TestAssets add(String id, BufferedImage image, IntBinaryOperator valueAt) {
+        for (int y = 0; y < image.getHeight(); y++) {
+            for (int x = 0; x < image.getWidth(); x++) {
+                image.setRGB(x, y, valueAt.applyAsInt(x, y));
             }
         }
         try (ByteArrayOutputStream png = new ByteArrayOutputStream()) {
