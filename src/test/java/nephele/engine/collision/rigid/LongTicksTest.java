@@ -62,4 +62,24 @@ final class LongTicksTest {
         scene.start().run(2, rate);
         assertTrue(scene.now.isAsleep(0) && scene.now.isAsleep(1));
     }
+
+    /** A ball that rolls past a sleeper, a centimetre away, does not wake it; one that rolls at it does. */
+    @ParameterizedTest
+    @ValueSource(ints = {20, 120})
+    void onlyWhatReachesASleeperWakesIt(int rate) {
+        BodyScene scene = new BodyScene().floor();
+        int box = scene.add(new Body.Box("box", v(0, 0.25, 0), v(0.5, 0.5, 0.5), 3, null, 0.6, 0));
+        int past = scene.add(new Body.Sphere("past", v(0.36, 0.1, -2), 0.1, 1, null, 0.6, 0));
+        int at = scene.add(new Body.Sphere("at", v(0, 0.1, -4), 0.1, 1, null, 0.6, 0));
+        scene.start().run(1, rate);
+        assertTrue(scene.now.isAsleep(box));
+        scene.velocity(past, v(0, 0, 2), v(20, 0, 0)).velocity(at, v(0, 0, 2), v(20, 0, 0));
+        for (int tick = 0; tick < 1.5 * rate; tick++) {
+            scene.tick(1.0 / rate);
+            assertTrue(scene.now.isAsleep(box), "in tick " + tick);
+        }
+        assertTrue(scene.centre(past).z > 0.5);
+        scene.run(1, rate);
+        assertTrue(scene.centre(box).z > 0.01);
+    }
 }

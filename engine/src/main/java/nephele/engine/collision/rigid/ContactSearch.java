@@ -13,6 +13,9 @@ final class ContactSearch {
     /** Contacts are made so far ahead on the way of a tick; what is faster is stopped before it gets past something. */
     private static final double FAR_METRES = 0.1;
 
+    /** A sleeper is woken by what comes nearer than this: more than weight adds to a way of 1/120 s. */
+    private static final double WAKING_METRES = 1e-3;
+
     private static final double SLOP_METRES = 5e-4;
     /** Feet that walk give nothing along the ground, on average; what a character pushes, it pushes straight. */
     private static final double CHARACTER_FRICTION = 0;
@@ -85,10 +88,32 @@ final class ContactSearch {
             return;
         }
         meet(a, b);
-        if (manifold.count > 0) {
+        boolean isTouched = poses.through[b] >= 0 ? manifold.count > 0 : reaches(a, b, sleeper);
+        if (isTouched) {
             bodies.wake(poses.owner[sleeper]);
             woke = true;
         }
+    }
+
+    /** Whether the one that moves gets to the sleeper within the tick. A capsule that rolls past is near all the time. */
+    private boolean reaches(int a, int b, int sleeper) {
+        double[] m = motions.velocity;
+        int v = 6 * poses.owner[sleeper == a ? b : a];
+        double towards = sleeper == a ? seconds : -seconds;
+        for (int i = 0; i < manifold.count; i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                double fromMover = sleeper == a ? poses.centre[3 * b + axis] - poses.centre[3 * a + axis] : 0;
+                relative[axis] = manifold.point[3 * i + axis] - fromMover;
+            }
+            double x = m[v] + m[v + 4] * relative[2] - m[v + 5] * relative[1];
+            double y = m[v + 1] + m[v + 5] * relative[0] - m[v + 3] * relative[2];
+            double z = m[v + 2] + m[v + 3] * relative[1] - m[v + 4] * relative[0];
+            double way = towards * (manifold.nX * x + manifold.nY * y + manifold.nZ * z);
+            if (manifold.separation[i] <= way + WAKING_METRES) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void meet(int a, int b) {
