@@ -11,6 +11,14 @@ public record Vec3(double x, double y, double z) {
         return new Vec3(v.x(), v.y(), v.z());
     }
 
+    /** Writes a row as shaders read it: three floats from {@code at} on, and a fourth number. */
+    public void put(float[] rows, int at, double fourth) {
+        rows[at] = (float) x;
+        rows[at + 1] = (float) y;
+        rows[at + 2] = (float) z;
+        rows[at + 3] = (float) fourth;
+    }
+
     /** A fresh mutable copy for calculations. */
     public Vector3d toVector() {
         return new Vector3d(x, y, z);

@@ -2,6 +2,7 @@ package nephele.engine.model;
 
 import java.util.Locale;
 import java.util.function.Function;
+import nephele.engine.asset.AssetSource;
 
 /** Meshes by the ending of their file's name. */
 public final class ModelFiles {
@@ -25,5 +26,11 @@ public final class ModelFiles {
             return new GltfFile(file, bytes, neighbour).read();
         }
         throw new ModelFileException(file, 0, "is no mesh that can be read", "use .3d, .obj, .gltf or .glb");
+    }
+
+    /** What lies in the same folder as a file; {@code null} where nothing does. */
+    public static Function<String, byte[]> besides(AssetSource assets, String file) {
+        String folder = file.substring(0, file.lastIndexOf('/') + 1);
+        return name -> assets.exists(folder + name) ? assets.bytes(folder + name) : null;
     }
 }

@@ -1,7 +1,6 @@
 package nephele.engine.level.placed;
 
 import java.util.Optional;
-import java.util.function.Function;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.model.GeneratedName;
@@ -22,7 +21,7 @@ public final class MeshAssets {
     public Mesh mesh(String assetId) {
         try {
             return assets.exists(assetId)
-                    ? ModelFiles.read(assetId, assets.bytes(assetId), besides(assetId))
+                    ? ModelFiles.read(assetId, assets.bytes(assetId), ModelFiles.besides(assets, assetId))
                     : generated(assetId);
         } catch (ModelFileException problem) {
             String where = problem.line() > 0 ? problem.file() + ":" + problem.line() : problem.file();
@@ -31,7 +30,7 @@ public final class MeshAssets {
     }
 
     private Mesh generated(String assetId) {
-        Optional<Shape> named = GeneratedName.shape(assetId, besides(assetId));
+        Optional<Shape> named = GeneratedName.shape(assetId, ModelFiles.besides(assets, assetId));
         Shape shape = named.orElseThrow(() -> new AssetException(
                 assetId,
                 "there is no such file, and the generator makes none of that name",
@@ -44,11 +43,5 @@ public final class MeshAssets {
                     "write smaller numbers of parts into the name");
         }
         return shape.mesh();
-    }
-
-    /** What lies in the same folder; {@code null} where nothing does. */
-    private Function<String, byte[]> besides(String assetId) {
-        String folder = assetId.substring(0, assetId.lastIndexOf('/') + 1);
-        return name -> assets.exists(folder + name) ? assets.bytes(folder + name) : null;
     }
 }

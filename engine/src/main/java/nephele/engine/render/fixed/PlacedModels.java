@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.Picture;
 import nephele.engine.math.Frustum;
-import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
 import nephele.engine.render.fixed.ModelOrder.Handedness;
 import nephele.engine.render.fixed.ModelOrder.Kind;
@@ -61,19 +60,12 @@ final class PlacedModels implements AutoCloseable {
             int at = LOOK_FLOATS * number;
             int model = order.posedNumber(number);
             Colours colours = posed.model(model).colours();
-            put(packed, at, colours.ambient(), lights.firstOfModel(model));
-            put(packed, at + 4, colours.diffuse(), 1);
-            put(packed, at + 8, colours.specular(), colours.shininess());
-            put(packed, at + 12, colours.emissive(), 1);
+            colours.ambient().put(packed, at, lights.firstOfModel(model));
+            colours.diffuse().put(packed, at + 4, 1);
+            colours.specular().put(packed, at + 8, colours.shininess());
+            colours.emissive().put(packed, at + 12, 1);
         }
         return packed;
-    }
-
-    private static void put(float[] packed, int at, Vec3 v, double last) {
-        packed[at] = (float) v.x();
-        packed[at + 1] = (float) v.y();
-        packed[at + 2] = (float) v.z();
-        packed[at + 3] = (float) last;
     }
 
     /** Follows the posed scene. */

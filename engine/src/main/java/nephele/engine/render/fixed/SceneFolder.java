@@ -4,7 +4,6 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
@@ -71,7 +70,9 @@ public final class SceneFolder implements SceneFiles {
     }
 
     private Mesh readMesh(String file) {
-        Mesh mesh = assets.exists(file) ? ModelFiles.read(file, assets.bytes(file), neighbours(file)) : generated(file);
+        Mesh mesh = assets.exists(file)
+                ? ModelFiles.read(file, assets.bytes(file), ModelFiles.besides(assets, file))
+                : generated(file);
         if (vertices + mesh.vertexCount() > MOST_VERTICES) {
             throw new ModelFileException(
                     file, 0, "the scene's meshes have more than " + MOST_VERTICES + " vertices", "use smaller ones");
@@ -81,14 +82,9 @@ public final class SceneFolder implements SceneFiles {
     }
 
     private Mesh generated(String file) {
-        return GeneratedName.shape(file, neighbours(file))
+        return GeneratedName.shape(file, ModelFiles.besides(assets, file))
                 .orElseThrow(() -> missing(file))
                 .mesh();
-    }
-
-    private Function<String, byte[]> neighbours(String file) {
-        String folder = file.substring(0, file.lastIndexOf('/') + 1);
-        return name -> assets.exists(folder + name) ? assets.bytes(folder + name) : null;
     }
 
     private Picture readPicture(String file) {

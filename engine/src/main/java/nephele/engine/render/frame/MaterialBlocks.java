@@ -3,7 +3,6 @@ package nephele.engine.render.frame;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Material;
-import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.scene.SceneMaterials.Surface;
@@ -33,18 +32,11 @@ public final class MaterialBlocks implements AutoCloseable {
 
     private static void put(float[] values, int at, Surface surface) {
         Material m = surface.material();
-        put(values, at, m.baseColour(), m.roughness() == null ? 1 : m.roughness());
-        put(values, at + 4, m.emission(), m.metallic() == null ? 0 : m.metallic());
+        m.baseColour().put(values, at, m.roughness() == null ? 1 : m.roughness());
+        m.emission().put(values, at + 4, m.metallic() == null ? 0 : m.metallic());
         values[at + 8] = surface.colour().layer();
         values[at + 9] = surface.normal().layer();
         values[at + 10] = (float) m.textureMetres();
-    }
-
-    private static void put(float[] values, int at, Vec3 rgb, double fourth) {
-        values[at] = (float) rgb.x();
-        values[at + 1] = (float) rgb.y();
-        values[at + 2] = (float) rgb.z();
-        values[at + 3] = (float) fourth;
     }
 
     public int materialsPerBlock() {

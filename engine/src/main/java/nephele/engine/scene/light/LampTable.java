@@ -43,10 +43,10 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows) {
             Lamp lamp = lamps.get(i);
             Vec3 p = lamp.position();
             Vec3 relative = Directions.between(anchor, p);
-            put(packed, 16 * i, relative, lamp.inverseSquareRange());
-            put(packed, 16 * i + 4, lamp.radiantIntensity(), lamp.coneScale());
-            put(packed, 16 * i + 8, lamp.axis(), lamp.coneOffset());
-            put(packed, 16 * i + 12, shadowAxis(lamp), layerCode(i));
+            relative.put(packed, 16 * i, lamp.inverseSquareRange());
+            lamp.radiantIntensity().put(packed, 16 * i + 4, lamp.coneScale());
+            lamp.axis().put(packed, 16 * i + 8, lamp.coneOffset());
+            shadowAxis(lamp).put(packed, 16 * i + 12, layerCode(i));
         }
         return packed;
     }
@@ -63,13 +63,6 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows) {
         }
         Vector3d right = LampShadows.right(lamp).mul(cotangent);
         return new Vec3(right.x, right.y, right.z);
-    }
-
-    private static void put(float[] packed, int at, Vec3 v, double w) {
-        packed[at] = (float) v.x();
-        packed[at + 1] = (float) v.y();
-        packed[at + 2] = (float) v.z();
-        packed[at + 3] = (float) w;
     }
 
     /** Start of each list, then the lists: starts count from the first list. */
