@@ -175,7 +175,7 @@ class MetamorphicGlTest {
                         view.eye().x() + offset,
                         view.eye().y() + offset,
                         view.eye().z() + offset);
-                View moved = new View(view.id(), eye, view.right(), view.up(), view.back(), view.projection());
+                View moved = new View(eye, view.right(), view.up(), view.back(), view.projection());
                 int[] actual = offscreen.pixels(level(boxes, offset), tiles(), moved, RenderSettings.of(Output.DIRECT));
                 assertArrayEquals(expected, actual, "moved by 2^" + k + " m");
             }
@@ -194,7 +194,7 @@ class MetamorphicGlTest {
             View view = views(offscreen, 3)[1];
             int[] expected = offscreen.pixels(level(boxes(40, 6), 0), tiles(), view, RenderSettings.of(Output.PLAIN));
             Vec3 eye = new Vec3(view.eye().x() + 1e6, view.eye().y(), view.eye().z());
-            View moved = new View(view.id(), eye, view.right(), view.up(), view.back(), view.projection());
+            View moved = new View(eye, view.right(), view.up(), view.back(), view.projection());
             int[] actual = offscreen.pixels(wide.level(), tiles(), moved, RenderSettings.of(Output.PLAIN));
             int different = 0;
             for (int i = 0; i < expected.length; i++) {
@@ -239,6 +239,6 @@ class MetamorphicGlTest {
         Projection projection = new Projection(Math.PI / 2, 1, 0.05, 500);
         Vec3 eye = turn(new Vec3(-20, 4, 0.5), quarters);
         Vec3 back = turn(new Vec3(-1, 0, 0), quarters);
-        return new View(View.MAIN, eye, turn(new Vec3(0, 0, 1), quarters), new Vec3(0, 1, 0), back, projection);
+        return new View(eye, turn(new Vec3(0, 0, 1), quarters), new Vec3(0, 1, 0), back, projection);
     }
 }

@@ -111,8 +111,8 @@ class ProjectionTest {
             Vec3 eye = new Vec3(1e7 + random.nextDouble(), -1e7 * random.nextDouble(), 1e7);
             Basis basis = Basis.ofYawPitch(random.nextDouble(-3, 3), random.nextDouble(-1.5, 1.5));
             var projection = new Projection(1.2, 16 / 9.0, 0.05, 1e5);
-            Matrix4d clip = new View(View.MAIN, eye, basis.right(), basis.up(), basis.back(), projection)
-                    .clipFromRelative(new Matrix4d());
+            Matrix4d clip =
+                    new View(eye, basis.right(), basis.up(), basis.back(), projection).clipFromRelative(new Matrix4d());
             // Exact: the offset from the eye is chosen in steps that a double holds at 10⁷.
             Vec3 back = basis.back();
             double distance = Math.rint(Math.pow(10, random.nextDouble(-0.5, 3)) * 1024) / 1024;

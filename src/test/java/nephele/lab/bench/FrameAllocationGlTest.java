@@ -70,7 +70,7 @@ class FrameAllocationGlTest {
             Vector3d eye = start.eye()
                     .toVector()
                     .fma(0.25 * Math.sin(0.3 * frame), start.back().toVector());
-            views.add(new View(View.MAIN, Vec3.of(eye), start.right(), start.up(), start.back(), start.projection()));
+            views.add(new View(Vec3.of(eye), start.right(), start.up(), start.back(), start.projection()));
         }
         return views;
     }

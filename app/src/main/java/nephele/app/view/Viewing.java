@@ -162,6 +162,6 @@ final class Viewing {
     View view(double aspect) {
         var basis = place.heading().basis();
         var projection = new Projection(StrictMath.toRadians(eye.fovDegrees()), aspect, eye.near(), eye.far());
-        return new View(View.MAIN, place.eye(), basis.right(), basis.up(), basis.back(), projection);
+        return new View(place.eye(), basis.right(), basis.up(), basis.back(), projection);
     }
 }

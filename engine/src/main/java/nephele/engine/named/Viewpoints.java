@@ -63,12 +63,7 @@ public final class Viewpoints {
     /** What a player sees whose eye is there. */
     public static View ofEye(Vec3 eye, Basis basis, double aspect) {
         return new View(
-                View.MAIN,
-                eye,
-                basis.right(),
-                basis.up(),
-                basis.back(),
-                projection(Math.toRadians(PLAYER_FOV_DEGREES), aspect));
+                eye, basis.right(), basis.up(), basis.back(), projection(Math.toRadians(PLAYER_FOV_DEGREES), aspect));
     }
 
     private static View ofPlayer(PlayerStart start, double aspect) {

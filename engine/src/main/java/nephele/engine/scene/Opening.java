@@ -107,11 +107,6 @@ public final class Opening {
         return Vec3.of(sum.div(polygon.size()).add(first.x(), first.y(), first.z()));
     }
 
-    /** Names it among the openings of its level, as long as it exists. */
-    public int id() {
-        return id;
-    }
-
     /** The index of the portal that this is, or {@link #NO_PORTAL}. */
     public int portal() {
         return portal;

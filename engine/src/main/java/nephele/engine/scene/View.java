@@ -19,15 +19,11 @@ import org.joml.Vector3dc;
  * that reason a view equals nothing but itself.
  */
 public final class View {
-    /** The player's or the author's own view, as opposed to one through an opening. */
-    public static final int MAIN = 0;
-
     private final Vector3d eye = new Vector3d();
     private final Vector3d right = new Vector3d();
     private final Vector3d up = new Vector3d();
     private final Vector3d back = new Vector3d();
     private final Vector3d tint = new Vector3d(1);
-    private int id;
     private Projection projection;
     private Plane clip;
     private boolean mirrored;
@@ -35,12 +31,10 @@ public final class View {
     private View() {}
 
     /**
-     * @param id distinguishes views of one frame
      * @param eye world metres
      * @param clip only what is in front of it is seen, as behind an opening; {@code null} for everything
      */
-    public View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection, Plane clip) {
-        this.id = id;
+    public View(Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection, Plane clip) {
         this.projection = projection;
         this.clip = clip;
         put(eye, this.eye);
@@ -51,8 +45,8 @@ public final class View {
     }
 
     /** Through no opening. */
-    public View(int id, Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection) {
-        this(id, eye, right, up, back, projection, null);
+    public View(Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection) {
+        this(eye, right, up, back, projection, null);
     }
 
     private static void put(Vec3 from, Vector3d to) {
@@ -65,9 +59,8 @@ public final class View {
     }
 
     /** Becomes what {@code before} sees through an opening, cut by the plane that it looks out of. */
-    void carry(int newId, View before, Opening opening, Projection newProjection) {
+    void carry(View before, Opening opening, Projection newProjection) {
         Isometry passage = opening.isometry();
-        id = newId;
         projection = newProjection;
         clip = opening.exit();
         mirrored = before.mirrored != passage.isReflection();
@@ -77,10 +70,6 @@ public final class View {
         passage.direction(right.set(before.right));
         passage.direction(up.set(before.up));
         passage.direction(back.set(before.back));
-    }
-
-    public int id() {
-        return id;
     }
 
     /** World metres. */
@@ -161,7 +150,7 @@ public final class View {
      */
     public static View lookAt(Vec3 eye, Vec3 target, Vec3 up, Projection projection) {
         Basis basis = Basis.lookAt(eye, target, up, Basis.WORLD);
-        return new View(MAIN, eye, basis.right(), basis.up(), basis.back(), projection);
+        return new View(eye, basis.right(), basis.up(), basis.back(), projection);
     }
 
     /** What {@code camera} sees at {@code frame} of its path (wrapping around), or from its position without one. */
@@ -211,6 +200,6 @@ public final class View {
 
     @Override
     public String toString() {
-        return "View " + id + " from " + eye() + " looking along " + Vec3.of(back.negate(new Vector3d()));
+        return "View from " + eye() + " looking along " + Vec3.of(back.negate(new Vector3d()));
     }
 }

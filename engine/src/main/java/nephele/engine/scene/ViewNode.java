@@ -141,17 +141,17 @@ public final class ViewNode {
     }
 
     /** Makes this a view of its own, from behind the plane that the opening leads to. */
-    void open(int id, Projections projections, PixelRectangle picture) {
-        look(id, projections);
+    void open(Projections projections, PixelRectangle picture) {
+        look(projections);
         terminal = false;
         narrow(picture);
     }
 
     /** Looks from behind the plane that the opening leads to. */
-    void look(int id, Projections projections) {
+    void look(Projections projections) {
         View before = parent.view;
         Projection projection = projections.pushed(before.projection(), NEAR_SHARE * region.nearest());
-        own.carry(id, before, opening, projection);
+        own.carry(before, opening, projection);
         view = own;
     }
 

@@ -63,13 +63,13 @@ public final class ViewTree {
     }
 
     private void open(ViewNode node) {
-        node.open(views.size(), projections, picture);
+        node.open(projections, picture);
         views.add(node);
     }
 
     /** Its sky is all that can be drawn of it. */
     private void end(ViewNode node) {
-        node.look(views.size(), projections);
+        node.look(projections);
         node.terminal(terminals.size());
         terminals.add(node);
     }

@@ -225,6 +225,6 @@ final class SeededCameras {
         Vec3 target = new Vec3(eye.x() + direction.x(), eye.y() + direction.y(), eye.z() + direction.z());
         Basis basis = Basis.lookAt(eye, target, UP, Basis.WORLD);
         Projection projection = new Projection(fovRadians, aspect, NEAR_METRES, Double.POSITIVE_INFINITY);
-        return new View(View.MAIN, eye, basis.right(), basis.up(), basis.back(), projection);
+        return new View(eye, basis.right(), basis.up(), basis.back(), projection);
     }
 }
