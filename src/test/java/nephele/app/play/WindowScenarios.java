@@ -25,7 +25,7 @@ public final class WindowScenarios {
     private final Input input = new Input();
     private final GameWindow window = GameWindow.open(new GameWindow.Request("Nephele test", 320, 180), input);
     private final long handle = glfwGetCurrentContext();
-    private final GlContext gl = GlContext.ofCurrentWindow();
+    private final GlContext gl = GlContext.ofCurrent();
     private final Map<?, Integer> baseline = gl.live().counts();
     private final GameLoop loop;
 

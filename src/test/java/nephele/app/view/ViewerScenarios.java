@@ -23,7 +23,7 @@ public final class ViewerScenarios {
     private final ViewerInput input = new ViewerInput();
     private final GameWindow window = GameWindow.open(new GameWindow.Request("Viewer test", 320, 240), input);
     private final long handle = glfwGetCurrentContext();
-    private final GlContext gl = GlContext.ofCurrentWindow();
+    private final GlContext gl = GlContext.ofCurrent();
     private final Map<?, Integer> baseline = gl.live().counts();
     private final SceneViewer viewer;
 

@@ -13,7 +13,6 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Depth;
-import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.TextureUnit;
 
 /**
@@ -23,23 +22,20 @@ import nephele.engine.render.gl.TextureUnit;
 final class DistancePass implements Pass {
     private static final TargetReads READS = TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);
 
-    private final Stage stage;
     private final FullScreenDrawing drawing;
-    private SharedResources shared;
+    private final SharedResources shared;
 
-    private DistancePass(GlContext gl, Stage stage) {
-        this.stage = stage;
-        drawing = new FullScreenDrawing(gl, "distance");
+    private DistancePass(LoadContext context) {
+        shared = context.shared();
+        var stages = new FullScreenDrawing.Stages("trial.vert", "distance.frag");
+        drawing = new FullScreenDrawing(context, "/nephele/engine/render/trial/", stages, uniforms -> {
+            uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
+            uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
+        });
     }
 
     static RenderFeature of(Stage stage) {
-        return new RenderFeature(
-                "distance", request -> List.of(new Required("trial", gl -> new DistancePass(gl, stage))));
-    }
-
-    @Override
-    public Stage stage() {
-        return stage;
+        return new RenderFeature("distance", stage, request -> List.of(new Required("trial", DistancePass::new)));
     }
 
     @Override
@@ -48,29 +44,8 @@ final class DistancePass implements Pass {
     }
 
     @Override
-    public Set<Target> writes() {
-        return Set.of(Target.SURFACE);
-    }
-
-    @Override
-    public void load(LoadContext context) {
-        shared = context.shared();
-        var stages = new FullScreenDrawing.Stages("trial.vert", "distance.frag");
-        drawing.load(context, "/nephele/engine/render/trial/", stages, uniforms -> {
-            uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
-            uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
-            return uniforms;
-        });
-    }
-
-    @Override
     public void draw(FrameContext frame) {
         READS.bind(shared);
         drawing.draw(frame.surface(), Depth.OFF);
-    }
-
-    @Override
-    public void close() {
-        drawing.close();
     }
 }

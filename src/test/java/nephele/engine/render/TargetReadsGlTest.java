@@ -14,8 +14,6 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
-import nephele.engine.level.placed.NoFiles;
-import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
@@ -23,6 +21,7 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.scene.Moment;
@@ -70,15 +69,18 @@ class TargetReadsGlTest {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
             levels().forEach((name, level) -> {
                 Set<Target> written = EnumSet.noneOf(Target.class);
-                FrameRequest request =
-                        FrameRequest.of(level, StaticShapes.of(level, NoFiles.AT_ALL), Output.HDR, Quality.LOW, figure);
-                for (Required required : FramePlan.of(request).required()) {
-                    try (Pass pass = required.build().apply(offscreen.gl)) {
-                        if (pass.stage() == Stage.IN_VIEWS_AFTER_OPAQUE) {
+                Scene scene = Scene.of(level, TestAssets.NONE);
+                FrameRequest request = FrameRequest.of(level, scene.statics(), Output.HDR, Quality.LOW, figure);
+                try (SharedResources shared = new SharedResources(offscreen.gl, scene, request)) {
+                    for (FramePlan.Step step : FramePlan.of(request).steps()) {
+                        if (step.feature().stage() == Stage.IN_VIEWS_AFTER_OPAQUE) {
                             written.addAll(Set.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR));
                         }
-                        assertTrue(written.containsAll(pass.reads()), name + ": " + required.because());
-                        written.addAll(pass.writes());
+                        for (Required required : step.required()) {
+                            Pass pass = required.build().apply(shared.loadContext());
+                            assertTrue(written.containsAll(pass.reads()), name + ": " + required.because());
+                            written.addAll(pass.writes());
+                        }
                     }
                 }
                 assertTrue(written.contains(Target.PICTURE));

@@ -29,16 +29,16 @@ public final class TwinProgram {
         try (GlContext gl = GlContext.offscreen();
                 RenderTarget target = RenderTarget.picture(gl, "twin", PixelFormat.RGBA32F, count, 1);
                 BufferTexture texels = BufferTexture.ofFloats(gl, "inputs", inputs);
-                FullScreenTriangle triangle = new FullScreenTriangle(gl, "twin");
-                GlProgram<Object> program = new GlProgram<>(
-                        gl,
-                        ShaderSource.load(FOLDER + "twin.vert", Map.of()),
-                        ShaderSource.load(FOLDER + shader, Map.of()),
-                        uniforms -> {
-                            uniforms.sampler("inputs", TextureUnit.COLOURS);
-                            setUp.accept(uniforms);
-                            return uniforms;
-                        })) {
+                FullScreenTriangle triangle = new FullScreenTriangle(gl, "twin")) {
+            var program = new GlProgram<>(
+                    gl,
+                    ShaderSource.load(FOLDER + "twin.vert", Map.of()),
+                    ShaderSource.load(FOLDER + shader, Map.of()),
+                    uniforms -> {
+                        uniforms.sampler("inputs", TextureUnit.COLOURS);
+                        setUp.accept(uniforms);
+                        return uniforms;
+                    });
             target.clear(-1, -1, -1);
             gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
             texels.bind(TextureUnit.COLOURS);

@@ -4,11 +4,9 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import nephele.engine.render.frame.FrameContext;
-import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 
 /** A pass that notes which targets another one binds as it draws; views in views are not counted to the outer one. */
@@ -26,14 +24,15 @@ final class WatchedPass implements Pass {
 
     /** The same feature, whose passes are added to {@code built}. */
     static RenderFeature watch(RenderFeature feature, BoundTargets targets, List<WatchedPass> built) {
-        return new RenderFeature(feature.name(), request -> feature.requiredBy().apply(request).stream()
-                .map(required -> new Required(required.because(), gl -> {
-                    WatchedPass watched =
-                            new WatchedPass(feature.name(), required.build().apply(gl), targets);
-                    built.add(watched);
-                    return watched;
-                }))
-                .toList());
+        return new RenderFeature(
+                feature.name(), feature.stage(), feature.role(), request -> feature.requiredBy().apply(request).stream()
+                        .map(required -> new Required(required.because(), context -> {
+                            WatchedPass watched = new WatchedPass(
+                                    feature.name(), required.build().apply(context), targets);
+                            built.add(watched);
+                            return watched;
+                        }))
+                        .toList());
     }
 
     Set<Target> bound() {
@@ -49,11 +48,6 @@ final class WatchedPass implements Pass {
     }
 
     @Override
-    public Stage stage() {
-        return pass.stage();
-    }
-
-    @Override
     public Set<Target> reads() {
         return pass.reads();
     }
@@ -61,26 +55,6 @@ final class WatchedPass implements Pass {
     @Override
     public Set<Target> writes() {
         return pass.writes();
-    }
-
-    @Override
-    public boolean isSky() {
-        return pass.isSky();
-    }
-
-    @Override
-    public boolean isDecoration() {
-        return pass.isDecoration();
-    }
-
-    @Override
-    public void load(LoadContext context) {
-        pass.load(context);
-    }
-
-    @Override
-    public void close() {
-        pass.close();
     }
 
     @Override

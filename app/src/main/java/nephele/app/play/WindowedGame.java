@@ -18,7 +18,7 @@ public final class WindowedGame {
     public void run() {
         var input = new Input();
         try (var window = open(input);
-                var gl = GlContext.ofCurrentWindow();
+                var gl = GlContext.ofCurrent();
                 var loop = new GameLoop(request, window, gl, input)) {
             loop.run();
         }
@@ -29,7 +29,7 @@ public final class WindowedGame {
         profile.done("arguments");
         var input = new Input();
         try (var window = open(input);
-                var gl = GlContext.ofCurrentWindow()) {
+                var gl = GlContext.ofCurrent()) {
             profile.done("window and context");
             try (var loop = new GameLoop(request, window, gl, input)) {
                 loop.frame();

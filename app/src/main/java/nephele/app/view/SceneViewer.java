@@ -38,7 +38,7 @@ public final class SceneViewer implements AutoCloseable {
         System.setProperty("java.awt.headless", "true"); // pictures are written by ImageIO, which must open no display
         var input = new ViewerInput();
         try (var window = GameWindow.open(request, input);
-                var gl = GlContext.ofCurrentWindow();
+                var gl = GlContext.ofCurrent();
                 var viewer = new SceneViewer(start, window, input, gl)) {
             while (!viewer.isLeaving()) {
                 viewer.frame();

@@ -16,6 +16,8 @@ public final class BareTwin implements AutoCloseable {
 
     /** Draws every view once with {@code renderer}, which must stay open as long as this, and remembers how. */
     public BareTwin(GlContext gl, Renderer renderer, List<View> views, RenderTarget picture) {
+        // What is drawn once and kept, as shadow maps, is no part of a frame.
+        renderer.draw(views.get(0), picture);
         for (View view : views) {
             frames.add(BareFrame.record(gl, () -> renderer.draw(view, picture)));
         }

@@ -4,84 +4,86 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 
 /** The passes that a request requires, in frame order: stage after stage. */
-final class PassOrder implements AutoCloseable {
+final class PassOrder {
     private static final Set<Target> OF_A_VIEW = EnumSet.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);
 
-    private final List<Pass> passes = new ArrayList<>();
-    private final List<String> stepNames = new ArrayList<>();
+    private record Entry(RenderFeature feature, Pass pass) {}
 
-    void load(LoadContext context, Decoration decoration, List<RenderFeature> features) {
+    private final List<Entry> entries = new ArrayList<>();
+
+    PassOrder(LoadContext context, Decoration decoration, List<RenderFeature> features) {
         for (FramePlan.Step step : FramePlan.of(context.request(), features).steps()) {
-            for (Required required : step.required()) {
-                Pass pass = required.build().apply(context.gl());
-                if (decoration == Decoration.ON || !pass.isDecoration()) {
-                    add(pass, step.feature().name());
-                    pass.load(context);
+            if (decoration == Decoration.ON || step.feature().role() != Role.DECORATION) {
+                for (Required required : step.required()) {
+                    add(step.feature(), required.build().apply(context));
                 }
             }
         }
-        stepNames.add(begin(Stage.IN_VIEWS), "clear");
     }
 
-    private void add(Pass pass, String name) {
-        Stage stage = pass.stage();
-        if (!passes.isEmpty() && passes.get(passes.size() - 1).stage().compareTo(stage) > 0) {
-            pass.close();
+    private void add(RenderFeature feature, Pass pass) {
+        Stage stage = feature.stage();
+        if (!entries.isEmpty()
+                && entries.get(entries.size() - 1).feature.stage().compareTo(stage) > 0) {
             throw new IllegalStateException(
-                    name + " is of stage " + stage + ", but stands after a pass of a later one");
+                    feature.name() + " is of stage " + stage + ", but stands after a pass of a later one");
         }
         if (stage != Stage.IN_VIEWS_AFTER_OPAQUE && pass.reads().stream().anyMatch(OF_A_VIEW::contains)) {
-            pass.close();
-            throw new IllegalStateException(name + " reads a copy of its view, but is of stage " + stage);
+            throw new IllegalStateException(feature.name() + " reads a copy of its view, but is of stage " + stage);
         }
-        passes.add(pass);
-        stepNames.add(name);
+        entries.add(new Entry(feature, pass));
     }
 
     boolean isEmpty() {
-        return passes.isEmpty();
+        return entries.isEmpty();
     }
 
     /** Index of the first pass of {@code stage} or a later one. */
     private int begin(Stage stage) {
-        return (int) passes.stream()
-                .filter(pass -> pass.stage().compareTo(stage) < 0)
+        return (int) entries.stream()
+                .filter(entry -> entry.feature.stage().compareTo(stage) < 0)
                 .count();
     }
 
     List<Pass> of(Stage stage) {
-        return passes.stream().filter(pass -> pass.stage() == stage).toList();
+        return passes(entry -> entry.feature.stage() == stage);
+    }
+
+    private List<Pass> passes(Predicate<Entry> wanted) {
+        return entries.stream().filter(wanted).map(Entry::pass).toList();
     }
 
     ViewPasses views() {
         int first = begin(Stage.IN_VIEWS);
-        return new ViewPasses(
-                List.copyOf(passes.subList(first, begin(Stage.AFTER_ALL))), begin(Stage.IN_VIEWS_AFTER_OPAQUE) - first);
+        List<Pass> all = passes(entry ->
+                entry.feature.stage() == Stage.IN_VIEWS || entry.feature.stage() == Stage.IN_VIEWS_AFTER_OPAQUE);
+        List<Pass> skies = passes(entry -> entry.feature.role() == Role.SKY);
+        return new ViewPasses(all, skies, begin(Stage.IN_VIEWS_AFTER_OPAQUE) - first);
     }
 
     /** Targets that any pass reads. */
     Set<Target> reads() {
         Set<Target> reads = EnumSet.noneOf(Target.class);
-        passes.forEach(pass -> reads.addAll(pass.reads()));
+        entries.forEach(entry -> reads.addAll(entry.pass.reads()));
         return reads;
     }
 
     /** Of the passes, with the clear between what serves every view and what draws one. */
     List<String> stepNames() {
-        return List.copyOf(stepNames);
-    }
-
-    @Override
-    public void close() {
-        passes.forEach(Pass::close);
+        List<String> names = new ArrayList<>();
+        entries.forEach(entry -> names.add(entry.feature.name()));
+        names.add(begin(Stage.IN_VIEWS), "clear");
+        return List.copyOf(names);
     }
 }

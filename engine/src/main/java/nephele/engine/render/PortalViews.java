@@ -10,6 +10,7 @@ import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.Surroundings;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Texture;
@@ -33,8 +34,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     /** Of views that have pictures of their own, and perhaps another size. */
     private final ViewCopies pictureCopies;
 
-    private final double exposure;
-    private final ClearColour behind;
+    private final Surroundings surroundings;
     private final PortalPictures pictures;
     private final PreviousPicture previous;
     private final Multisampling multisampling;
@@ -61,8 +61,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         this.copies = copies;
         pictureCopies = copies.another();
         skies = passes.skies();
-        exposure = ClearColour.exposure(scene.level().environment());
-        behind = ClearColour.of(scene.level().environment(), settings.output());
+        surroundings = shared.surroundings();
         pictures = new PortalPictures(
                 gl, technique().copies() ? 1 : settings.quality().portalResolution());
         previous = new PreviousPicture(gl, scene.mirrors());
@@ -147,14 +146,14 @@ final class PortalViews implements NestedViews, AutoCloseable {
 
     @Override
     public void drawSky(FrameContext frame, ViewNode child) {
-        shared.frameUniforms().upload(child.view(), exposure);
+        shared.frameUniforms().upload(child.view(), surroundings.exposure());
         FrameContext context = context(child.depth());
         context.into(frame.moment(), frame.surface(), frame.picture());
         context.see(child.view(), child, null, null);
         for (int i = 0; i < skies.size(); i++) {
             skies.get(i).draw(context);
         }
-        shared.frameUniforms().upload(frame.view(), exposure);
+        shared.frameUniforms().upload(frame.view(), surroundings.exposure());
     }
 
     @Override
@@ -163,7 +162,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     private void enter(ViewNode node) {
-        shared.frameUniforms().upload(node.view(), exposure);
+        shared.frameUniforms().upload(node.view(), surroundings.exposure());
         if (node.parent() == null || settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
         } else {
@@ -186,7 +185,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private void drawPicture(ViewNode node, Moment moment, RenderTarget picture) {
         RenderTarget own = pictures.take(node);
         RenderTarget target = technique().copies() ? frameBuffer : multisampling.inPlaceOf(own, own.format());
-        shared.frameUniforms().upload(node.view(), exposure);
+        shared.frameUniforms().upload(node.view(), surroundings.exposure());
         if (settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
         } else {
@@ -195,7 +194,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
                     target.width() / (double) picture.width(),
                     target.height() / (double) picture.height());
         }
-        ClearColour seen = behind.in(node.view(), scene.level().environment(), settings.output());
+        ClearColour seen = surroundings.clearColour(node.view());
         target.clearWithinScissor(seen.red(), seen.green(), seen.blue());
         drawPasses(node, moment, target, picture, pictureCopies);
         copy(target, own);

@@ -6,13 +6,14 @@ import nephele.engine.level.Level;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Surroundings;
 import nephele.engine.render.gl.DrawState.DepthOf;
+import nephele.engine.render.gl.DrawState.Fill;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -27,14 +28,15 @@ import nephele.engine.scene.VisibleSet;
 public final class Renderer implements AutoCloseable {
     private final GlContext gl;
     private final RenderSettings settings;
+    private final List<RenderFeature> features;
     private final Scene scene;
     private final SharedResources shared;
-    private final PassOrder passes = new PassOrder();
-    private final ClearColour clearColour;
+    private final Surroundings surroundings;
     private final VisibleSet visible;
     private final Moment start;
     private final LinearTarget linear;
     // Known when the passes are.
+    private PassOrder passes;
     private List<Pass> onceAFrame;
     private ViewPasses views;
     private List<Pass> afterAll;
@@ -45,13 +47,16 @@ public final class Renderer implements AutoCloseable {
 
     private FrameContext frame;
 
-    private Renderer(GlContext gl, Scene scene, RenderSettings settings) {
+    private Renderer(GlContext gl, Scene scene, RenderSettings settings, List<RenderFeature> features) {
         this.gl = gl;
         this.scene = scene;
         this.settings = settings;
-        this.shared = new SharedResources(gl, scene);
+        this.features = features;
+        FrameRequest request = FrameRequest.of(
+                scene.level(), scene.statics(), settings.output(), settings.quality(), settings.figure());
+        this.shared = new SharedResources(gl, scene, request);
+        this.surroundings = shared.surroundings();
         this.linear = new LinearTarget(gl);
-        this.clearColour = ClearColour.of(scene.level().environment(), settings.output());
         this.start = Moment.atStart(scene.level());
         this.visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
     }
@@ -65,16 +70,19 @@ public final class Renderer implements AutoCloseable {
         return load(gl, Scene.of(level, assets), settings);
     }
 
-    /** As {@link #load(GlContext, Level, AssetSource, RenderSettings)}, from a scene that was derived elsewhere. */
+    /**
+     * As {@link #load(GlContext, Level, AssetSource, RenderSettings)}, from a scene that was derived elsewhere. Renderers
+     * of one context and scene have its geometry, pictures and shadow maps on the GPU once.
+     */
     public static Renderer load(GlContext gl, Scene scene, RenderSettings settings) {
         return load(gl, scene, settings, RenderFeatures.ALL);
     }
 
     /** As if no other feature were registered than these. */
     static Renderer load(GlContext gl, Scene scene, RenderSettings settings, List<RenderFeature> features) {
-        Renderer renderer = new Renderer(gl, scene, settings);
+        Renderer renderer = new Renderer(gl, scene, settings, features);
         try {
-            renderer.buildPasses(features);
+            renderer.buildPasses();
             return renderer;
         } catch (RuntimeException e) {
             renderer.close();
@@ -82,10 +90,21 @@ public final class Renderer implements AutoCloseable {
         }
     }
 
-    private void buildPasses(List<RenderFeature> features) {
-        FrameRequest request = FrameRequest.of(
-                scene.level(), scene.statics(), settings.output(), settings.quality(), settings.figure());
-        passes.load(new LoadContext(gl, scene, request, shared), settings.decoration(), features);
+    /**
+     * A renderer of the edited level in place of this one, which is closed. What the edit left as it was stays on the GPU;
+     * shadow maps are drawn again with the next frame.
+     *
+     * @param edited derived from this one's scene
+     * @throws nephele.engine.asset.AssetException naming a picture that cannot be used; this renderer goes on then
+     */
+    public Renderer edited(Scene edited) {
+        Renderer next = load(gl, edited, settings, features);
+        close();
+        return next;
+    }
+
+    private void buildPasses() {
+        passes = new PassOrder(shared.loadContext(), settings.decoration(), features);
         onceAFrame = passes.of(Stage.ONCE_A_FRAME);
         views = passes.views();
         afterAll = passes.of(Stage.AFTER_ALL);
@@ -95,10 +114,6 @@ public final class Renderer implements AutoCloseable {
             portals = new PortalViews(gl, settings, shared, scene, views, copies);
         }
         frame = new FrameContext(portals);
-    }
-
-    private double exposure() {
-        return ClearColour.exposure(scene.level().environment());
     }
 
     public Scene scene() {
@@ -140,11 +155,13 @@ public final class Renderer implements AutoCloseable {
         if (picture.width() == 0 || picture.height() == 0) {
             return;
         }
-        // Another renderer of this context, or a recording, may have left them otherwise.
+        // Another renderer of this context, another toolkit or a recording may have left them otherwise.
+        gl.state().fill(Fill.WHOLE);
         gl.state().stencil(Stencil.OFF, 0);
         gl.state().depthOf(DepthOf.SURFACE);
         RenderTarget surface = settings.output() == Output.HDR ? linear.ofSizeOf(picture) : picture;
         RenderTarget drawn = multisampling.inPlaceOf(surface, surface.format());
+        shared.follow(moment);
         if (!passes.isEmpty()) {
             begin(view, moment, picture, drawn);
             drawOnce(listener);
@@ -153,7 +170,8 @@ public final class Renderer implements AutoCloseable {
             // Pictures of their own come first: drawing on in a target after another one is costly.
             portals.drawPictures(moment, picture, drawn);
         }
-        drawn.clear(clearColour.red(), clearColour.green(), clearColour.blue());
+        ClearColour behind = surroundings.clearColour();
+        drawn.clear(behind.red(), behind.green(), behind.blue());
         if (views.passes().isEmpty()) {
             average(surface);
         }
@@ -167,7 +185,7 @@ public final class Renderer implements AutoCloseable {
         if (visible != null) {
             settings.culling().find(visible, view);
         }
-        shared.frameUniforms().upload(view, exposure());
+        shared.frameUniforms().upload(view, surroundings.exposure());
         frame.into(moment, drawn, picture);
         frame.see(view, root, visible, settings.limits(root));
     }
@@ -240,7 +258,6 @@ public final class Renderer implements AutoCloseable {
 
     @Override
     public void close() {
-        passes.close();
         shared.close();
         linear.close();
         if (copies != null) {

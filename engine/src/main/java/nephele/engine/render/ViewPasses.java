@@ -7,13 +7,10 @@ import nephele.engine.render.frame.Pass;
 /**
  * The passes of every view, in order.
  *
+ * @param skies those among them that draw what is seen where nothing else is
  * @param opaque so many of them come before {@link nephele.engine.render.frame.Stage#IN_VIEWS_AFTER_OPAQUE}
  */
-record ViewPasses(List<Pass> passes, int opaque) {
-    List<Pass> skies() {
-        return passes.stream().filter(Pass::isSky).toList();
-    }
-
+record ViewPasses(List<Pass> passes, List<Pass> skies, int opaque) {
     /** Draws a view, with copies of it for the passes that read them. */
     void draw(FrameContext frame, ViewCopies copies) {
         for (int i = 0; i < passes.size(); i++) {

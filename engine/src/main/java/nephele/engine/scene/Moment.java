@@ -3,6 +3,7 @@ package nephele.engine.scene;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.level.Body;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Rotations;
@@ -15,7 +16,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What is drawn besides what never changes: portals, bodies and the player's figure at one instant. Whoever plays fills
+ * What is drawn besides what never changes: portals, bodies, the player's figure and the light outside at one instant. Whoever plays fills
  * it before a frame; one object serves frame after frame.
  */
 public final class Moment {
@@ -26,6 +27,7 @@ public final class Moment {
     public static final int NOTHING = -1;
 
     private final double[] bodies;
+    private Environment environment;
     private double seconds;
     private Portals portals;
     private double[] openness;
@@ -36,19 +38,34 @@ public final class Moment {
     private Vec3 heldFromEye = Vec3.ZERO;
     private double heldClarity;
 
-    private Moment(int bodyCount) {
+    private Moment(Environment environment, int bodyCount) {
+        this.environment = environment;
         bodies = new double[STRIDE * bodyCount];
     }
 
     /** A level before its first tick: its own portals open, its bodies where they begin, nobody in it. */
     public static Moment atStart(Level level) {
-        Moment start = new Moment(level.bodies().size());
+        Moment start = new Moment(level.environment(), level.bodies().size());
         for (int i = 0; i < level.bodies().size(); i++) {
             Body body = level.bodies().get(i);
             start.body(i, body.centre().toVector(), new Quaterniond());
         }
         start.portals(Portals.of(level));
         return start;
+    }
+
+    /** The light outside as it is now. */
+    public Environment environment() {
+        return environment;
+    }
+
+    /**
+     * Another light outside, as of another hour.
+     *
+     * @param now differs from the level's in the sun's direction and irradiance, the sky's radiance and the exposure only
+     */
+    public void environment(Environment now) {
+        environment = now;
     }
 
     /** Simulated time: what moves of itself moves by it. */

@@ -82,7 +82,6 @@ public final class CalibrationDrawing implements Drawing {
 
     @Override
     public void close() {
-        program.close();
         triangle.close();
         checks.close();
         picture.close();

@@ -39,8 +39,8 @@ class LayersGlTest {
     /** Covers the bound target with what the fragment shader's {@code main} writes to {@code shown}. */
     private static void cover(GlContext gl, Blend blend, String declared, String expression, TextureUnit unit) {
         String text = declared + "out vec4 shown;\nvoid main() { shown = " + expression + "; }\n";
-        try (var program = new GlProgram<>(gl, source("cover.vert", COVER), source("cover.frag", text), u -> u);
-                var triangle = new FullScreenTriangle(gl, "cover")) {
+        var program = new GlProgram<>(gl, source("cover.vert", COVER), source("cover.frag", text), u -> u);
+        try (var triangle = new FullScreenTriangle(gl, "cover")) {
             program.use();
             if (unit != null) {
                 program.uniforms().sampler("source", unit);
@@ -203,8 +203,8 @@ class LayersGlTest {
                 source("red.frag", "out vec4 shown;\nvoid main() { shown = vec4(1.0, 0.0, 0.0, 1.0); }\n");
         try (GlContext gl = GlContext.offscreen();
                 var mesh = new GpuMesh(gl, "mesh", format, corners.flip(), order);
-                var program = new GlProgram<>(gl, vertex, fragment, u -> u);
                 var target = RenderTarget.picture(gl, "t", PixelFormat.RGBA8, 1, 1)) {
+            var program = new GlProgram<>(gl, vertex, fragment, u -> u);
             target.clear(0, 0, 0);
             gl.state().set(Depth.OFF, Blend.REPLACE, Cull.NONE);
             program.use();

@@ -1,3 +1,5 @@
+uniform vec3 skyCoefficients[9];
+
 #include "sky-ambient.glsl"
 
 uniform samplerBuffer inputs;

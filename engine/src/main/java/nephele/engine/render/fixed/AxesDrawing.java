@@ -69,6 +69,5 @@ final class AxesDrawing implements AutoCloseable {
     @Override
     public void close() {
         lines.close();
-        program.close();
     }
 }

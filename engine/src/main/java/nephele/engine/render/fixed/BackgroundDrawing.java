@@ -44,6 +44,5 @@ final class BackgroundDrawing implements AutoCloseable {
     public void close() {
         picture.close();
         triangle.close();
-        program.close();
     }
 }

@@ -12,7 +12,7 @@ import nephele.engine.render.gl.Uniforms.Vector4;
 import nephele.engine.render.gl.Uniforms.Whole;
 
 /** What models are drawn with in one kind of shading. */
-final class FixedProgram implements AutoCloseable {
+final class FixedProgram {
     static final String FOLDER = "/nephele/engine/render/fixed/";
 
     private final GlProgram<Inputs> program;
@@ -66,10 +66,5 @@ final class FixedProgram implements AutoCloseable {
                             look.term(LightTerm.EMISSIVE));
         }
         return inputs;
-    }
-
-    @Override
-    public void close() {
-        program.close();
     }
 }

@@ -104,6 +104,5 @@ public final class FixedSceneDrawing implements AutoCloseable {
         }
         axes.close();
         white.close();
-        programs.values().forEach(FixedProgram::close);
     }
 }

@@ -6,6 +6,7 @@ import nephele.engine.math.Plane;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.FrontFace;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.scene.View;
 import org.joml.Matrix4d;
@@ -13,7 +14,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /** The uniform block {@code Frame} of {@code frame.glsl}: what every shader knows of the view. */
-public final class FrameUniforms implements AutoCloseable {
+public final class FrameUniforms implements GlObject {
     /** Binding point of the block; passes use others. */
     public static final int BINDING = 0;
 

@@ -1,6 +1,6 @@
 package nephele.engine.render.frame;
 
-import java.util.function.Function;
+import java.util.function.Consumer;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
@@ -12,22 +12,22 @@ import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Uniforms;
 
 /** One shader over a whole target. */
-public final class FullScreenDrawing implements AutoCloseable {
+public final class FullScreenDrawing {
     private final GlContext gl;
     private final FullScreenTriangle triangle;
-    private GlProgram<Object> program;
+    private final GlProgram<?> program;
 
-    public FullScreenDrawing(GlContext gl, String name) {
-        this.gl = gl;
-        triangle = new FullScreenTriangle(gl, name);
-    }
+    /** File names of a program's two shaders. */
+    public record Stages(String vertex, String fragment) {}
 
     /**
-     * Compiles for the output of {@code context}; the frame's block is bound already when {@code set} is called.
+     * Compiles for the output of {@code context}; the frame's block is tied already when {@code tie} is called.
      *
      * @param folder of both resources, ending in a slash
      */
-    public void load(LoadContext context, String folder, Stages stages, Function<Uniforms, Object> set) {
+    public FullScreenDrawing(LoadContext context, String folder, Stages stages, Consumer<Uniforms> tie) {
+        gl = context.gl();
+        triangle = context.own(new FullScreenTriangle(gl, stages.fragment()));
         var defines = Defines.of(context).values();
         program = new GlProgram<>(
                 gl,
@@ -35,12 +35,10 @@ public final class FullScreenDrawing implements AutoCloseable {
                 ShaderSource.load(folder + stages.fragment(), defines),
                 uniforms -> {
                     uniforms.block("Frame", FrameUniforms.BINDING);
-                    return set.apply(uniforms);
+                    tie.accept(uniforms);
+                    return uniforms;
                 });
     }
-
-    /** File names of a program's two shaders. */
-    public record Stages(String vertex, String fragment) {}
 
     /** Replaces what is there; textures have been bound by the caller. */
     public void draw(RenderTarget target, Depth depth) {
@@ -48,13 +46,5 @@ public final class FullScreenDrawing implements AutoCloseable {
         gl.state().set(depth, Blend.REPLACE, Cull.NONE);
         program.use();
         triangle.draw();
-    }
-
-    @Override
-    public void close() {
-        triangle.close();
-        if (program != null) {
-            program.close();
-        }
     }
 }

@@ -5,13 +5,14 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.light.LampTable;
 import nephele.engine.scene.light.LightNeeds;
 
 /** The lamps' part of {@code surface-light.glsl}, with the shadows of what never moves. */
-final class LampLight implements AutoCloseable {
+final class LampLight implements GlObject {
     private final Vec3 anchor;
     private final boolean shadow;
     private final LampTable table;
@@ -49,11 +50,16 @@ final class LampLight implements AutoCloseable {
         return defines.withIf(table != null, "LAMPS").withIf(shadow, "LAMP_SHADOW");
     }
 
-    void set(Uniforms uniforms) {
+    void put(LightBlock block) {
+        if (table != null) {
+            block.lampGrid(table.grid(), anchor);
+        }
+    }
+
+    void tie(Uniforms uniforms) {
         if (table != null) {
             uniforms.sampler("lampTexels", TextureUnit.LAMPS);
             uniforms.sampler("lampGridCells", TextureUnit.LAMP_GRID);
-            LightUniforms.setLampGrid(uniforms, table.grid(), anchor);
         }
         if (shadow) {
             uniforms.sampler("lampShadowMaps", TextureUnit.LAMP_SHADOW);

@@ -1,9 +1,11 @@
 package nephele.engine.render.frame;
 
+import java.util.function.Supplier;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.scene.Scene;
 
-/** What a pass is loaded with, once per level. */
+/** What a pass is made from, once per renderer. */
 public record LoadContext(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {
     public Output output() {
         return request.output();
@@ -11,5 +13,15 @@ public record LoadContext(GlContext gl, Scene scene, FrameRequest request, Share
 
     public Quality quality() {
         return request.quality();
+    }
+
+    /** As {@link SharedResources#own}: a pass closes nothing itself. */
+    public <T extends GlObject> T own(T object) {
+        return shared.own(object);
+    }
+
+    /** As {@link SharedResources#share}. */
+    public <T extends GlObject> T share(Class<T> kind, Object madeFrom, Supplier<T> make) {
+        return shared.share(kind, madeFrom, make);
     }
 }

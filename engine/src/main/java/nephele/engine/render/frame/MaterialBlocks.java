@@ -4,12 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Material;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.SolidGeometry;
 
 /** The numbers of the materials in uniform blocks, as {@code materials.glsl} reads them. */
-public final class MaterialBlocks implements AutoCloseable {
+public final class MaterialBlocks implements GlObject {
     public static final int BINDING = 1;
 
     private static final int FLOATS_PER_MATERIAL = 16;

@@ -3,6 +3,7 @@ package nephele.engine.render.frame;
 import java.util.Arrays;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PolygonStream;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
@@ -20,7 +21,7 @@ import nephele.engine.scene.ViewTree;
  * picture up, homogeneous. What is nearer than the near plane lies in it, as triangles of its own: interpolating depth
  * from beyond the near plane to the far end of an opening would lose it to rounding.
  */
-public final class OpeningMesh implements AutoCloseable {
+public final class OpeningMesh implements GlObject {
     private static final int FLOATS_PER_VERTEX = 7;
 
     private final PolygonStream stream;

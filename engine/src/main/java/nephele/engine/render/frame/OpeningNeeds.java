@@ -3,14 +3,13 @@ package nephele.engine.render.frame;
 import java.util.List;
 import java.util.function.Function;
 import nephele.engine.level.MirrorFaces;
-import nephele.engine.render.gl.GlContext;
 
 /** Why a level needs what draws openings: portals, the gun that makes some, or mirrors. */
 public final class OpeningNeeds {
     private OpeningNeeds() {}
 
     /** @param what of openings the pass draws */
-    public static List<Required> of(FrameRequest request, String what, Function<GlContext, Pass> pass) {
+    public static List<Required> of(FrameRequest request, String what, Function<LoadContext, Pass> pass) {
         List<Required> ofPortals = PortalNeeds.of(request, what, pass);
         int mirror = MirrorFaces.firstMaterial(request.level());
         return !ofPortals.isEmpty() || mirror < 0

@@ -2,10 +2,8 @@ package nephele.engine.render.frame;
 
 import java.util.Set;
 
-/** One step of a frame; owns its OpenGL objects. */
-public interface Pass extends AutoCloseable {
-    Stage stage();
-
+/** One step of a frame. Its constructor makes what it needs; the {@link LoadContext} owns that and closes it. */
+public interface Pass {
     /** Targets that must have been written earlier in the frame. */
     default Set<Target> reads() {
         return Set.of();
@@ -16,22 +14,6 @@ public interface Pass extends AutoCloseable {
         return Set.of(Target.SURFACE);
     }
 
-    /** Whether it draws what is seen where nothing else is. */
-    default boolean isSky() {
-        return false;
-    }
-
-    /** Whether it only guides the player: it can be left out of a picture that is compared with something. */
-    default boolean isDecoration() {
-        return false;
-    }
-
-    /** Called once, before the first draw. */
-    void load(LoadContext context);
-
     /** Draws one view. Allocates next to nothing: the whole frame may take 2 KiB. */
     void draw(FrameContext frame);
-
-    @Override
-    void close();
 }

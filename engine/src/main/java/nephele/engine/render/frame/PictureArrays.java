@@ -1,24 +1,28 @@
 package nephele.engine.render.frame;
 
 import java.nio.ByteBuffer;
-import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.SceneMaterials.PictureArray;
 import org.lwjgl.system.MemoryUtil;
 
 /** The scene's pictures as texture arrays with mipmaps, in the order of {@code SceneMaterials}. */
-public final class PictureArrays implements AutoCloseable {
-    private final List<Texture> textures = new ArrayList<>();
+public record PictureArrays(List<Texture> textures) {
+    private record MadeFrom(Same array, PixelFormat format, int anisotropy) {}
 
-    PictureArrays(GlContext gl, List<PictureArray> arrays, PixelFormat format, int anisotropy) {
-        for (PictureArray array : arrays) {
-            textures.add(texture(gl, array, format, anisotropy));
-        }
+    static PictureArrays of(
+            GlContext gl, SharedResources shared, List<PictureArray> arrays, PixelFormat format, int anisotropy) {
+        return new PictureArrays(arrays.stream()
+                .map(array -> shared.share(
+                        Texture.class,
+                        new MadeFrom(new Same(array), format, anisotropy),
+                        () -> texture(gl, array, format, anisotropy)))
+                .toList());
     }
 
     private static Texture texture(GlContext gl, PictureArray array, PixelFormat format, int anisotropy) {
@@ -50,10 +54,5 @@ public final class PictureArrays implements AutoCloseable {
 
     public Texture get(int array) {
         return textures.get(array);
-    }
-
-    @Override
-    public void close() {
-        textures.forEach(Texture::close);
     }
 }

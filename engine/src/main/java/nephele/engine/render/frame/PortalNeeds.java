@@ -3,14 +3,13 @@ package nephele.engine.render.frame;
 import java.util.List;
 import java.util.function.Function;
 import nephele.engine.level.Level;
-import nephele.engine.render.gl.GlContext;
 
 /** Why a level needs what draws portals, as opposed to mirrors. */
 public final class PortalNeeds {
     private PortalNeeds() {}
 
     /** @param what of portals the pass draws */
-    public static List<Required> of(FrameRequest request, String what, Function<GlContext, Pass> pass) {
+    public static List<Required> of(FrameRequest request, String what, Function<LoadContext, Pass> pass) {
         Level level = request.level();
         if (!level.portals().isEmpty()) {
             return List.of(new Required("portals: " + what, pass));

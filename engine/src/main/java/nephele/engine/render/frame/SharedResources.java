@@ -1,23 +1,37 @@
 package nephele.engine.render.frame;
 
 import java.lang.ref.WeakReference;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.scene.Moment;
 import nephele.engine.scene.Scene;
+import nephele.engine.scene.SceneMaterials.PictureArray;
 import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.SkyProbes;
 import nephele.engine.scene.thing.Things;
 
-/** What several passes of one level use; made when the first of them asks, closed with the level. */
-public final class SharedResources implements AutoCloseable {
+/**
+ * What the passes of one renderer use together, made when the first of them asks. Whatever is owned here is closed with
+ * the renderer, the last first; what is shared stays while another renderer of the context has it too.
+ */
+public final class SharedResources implements GlObject {
     private final GlContext gl;
     private final Scene scene;
+    private final FrameRequest request;
+    private final Surroundings surroundings;
+    private final Deque<GlObject> owned = new ArrayDeque<>();
     private final Map<Target, Texture> textures = new EnumMap<>(Target.class);
     private final Map<String, WeakReference<Picture>> decoded = new HashMap<>();
     private FrameUniforms frameUniforms;
@@ -28,15 +42,59 @@ public final class SharedResources implements AutoCloseable {
     private OpeningMesh openings;
     private ThingMeshes things;
 
-    public SharedResources(GlContext gl, Scene scene) {
+    public SharedResources(GlContext gl, Scene scene, FrameRequest request) {
         this.gl = gl;
         this.scene = scene;
+        this.request = request;
+        surroundings = new Surroundings(request.output());
+    }
+
+    /** What passes are made from. */
+    public LoadContext loadContext() {
+        return new LoadContext(gl, scene, request, this);
+    }
+
+    /** Keeps an object until the renderer is closed. */
+    public <T extends GlObject> T own(T object) {
+        owned.push(object);
+        return object;
+    }
+
+    /**
+     * What all renderers of the context have in common that ask for the same.
+     *
+     * @param madeFrom an immutable value that the object follows from
+     */
+    public <T extends GlObject> T share(Class<T> kind, Object madeFrom, Supplier<T> make) {
+        return own(gl.shared().share(kind, madeFrom, make, GlObject::close)).get();
+    }
+
+    /** The same of a value that holds nothing to be closed: derived once, as long as any renderer of the context has it. */
+    public <T> T shareValue(Class<T> kind, Object madeFrom, Supplier<T> make) {
+        return own(gl.shared().share(kind, madeFrom, make, value -> {})).get();
+    }
+
+    /** A key for what belongs to one opened level, however it is edited. */
+    public Same openedLevel() {
+        return new Same(scene.assets());
+    }
+
+    /** Begins a frame: what follows from the light outside is derived anew where that has changed. */
+    public void follow(Moment moment) {
+        surroundings.follow(moment.environment());
+        if (surfaceLight != null) {
+            surfaceLight.follow(moment.environment());
+        }
+    }
+
+    public Surroundings surroundings() {
+        return surroundings;
     }
 
     /** The block of {@code frame.glsl}, bound at {@link FrameUniforms#BINDING}. */
     public FrameUniforms frameUniforms() {
         if (frameUniforms == null) {
-            frameUniforms = new FrameUniforms(gl, scene.level().environment());
+            frameUniforms = own(new FrameUniforms(gl, scene.level().environment()));
         }
         return frameUniforms;
     }
@@ -44,7 +102,7 @@ public final class SharedResources implements AutoCloseable {
     /** Where portals open in the views of this frame. */
     public OpeningMesh openings() {
         if (openings == null) {
-            openings = new OpeningMesh(gl);
+            openings = own(new OpeningMesh(gl));
         }
         return openings;
     }
@@ -52,55 +110,53 @@ public final class SharedResources implements AutoCloseable {
     /** The static geometry on the GPU. */
     public SolidMesh solids() {
         if (solids == null) {
-            solids = new SolidMesh(gl, scene.solids());
+            solids = share(SolidMesh.class, new Same(scene.solids()), () -> new SolidMesh(gl, scene.solids()));
         }
         return solids;
     }
 
     /** Base colours: decoded from sRGB when sampled, except for output PLAIN. */
-    public PictureArrays colourPictures(LoadContext context) {
+    public PictureArrays colourPictures() {
         if (colourPictures == null) {
-            PixelFormat format = context.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
-            int anisotropy = context.quality().anisotropy();
-            colourPictures = new PictureArrays(gl, scene.materials().colourArrays(), format, anisotropy);
+            PixelFormat format = request.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
+            colourPictures = pictures(scene.materials().colourArrays(), format);
         }
         return colourPictures;
     }
 
     /** Normal maps, alpha multiplying roughness. */
-    public PictureArrays normalPictures(LoadContext context) {
+    public PictureArrays normalPictures() {
         if (normalPictures == null) {
-            int anisotropy = context.quality().anisotropy();
-            normalPictures = new PictureArrays(gl, scene.materials().normalArrays(), PixelFormat.RGBA8, anisotropy);
+            normalPictures = pictures(scene.materials().normalArrays(), PixelFormat.RGBA8);
         }
         return normalPictures;
     }
 
+    private PictureArrays pictures(List<PictureArray> arrays, PixelFormat format) {
+        return PictureArrays.of(gl, this, arrays, format, request.quality().anisotropy());
+    }
+
     /** What moves, on the GPU. */
-    public ThingMeshes things(LoadContext context) {
+    public ThingMeshes things() {
         if (things == null) {
-            Things all = Things.of(
-                    scene.level(), scene.materials(), context.request().figure());
-            things = new ThingMeshes(gl, all, surfaceLight(context).anchor(), skyProbes());
+            Things all = Things.of(scene.level(), scene.materials(), request.figure());
+            SkyProbes sky = LightNeeds.skyShines(scene.level()) ? new SkyProbes(scene.statics()) : null;
+            things = own(new ThingMeshes(gl, all, surfaceLight().anchor(), sky));
         }
         return things;
     }
 
-    private SkyProbes skyProbes() {
-        boolean wanted = LightNeeds.skyShines(scene.level());
-        return wanted ? new SkyProbes(scene.statics()) : null;
-    }
-
-    /** Defines, uniforms and textures of {@code surface-light.glsl}. */
-    public SurfaceLight surfaceLight(LoadContext context) {
+    /** Defines, numbers and textures of {@code surface-light.glsl}. */
+    public SurfaceLight surfaceLight() {
         if (surfaceLight == null) {
-            surfaceLight = new SurfaceLight(gl, scene, context, this::picture);
+            surfaceLight = own(new SurfaceLight(gl, scene, request, this));
+            surfaceLight.follow(scene.level().environment());
         }
         return surfaceLight;
     }
 
     /**
-     * A decoded asset. Two passes that load one after the other share it; nothing keeps it from being freed after that.
+     * A decoded asset. Two passes that are made one after the other share it; nothing keeps it from being freed after that.
      *
      * @throws nephele.engine.asset.AssetException naming the picture that cannot be used
      */
@@ -130,26 +186,7 @@ public final class SharedResources implements AutoCloseable {
 
     @Override
     public void close() {
-        if (frameUniforms != null) {
-            frameUniforms.close();
-        }
-        if (solids != null) {
-            solids.close();
-        }
-        if (colourPictures != null) {
-            colourPictures.close();
-        }
-        if (normalPictures != null) {
-            normalPictures.close();
-        }
-        if (surfaceLight != null) {
-            surfaceLight.close();
-        }
-        if (openings != null) {
-            openings.close();
-        }
-        if (things != null) {
-            things.close();
-        }
+        owned.forEach(GlObject::close);
+        owned.clear();
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.IndexRanges;
 import nephele.engine.render.gl.VertexFormat;
@@ -17,7 +18,7 @@ import nephele.engine.scene.VisibleSet;
  * {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates, 3 light map
  * or, of models, smooth normal and sky visibility.
  */
-public final class SolidMesh implements AutoCloseable {
+public final class SolidMesh implements GlObject {
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
     private static final VertexFormat LIGHT_MAPPED =
             VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2, Attribute.INT16X2);

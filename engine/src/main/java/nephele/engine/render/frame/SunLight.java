@@ -1,7 +1,6 @@
 package nephele.engine.render.frame;
 
 import java.util.List;
-import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
@@ -13,49 +12,65 @@ import nephele.engine.scene.light.ShadowFrame;
 
 /** The sun's part of {@code surface-light.glsl}, with the shadows of what never moves. */
 final class SunLight {
-    private final Level level;
-    private final ShadowFrame frame;
+    private final FrameRequest request;
+    private final StaticShapes statics;
+    private final Vec3 anchor;
+    private Vec3 towardsSun;
+    private ShadowFrame frame;
 
     /**
      * @param statics of the level
      * @param anchor what positions in shaders are relative to
      */
     SunLight(FrameRequest request, StaticShapes statics, Vec3 anchor) {
-        level = request.level();
-        boolean casts = request.lightMaps().has(Target.SUN_SHADOW);
-        frame = casts ? frame(level.environment().sun(), statics, anchor, request.quality()) : null;
+        this.request = request;
+        this.statics = statics;
+        this.anchor = anchor;
     }
 
-    private static ShadowFrame frame(Sun sun, StaticShapes statics, Vec3 anchor, Quality quality) {
-        Vec3 towardsSun = sun.directionTowardsSun();
+    boolean shines() {
+        return LightNeeds.sun(request.level());
+    }
+
+    boolean hasShadow() {
+        return request.lightMaps().has(Target.SUN_SHADOW);
+    }
+
+    void put(Sun sun, LightBlock block) {
+        if (!shines()) {
+            return;
+        }
+        block.sun(sun);
+        if (hasShadow()) {
+            if (!sun.directionTowardsSun().equals(towardsSun)) {
+                towardsSun = sun.directionTowardsSun();
+                frame = fitted();
+            }
+            block.sunShadow(frame);
+        }
+    }
+
+    private ShadowFrame fitted() {
         List<Vec3> corners = ShadowCasters.corners(statics, towardsSun);
         if (corners.isEmpty()) {
             // The frame plan knows the level only, not that all its meshes are empty.
             corners = List.of(anchor);
         }
-        return ShadowFrame.fit(corners, towardsSun, anchor, quality.shadowTexels());
+        return ShadowFrame.fit(corners, towardsSun, anchor, request.quality().shadowTexels());
     }
 
-    /** {@code null} without a sun that casts. */
+    /** Of the sun as it stands now; {@code null} without a sun that casts. */
     ShadowFrame frame() {
         return frame;
     }
 
-    boolean hasShadow() {
-        return frame != null;
-    }
-
     Defines addTo(Defines defines) {
-        return defines.withIf(LightNeeds.sun(level), "SUN").withIf(hasShadow(), "SUN_SHADOW");
+        return defines.withIf(shines(), "SUN").withIf(hasShadow(), "SUN_SHADOW");
     }
 
-    void set(Uniforms uniforms) {
-        if (LightNeeds.sun(level)) {
-            LightUniforms.setSun(uniforms, level.environment().sun());
-        }
+    void tie(Uniforms uniforms) {
         if (hasShadow()) {
             uniforms.sampler("sunShadowMap", TextureUnit.SUN_SHADOW);
-            LightUniforms.setSunShadow(uniforms, frame);
         }
     }
 }

@@ -1,12 +1,14 @@
 package nephele.engine.render.frame;
 
-import java.util.function.Function;
-import nephele.engine.asset.Picture;
+import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.Scene;
@@ -16,28 +18,59 @@ import nephele.engine.scene.light.ShadowFrame;
 import nephele.engine.scene.light.SkyIrradiance;
 
 /**
- * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, uniforms and textures.
- * All of it is static; positions are relative to the {@link #anchor}, so it does not move with the eye.
+ * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, numbers and textures.
+ * Positions are relative to the {@link #anchor}, so none of it moves with the eye.
  */
-public final class SurfaceLight implements AutoCloseable {
+public final class SurfaceLight implements GlObject {
     private final Level level;
     private final Scene scene;
+    private final SharedResources shared;
     private final LightMaps maps;
+    private final LightBlock block;
     private final SunLight sun;
     private final LampLight lamps;
     private final ThingShade thingShade;
+    private Environment followed;
 
-    private final Function<String, Picture> pictureOf;
-    private SkyIrradiance skyIrradiance;
-
-    SurfaceLight(GlContext gl, Scene scene, LoadContext context, Function<String, Picture> pictureOf) {
-        this.pictureOf = pictureOf;
+    SurfaceLight(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {
         this.scene = scene;
+        this.shared = shared;
         level = scene.level();
-        maps = context.request().lightMaps();
-        sun = new SunLight(context.request(), scene.statics(), anchor());
-        lamps = new LampLight(gl, context.request(), scene.statics(), anchor());
+        maps = request.lightMaps();
+        block = shared.own(new LightBlock(gl));
+        sun = new SunLight(request, scene.statics(), anchor());
+        lamps = new LampLight(gl, request, scene.statics(), anchor());
         thingShade = new ThingShade(gl, maps);
+    }
+
+    /**
+     * Brings the numbers to what the light outside is now. Nothing is derived for an environment that is already shown.
+     *
+     * @param now of the level's kind: where sun, sky or constant are none in the level, there are none
+     */
+    void follow(Environment now) {
+        if (now == followed) {
+            return;
+        }
+        sun.put(now.sun(), block);
+        lamps.put(block);
+        if (now.ambient() != null) {
+            block.ambient(now.ambient());
+        }
+        if (LightNeeds.skyShines(level) && (followed == null || !now.sky().equals(followed.sky()))) {
+            block.sky(irradiance(now.sky()));
+        }
+        block.upload();
+        followed = now;
+    }
+
+    private record SkyOfLevel(Same level, Sky sky) {}
+
+    private SkyIrradiance irradiance(Sky sky) {
+        return shared.shareValue(SkyIrradiance.class, new SkyOfLevel(shared.openedLevel(), sky), () -> SkyRadiance.of(
+                        sky, shared::picture, Decoding.SRGB)
+                .map(SkyIrradiance::of)
+                .orElseGet(SkyIrradiance::black));
     }
 
     /** World position that positions in light shaders are relative to. */
@@ -50,7 +83,7 @@ public final class SurfaceLight implements AutoCloseable {
         return thingShade;
     }
 
-    /** {@code null} without a sun that casts. */
+    /** The sun's map as the sun stands now; {@code null} without a sun that casts. */
     public ShadowFrame sunFrame() {
         return sun.frame();
     }
@@ -75,10 +108,7 @@ public final class SurfaceLight implements AutoCloseable {
     }
 
     public Defines addTo(Defines defines) {
-        return addLights(defines)
-                .withIf(needsPositions(), "ANCHOR_POSITION")
-                .withIf(hasSkyVisibility(), "SKY_AMBIENT")
-                .withIf(hasSkyVisibility(), "SKY_VISIBILITY");
+        return addForModels(defines).withIf(hasSkyVisibility(), "SKY_VISIBILITY");
     }
 
     /** The same for models, whose share of the sky stands in their vertices. */
@@ -96,47 +126,31 @@ public final class SurfaceLight implements AutoCloseable {
                 .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
     }
 
-    /** Sets what a program compiled with {@link #addTo} needs, once and for all. */
-    public void set(Uniforms uniforms) {
-        setLights(uniforms);
+    /** Ties what a program compiled with {@link #addTo} reads to where it is bound. */
+    public void tie(Uniforms uniforms) {
+        tieForModels(uniforms);
         if (hasSkyVisibility()) {
             uniforms.sampler("skyVisibilityMap", TextureUnit.SKY_VISIBILITY);
-            LightUniforms.setSky(uniforms, skyIrradiance());
         }
     }
 
-    /** Sets what a program compiled with {@link #addForModels} needs, once and for all. */
-    public void setForModels(Uniforms uniforms) {
-        setLights(uniforms);
-        if (hasSkyVisibility()) {
-            LightUniforms.setSky(uniforms, skyIrradiance());
-        }
+    /** The same for {@link #addForModels}. */
+    public void tieForModels(Uniforms uniforms) {
+        tieLights(uniforms, hasSkyVisibility());
     }
 
-    /** Sets what a program compiled with {@link #addForThings} needs, once and for all. */
-    public void setForThings(Uniforms uniforms) {
-        setLights(uniforms);
-        if (LightNeeds.skyShines(level)) {
-            LightUniforms.setSky(uniforms, skyIrradiance());
-        }
+    /** The same for {@link #addForThings}. */
+    public void tieForThings(Uniforms uniforms) {
+        tieLights(uniforms, LightNeeds.skyShines(level));
     }
 
-    private void setLights(Uniforms uniforms) {
-        thingShade.set(uniforms);
-        sun.set(uniforms);
-        lamps.set(uniforms);
-        if (level.environment().ambient() != null) {
-            LightUniforms.setAmbient(uniforms, level.environment().ambient());
+    private void tieLights(Uniforms uniforms, boolean ofSky) {
+        thingShade.tie(uniforms);
+        sun.tie(uniforms);
+        lamps.tie(uniforms);
+        if (sun.shines() || lamps.table() != null || level.environment().ambient() != null || ofSky) {
+            uniforms.block("Light", LightBlock.BINDING);
         }
-    }
-
-    private SkyIrradiance skyIrradiance() {
-        if (skyIrradiance == null) {
-            skyIrradiance = SkyRadiance.of(level.environment().sky(), pictureOf, Decoding.SRGB)
-                    .map(SkyIrradiance::of)
-                    .orElseGet(SkyIrradiance::black);
-        }
-        return skyIrradiance;
     }
 
     /**
@@ -144,8 +158,9 @@ public final class SurfaceLight implements AutoCloseable {
      *
      * @param reads of {@link LightMaps}, as the pass declares them
      */
-    public void bind(SharedResources shared, TargetReads reads) {
+    public void bind(TargetReads reads) {
         reads.bind(shared);
+        block.bind();
         lamps.bind();
         thingShade.bind();
     }

@@ -18,7 +18,7 @@ public record SurfaceVariant(boolean lambert, boolean textured, boolean normalMa
                 .withIf(normalMapped, "NORMAL_MAP");
     }
 
-    /** Sets what a program compiled with {@link #addTo} needs, once and for all. */
+    /** Sets what a program compiled with {@link #addTo} needs, for good. */
     public void set(Uniforms uniforms) {
         uniforms.block("Frame", FrameUniforms.BINDING);
         uniforms.block("Materials", MaterialBlocks.BINDING);

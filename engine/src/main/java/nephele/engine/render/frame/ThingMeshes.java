@@ -4,6 +4,7 @@ import java.nio.FloatBuffer;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
@@ -21,7 +22,7 @@ import org.lwjgl.BufferUtils;
  * What moves, on the GPU: the shapes once, the instances whenever one has moved. Shaders read it by {@code
  * thing-position.glsl} and {@code thing-instance.glsl}.
  */
-public final class ThingMeshes implements AutoCloseable {
+public final class ThingMeshes implements GlObject {
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
 
     private final Things things;

@@ -2,6 +2,7 @@ package nephele.engine.render.frame;
 
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.render.gl.Uniforms;
@@ -13,7 +14,7 @@ import org.joml.Vector3d;
  * The shadows of what moves, for shaders that include {@code surface-light.glsl}: defines, the block {@code ThingShade}
  * and two more depth textures beside those of what never moves.
  */
-public final class ThingShade implements AutoCloseable {
+public final class ThingShade implements GlObject {
     public static final int BINDING = 3;
 
     /** One float for each layer of the lamps' depth texture, four to a vector. */
@@ -46,7 +47,7 @@ public final class ThingShade implements AutoCloseable {
         return defines.withIf(sun, "THING_SUN_SHADOW").withIf(lamps, "THING_LAMP_SHADOW");
     }
 
-    void set(Uniforms uniforms) {
+    void tie(Uniforms uniforms) {
         if (sun) {
             uniforms.sampler("thingSunMap", TextureUnit.THING_SUN_SHADOW);
         }

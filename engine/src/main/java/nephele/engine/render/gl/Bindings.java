@@ -56,7 +56,6 @@ final class Bindings {
     /** After deletion OpenGL has unbound the name; a new object may get the same one. */
     void forget(GlKind kind, int id) {
         switch (kind) {
-            case PROGRAM -> program = program == id ? 0 : program;
             case VERTEX_ARRAY -> vertexArray = vertexArray == id ? 0 : vertexArray;
             case FRAMEBUFFER -> framebuffer = framebuffer == id ? 0 : framebuffer;
             case TEXTURE -> {

@@ -6,7 +6,7 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 
 /** A list that shaders read by index: texels of four floats ({@code samplerBuffer}) or integers ({@code usamplerBuffer}). */
-public final class BufferTexture implements AutoCloseable {
+public final class BufferTexture implements GlObject {
     private static final int FLOATS_PER_TEXEL = 4;
 
     private final GlContext gl;

@@ -9,6 +9,8 @@ public final class GlContext implements AutoCloseable {
     private final Runnable destroy;
     private final GpuLimits limits;
     private final LiveObjects live = new LiveObjects();
+    private final LinkedPrograms programs = new LinkedPrograms();
+    private final SharedObjects shared = new SharedObjects();
     private final DrawState state = new DrawState();
     private final DebugMessages debug;
 
@@ -16,9 +18,17 @@ public final class GlContext implements AutoCloseable {
         this.destroy = destroy;
         this.limits = GpuLimits.ofCurrent();
         this.debug = DebugMessages.listen(limits);
+        setForAll();
+    }
+
+    /** What is the same for everything that is drawn. */
+    private static void setForAll() {
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+        glClearDepth(1);
+        glClearStencil(0);
+        glStencilMask(0xff);
     }
 
     /**
@@ -29,7 +39,10 @@ public final class GlContext implements AutoCloseable {
     public static GlContext offscreen() {
         OffscreenContext egl = OffscreenContext.makeCurrent();
         GL.createCapabilities(true);
-        return new GlContext(egl::destroy);
+        return new GlContext(() -> {
+            GL.setCapabilities(null);
+            egl.destroy();
+        });
     }
 
     /**
@@ -44,10 +57,23 @@ public final class GlContext implements AutoCloseable {
         }
     }
 
-    /** Wraps the context that the caller, a window, has made current and will destroy after this is closed. */
-    public static GlContext ofCurrentWindow() {
+    /**
+     * Adopts the context that somebody else, a window or another toolkit, has made current, and will destroy after this is
+     * closed.
+     *
+     * @throws IllegalStateException where no context is current
+     */
+    public static GlContext ofCurrent() {
         GL.createCapabilities(true);
-        return new GlContext(() -> {});
+        GlContext adopted = new GlContext(() -> {});
+        adopted.state.assumeNothing();
+        return adopted;
+    }
+
+    /** Takes an adopted context up again: from here on nothing that somebody else may have set is relied upon. */
+    public void resume() {
+        setForAll();
+        state.assumeNothing();
     }
 
     public GpuLimits limits() {
@@ -60,6 +86,15 @@ public final class GlContext implements AutoCloseable {
 
     public DrawState state() {
         return state;
+    }
+
+    /** What several renderers of this context may share. */
+    public SharedObjects shared() {
+        return shared;
+    }
+
+    LinkedPrograms programs() {
+        return programs;
     }
 
     Bindings bindings() {
@@ -81,8 +116,8 @@ public final class GlContext implements AutoCloseable {
 
     @Override
     public void close() {
+        programs.close();
         debug.close();
-        GL.setCapabilities(null);
         destroy.run();
     }
 }

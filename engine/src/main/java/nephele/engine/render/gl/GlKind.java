@@ -1,8 +1,7 @@
 package nephele.engine.render.gl;
 
-/** Kinds of OpenGL objects that are counted. */
+/** Kinds of OpenGL objects that are counted. Programs are not: they belong to the context. */
 public enum GlKind {
-    PROGRAM,
     BUFFER,
     VERTEX_ARRAY,
     TEXTURE,

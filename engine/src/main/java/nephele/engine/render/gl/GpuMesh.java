@@ -6,7 +6,7 @@ import java.nio.ByteBuffer;
 import java.nio.IntBuffer;
 
 /** Vertices and 32-bit triangle indices on the GPU. */
-public final class GpuMesh implements AutoCloseable {
+public final class GpuMesh implements GlObject {
     private final GlContext gl;
     private final GlHandle vertexArray;
     private final GlHandle vertices;

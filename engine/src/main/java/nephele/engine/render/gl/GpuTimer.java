@@ -3,7 +3,7 @@ package nephele.engine.render.gl;
 import static org.lwjgl.opengl.GL41C.*;
 
 /** Time the GPU spent between start and stop; on CPU rasterisers it means nothing ({@link GpuLimits#software}). */
-public final class GpuTimer implements AutoCloseable {
+public final class GpuTimer implements GlObject {
     private final GlHandle query;
 
     public GpuTimer(GlContext gl, String name) {

@@ -7,7 +7,7 @@ import org.lwjgl.PointerBuffer;
 import org.lwjgl.system.MemoryUtil;
 
 /** Index ranges for one multi-draw, in native memory that is kept from frame to frame. */
-public final class IndexRanges implements AutoCloseable {
+public final class IndexRanges implements GlObject {
     private final IntBuffer counts;
     private final PointerBuffer offsets;
     private int size;

@@ -3,7 +3,7 @@ package nephele.engine.render.gl;
 import static org.lwjgl.opengl.GL41C.*;
 
 /** Lines on the GPU, a pixel wide. */
-public final class LineMesh implements AutoCloseable {
+public final class LineMesh implements GlObject {
     private final GlContext gl;
     private final GlHandle vertexArray;
     private final GlHandle vertices;

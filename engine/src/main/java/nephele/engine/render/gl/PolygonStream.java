@@ -7,7 +7,7 @@ import java.util.Arrays;
 import org.lwjgl.system.MemoryUtil;
 
 /** Triangles whose vertices change every frame: replaced as a whole, then drawn run by run. */
-public final class PolygonStream implements AutoCloseable {
+public final class PolygonStream implements GlObject {
     private final GlContext gl;
     private final GlHandle vertexArray;
     private final GlHandle vertices;

@@ -7,7 +7,7 @@ import java.nio.IntBuffer;
 import org.lwjgl.system.MemoryUtil;
 
 /** Quads that change now and then: four vertices of float4s each, replaced as a whole. */
-public final class QuadStream implements AutoCloseable {
+public final class QuadStream implements GlObject {
     private static final int[] TWO_TRIANGLES = {0, 1, 2, 2, 3, 0};
 
     private final GlContext gl;

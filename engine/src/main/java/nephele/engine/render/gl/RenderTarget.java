@@ -8,7 +8,7 @@ import java.util.List;
 import org.lwjgl.BufferUtils;
 
 /** Where a pass draws: an offscreen picture with its own textures, one layer of a texture, or the window. */
-public final class RenderTarget implements AutoCloseable {
+public final class RenderTarget implements GlObject {
     private final GlContext gl;
     private final GlHandle framebuffer;
     private final Texture colour;

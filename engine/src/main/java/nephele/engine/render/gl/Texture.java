@@ -5,7 +5,7 @@ import static org.lwjgl.opengl.GL41C.*;
 import java.nio.ByteBuffer;
 
 /** A texture of one size and format: flat, an array of layers, a cube of six faces, or a volume of slices. */
-public final class Texture implements AutoCloseable {
+public final class Texture implements GlObject {
     private static final int TEXTURE_MAX_ANISOTROPY = 0x84FE;
 
     /** How its images are addressed. */

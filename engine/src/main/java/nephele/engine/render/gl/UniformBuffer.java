@@ -3,7 +3,7 @@ package nephele.engine.render.gl;
 import static org.lwjgl.opengl.GL41C.*;
 
 /** A uniform block's storage, std140: the caller lays out floats in multiples of four. */
-public final class UniformBuffer implements AutoCloseable {
+public final class UniformBuffer implements GlObject {
     private final GlHandle handle;
     private final int floats;
 

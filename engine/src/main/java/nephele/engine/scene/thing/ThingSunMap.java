@@ -17,9 +17,10 @@ public final class ThingSunMap {
     private static final int MARGIN_TEXELS = 3;
 
     private final int side;
-    private final Vector3d right;
-    private final Vector3d up;
-    private final Vector3d back;
+    private final Vector3d right = new Vector3d();
+    private final Vector3d up = new Vector3d();
+    private final Vector3d back = new Vector3d();
+    private Vec3 towardsSun;
     private final double[] low = new double[3];
     private final double[] high = new double[3];
     private double texel = FINEST_TEXEL_METRES;
@@ -30,16 +31,23 @@ public final class ThingSunMap {
 
     private Vec3 fittedTo = Vec3.ZERO;
 
-    /**
-     * @param towardsSun any length but zero
-     * @param side texels that the map has along each side
-     */
-    public ThingSunMap(Vec3 towardsSun, int side) {
+    /** @param side texels that the map has along each side */
+    public ThingSunMap(int side) {
         this.side = side;
-        back = towardsSun.toVector().normalize();
-        right = Math.abs(back.y) < 0.999 ? new Vector3d(0, 1, 0).cross(back).normalize() : new Vector3d(1, 0, 0);
+    }
+
+    /** The map of a sun elsewhere. @param newTowardsSun any length but zero */
+    public void turn(Vec3 newTowardsSun) {
+        towardsSun = newTowardsSun;
+        back.set(towardsSun.toVector().normalize());
+        right.set(Math.abs(back.y) < 0.999 ? new Vector3d(0, 1, 0).cross(back).normalize() : new Vector3d(1, 0, 0));
         right.fma(-right.dot(back), back).normalize();
-        up = new Vector3d(back).cross(right);
+        back.cross(right, up);
+    }
+
+    /** As it was last told; {@code null} before. */
+    public Vec3 towardsSun() {
+        return towardsSun;
     }
 
     /** Fits the map to all instances, or to those that a map of the coarsest texels around {@code eye} may hold. */

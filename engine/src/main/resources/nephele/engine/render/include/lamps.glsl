@@ -1,11 +1,8 @@
 // The lamps of a level and which of them a place has to ask. Packed by nephele.engine.scene.light.LampTable.
-// Needs lamp-falloff.glsl.
+// Needs lamp-falloff.glsl and light.glsl.
 
 uniform samplerBuffer lampTexels;      // four texels a lamp
 uniform usamplerBuffer lampGridCells;  // start of each list, seven a cell, then the lists
-uniform vec3 lampGridMin;              // metres from the anchor
-uniform vec3 lampGridCellsPerMetre;
-uniform vec3 lampGridSize;
 
 struct Lamp {
     vec4 position;   // metres from the anchor; w: 1 / range^2

@@ -1,6 +1,5 @@
 // The sky's irradiance / pi by the normal: Ramamoorthi and Hanrahan (2001). Twin: nephele.engine.scene.light.SkyIrradiance.
-
-uniform vec3 skyCoefficients[9];  // 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2
+// Needs skyCoefficients, of light.glsl.
 
 vec3 skyAmbient(vec3 n) {
     vec3 sum = skyCoefficients[0]

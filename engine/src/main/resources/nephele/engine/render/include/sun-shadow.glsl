@@ -1,10 +1,7 @@
-// Share of the sun that arrives: one parallel depth map over all casters, drawn once.
-// Geometry: nephele.engine.scene.light.ShadowFrame. Needs shadow-filter.glsl.
+// Share of the sun that arrives: one parallel depth map over all casters, drawn when the sun moves.
+// Geometry: nephele.engine.scene.light.ShadowFrame. Needs shadow-filter.glsl and light.glsl.
 
 uniform sampler2DArray sunShadowMap;
-uniform mat4 sunMapFromAnchor;  // metres from the anchor -> texture coordinates and depth, 0 to 1
-uniform vec4 sunMapRight;  // unit axis along the map's rows; w: texel side / depth range
-uniform vec4 sunMapUp;  // unit axis along its columns; w: half a texel side / depth range
 
 float sunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
     vec3 m = (sunMapFromAnchor * vec4(anchorPosition, 1.0)).xyz;

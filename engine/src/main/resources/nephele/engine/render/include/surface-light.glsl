@@ -1,4 +1,4 @@
-// Radiance that a surface sends to the eye; uniforms and textures come from render.frame.SurfaceLight. What is compiled is what the level asks for:
+// Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. What is compiled is what the level asks for:
 //   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, THING_SUN_SHADOW, THING_LAMP_SHADOW, LAMPS, LAMP_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static faces.
 // CURVED_RECEIVER: triangles that stand for a curve, whose planes no depth map resolves, are shaded as what moves is.
 // ANCHOR_POSITION goes with each of SUN_SHADOW, THING_SUN_SHADOW and LAMPS.
@@ -29,9 +29,8 @@ struct Surface {
 const float PI = 3.14159265;
 #endif
 
-#ifdef SUN
-uniform vec3 sunDirection;   // towards the sun, unit
-uniform vec3 sunIrradiance;  // on a perpendicular plane
+#if defined(SUN) || defined(LAMPS) || defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+#include "light.glsl"
 #endif
 #if defined(SUN_SHADOW) || defined(LAMP_SHADOW) || defined(THING_SUN_SHADOW)
 #include "shadow-filter.glsl"
@@ -48,9 +47,6 @@ uniform vec3 sunIrradiance;  // on a perpendicular plane
 #endif
 #ifdef LAMP_SHADOW
 #include "lamp-shadow.glsl"
-#endif
-#ifdef AMBIENT_CONSTANT
-uniform vec3 ambientRadiance;
 #endif
 #ifdef SKY_AMBIENT
 #include "sky-ambient.glsl"

@@ -96,7 +96,6 @@ public final class OverlayPass implements AutoCloseable {
     @Override
     public void close() {
         if (program != null) {
-            program.close();
             letters.close();
             quads.close();
         }

@@ -18,7 +18,7 @@ import org.joml.Vector3dc;
  * Adds the fog that lies before a tinted mirror to what is seen in it. A surface's radiance is tinted with all fog before
  * it, so what the tint took from the fog on this side is given back, in linear light.
  */
-final class MirrorFog implements AutoCloseable {
+final class MirrorFog {
     private final GlContext gl;
     private final OpeningMesh openings;
     private final GlProgram<Uniforms.Vector3> program;
@@ -51,10 +51,5 @@ final class MirrorFog implements AutoCloseable {
         gl.state().set(Depth.EQUAL, Blend.ADD, Cull.NONE);
         program.use();
         openings.draw(child);
-    }
-
-    @Override
-    public void close() {
-        program.close();
     }
 }

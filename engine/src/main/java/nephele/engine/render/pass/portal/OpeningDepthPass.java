@@ -20,23 +20,15 @@ import nephele.engine.scene.ViewNode;
 public final class OpeningDepthPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
             "portal.depth",
+            Stage.IN_VIEWS,
             request -> OpeningNeeds.of(request, "where openings hide what is behind", OpeningDepthPass::new));
 
     private final GlContext gl;
-    private GlProgram<Object> program;
-    private OpeningMesh openings;
+    private final GlProgram<?> program;
+    private final OpeningMesh openings;
 
-    private OpeningDepthPass(GlContext gl) {
-        this.gl = gl;
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public void load(LoadContext context) {
+    private OpeningDepthPass(LoadContext context) {
+        gl = context.gl();
         program = OpeningPrograms.nothing(context);
         openings = context.shared().openings();
     }
@@ -55,12 +47,5 @@ public final class OpeningDepthPass implements Pass {
             openings.draw(children.get(i));
         }
         gl.state().depthOf(DepthOf.SURFACE);
-    }
-
-    @Override
-    public void close() {
-        if (program != null) {
-            program.close();
-        }
     }
 }

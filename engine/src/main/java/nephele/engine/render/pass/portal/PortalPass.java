@@ -10,10 +10,10 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.OpeningNeeds;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Surroundings;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -33,43 +33,30 @@ import nephele.engine.scene.ViewNode;
  */
 public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
-            "portal", request -> OpeningNeeds.of(request, "openings to see through", PortalPass::new));
+            "portal", Stage.IN_VIEWS, request -> OpeningNeeds.of(request, "openings to see through", PortalPass::new));
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
 
     private final GlContext gl;
-    private GlProgram<Object> nothing;
-    private GlProgram<Uniforms.Vector4> colour;
-    private GlProgram<Object> picture;
-    private OpeningMesh openings;
+    private final GlProgram<?> nothing;
+    private final GlProgram<Uniforms.Vector4> colour;
+    private final GlProgram<?> picture;
+    private final OpeningMesh openings;
+    private final Surroundings surroundings;
     /** {@code null} where nothing is to be added. */
-    private MirrorFog fog;
-
-    private Environment environment;
-    private Output output;
-    private ClearColour behind;
+    private final MirrorFog fog;
     /** Whether something is drawn wherever nothing else is, so that the clear colour never shows. */
-    private boolean skyCovers;
+    private final boolean skyCovers;
 
-    private PortalPass(GlContext gl) {
-        this.gl = gl;
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public void load(LoadContext context) {
-        environment = context.scene().level().environment();
-        output = context.output();
-        behind = ClearColour.of(environment, output);
+    private PortalPass(LoadContext context) {
+        gl = context.gl();
         nothing = OpeningPrograms.nothing(context);
         colour = OpeningPrograms.colour(context);
         picture = OpeningPrograms.picture(context);
         openings = context.shared().openings();
+        surroundings = context.shared().surroundings();
         fog = MirrorFog.of(context);
+        Environment environment = context.scene().level().environment();
         skyCovers = environment.sky() != null
                 && !(environment.sky() instanceof Sky.Constant)
                 && FogVeil.of(environment).isEmpty();
@@ -130,7 +117,7 @@ public final class PortalPass implements Pass {
         state.depthOf(DepthOf.FARTHEST);
         state.stencil(Stencil.EQUAL, depth + 1);
         if (!skyCovers) {
-            colour(behind.in(child.view(), environment, output));
+            colour(surroundings.clearColour(child.view()));
         }
         draw(
                 child,
@@ -153,21 +140,5 @@ public final class PortalPass implements Pass {
         gl.state().set(depth, Blend.REPLACE, Cull.NONE);
         program.use();
         openings.draw(child);
-    }
-
-    @Override
-    public void close() {
-        if (nothing != null) {
-            nothing.close();
-        }
-        if (colour != null) {
-            colour.close();
-        }
-        if (picture != null) {
-            picture.close();
-        }
-        if (fog != null) {
-            fog.close();
-        }
     }
 }

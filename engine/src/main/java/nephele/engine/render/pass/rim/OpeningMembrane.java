@@ -9,7 +9,7 @@ import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Uniforms;
 
 /** The membrane in openings as {@link nephele.engine.render.frame.OpeningMesh} holds them, however near the eye is. */
-final class OpeningMembrane implements AutoCloseable {
+final class OpeningMembrane {
     private static final String FOLDER = "/nephele/engine/render/pass/rim/";
 
     /** What is behind shows through. */
@@ -56,10 +56,5 @@ final class OpeningMembrane implements AutoCloseable {
 
     private static void set(Uniforms.Vector3 uniform, Vec3 v) {
         uniform.set((float) v.x(), (float) v.y(), (float) v.z());
-    }
-
-    @Override
-    public void close() {
-        program.close();
     }
 }

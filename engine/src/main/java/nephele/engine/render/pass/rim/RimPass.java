@@ -7,6 +7,7 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalNeeds;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.Blend;
@@ -22,35 +23,22 @@ import nephele.engine.scene.Moment;
  * stays, its glow, which writes no depth, never lies over one. A portal that leads nowhere gets a membrane over its wall.
  */
 public final class RimPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("portal.rim", RimPass::requiredBy);
+    public static final RenderFeature FEATURE =
+            new RenderFeature("portal.rim", Stage.IN_VIEWS, Role.DECORATION, RimPass::requiredBy);
 
     private final GlContext gl;
     private final RimShapes shapes;
+    private final RimPrograms programs;
     private final RimLook look = new RimLook();
-    private RimPrograms programs;
 
-    private RimPass(GlContext gl) {
-        this.gl = gl;
-        shapes = new RimShapes(gl);
+    private RimPass(LoadContext context) {
+        gl = context.gl();
+        shapes = context.own(new RimShapes(gl));
+        programs = new RimPrograms(context);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
         return PortalNeeds.of(request, "rims of openings", RimPass::new);
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public boolean isDecoration() {
-        return true;
-    }
-
-    @Override
-    public void load(LoadContext context) {
-        programs = new RimPrograms(context);
     }
 
     @Override
@@ -99,13 +87,5 @@ public final class RimPass implements Pass {
     private void use(GlProgram<RimPrograms.Placing> program) {
         program.use();
         program.uniforms().set(look);
-    }
-
-    @Override
-    public void close() {
-        if (programs != null) {
-            programs.close();
-        }
-        shapes.close();
     }
 }

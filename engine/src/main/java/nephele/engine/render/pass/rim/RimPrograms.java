@@ -9,7 +9,7 @@ import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Uniforms;
 
 /** The programs of a rim's parts; all take the same uniforms. */
-final class RimPrograms implements AutoCloseable {
+final class RimPrograms {
     private static final String FOLDER = "/nephele/engine/render/pass/rim/";
 
     private static final double OPACITY_OVER_WALL = 0.93;
@@ -43,13 +43,6 @@ final class RimPrograms implements AutoCloseable {
 
     GlProgram<Placing> membrane() {
         return membrane;
-    }
-
-    @Override
-    public void close() {
-        ring.close();
-        glow.close();
-        membrane.close();
     }
 
     /** Where one portal is and how it looks. */

@@ -24,30 +24,22 @@ import nephele.engine.scene.ViewNode;
  * the sky behind shows through, but nowhere is one colour. Not a decoration: with rims or without, the opening is there.
  */
 public final class UnfilledPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("portal.unfilled", UnfilledPass::requiredBy);
+    public static final RenderFeature FEATURE =
+            new RenderFeature("portal.unfilled", Stage.IN_VIEWS, UnfilledPass::requiredBy);
 
     private final GlContext gl;
     private final RimLook look = new RimLook();
-    private OpeningMembrane membrane;
-    private OpeningMesh openings;
+    private final OpeningMembrane membrane;
+    private final OpeningMesh openings;
 
-    private UnfilledPass(GlContext gl) {
-        this.gl = gl;
+    private UnfilledPass(LoadContext context) {
+        gl = context.gl();
+        membrane = new OpeningMembrane(context);
+        openings = context.shared().openings();
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
         return OpeningNeeds.of(request, "openings that nothing fills", UnfilledPass::new);
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public void load(LoadContext context) {
-        membrane = new OpeningMembrane(context);
-        openings = context.shared().openings();
     }
 
     @Override
@@ -73,12 +65,5 @@ public final class UnfilledPass implements Pass {
         membrane.use(look);
         openings.draw(child);
         gl.state().depthOf(DepthOf.SURFACE);
-    }
-
-    @Override
-    public void close() {
-        if (membrane != null) {
-            membrane.close();
-        }
     }
 }

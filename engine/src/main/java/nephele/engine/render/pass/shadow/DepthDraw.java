@@ -1,8 +1,10 @@
 package nephele.engine.render.pass.shadow;
 
 import java.util.Map;
+import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -10,6 +12,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Uniforms.Matrix4;
 import nephele.engine.render.gl.Uniforms.Scalar;
 import nephele.engine.scene.SolidBatch;
@@ -17,17 +20,14 @@ import nephele.engine.scene.VisibleSet;
 import org.joml.Matrix4d;
 
 /** Draws the depth of all solids under a projection; both sides of every face, so that no crack stays open. */
-final class DepthDraw implements AutoCloseable {
+final class DepthDraw {
     private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
-
-    /** Of a sun's picture: its depth is linear as it is. */
-    static final double PARALLEL = 0;
 
     private record DepthUniforms(Matrix4 clipFromCell, Scalar depthPerMetre) {}
 
     private final LoadContext context;
     private final GlProgram<DepthUniforms> program;
-    private final VisibleSet everything;
+    private final VisibleSet visible;
 
     DepthDraw(LoadContext context) {
         this.context = context;
@@ -36,15 +36,35 @@ final class DepthDraw implements AutoCloseable {
                 ShaderSource.load(FOLDER + "depth.vert", Map.of()),
                 ShaderSource.load(FOLDER + "depth.frag", Map.of()),
                 uniforms -> new DepthUniforms(uniforms.matrix4("clipFromCell"), uniforms.scalar("depthPerMetre")));
-        everything = new VisibleSet(context.scene().solids());
-        everything.takeAll();
+        visible = new VisibleSet(context.scene().solids());
+    }
+
+    /** The layers of one kind that all renderers of an opened level draw into. */
+    static DepthLayers layers(LoadContext context, String name) {
+        record OfLevel(Same level, String name, Quality quality) {}
+        return context.share(
+                DepthLayers.class,
+                new OfLevel(context.shared().openedLevel(), name, context.quality()),
+                () -> new DepthLayers(context.gl(), name));
+    }
+
+    /** A sun's picture. @param clipFromAnchor clip space from metres relative to {@code anchor} */
+    void drawAll(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor) {
+        visible.takeAll();
+        draw(target, clipFromAnchor, anchor, 0);
     }
 
     /**
-     * @param clipFromAnchor clip space from metres relative to {@code anchor}
-     * @param depthPerMetre 1 / a lamp's range, or {@link #PARALLEL}
+     * A lamp's picture.
+     *
+     * @param depthPerMetre 1 / the lamp's range
      */
-    void draw(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
+    void drawInFrustum(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
+        visible.find(Frustum.of(clipFromAnchor, anchor));
+        draw(target, clipFromAnchor, anchor, depthPerMetre);
+    }
+
+    private void draw(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
         target.clearDepth();
         context.gl().state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE);
         program.use();
@@ -56,12 +76,9 @@ final class DepthDraw implements AutoCloseable {
             Matrix4d clipFromCell = clipFromAnchor.translate(
                     cell.x() - anchor.x(), cell.y() - anchor.y(), cell.z() - anchor.z(), new Matrix4d());
             program.uniforms().clipFromCell().set(clipFromCell.get(new float[16]));
-            mesh.draw(i, everything);
+            if (visible.size(i) > 0) {
+                mesh.draw(i, visible);
+            }
         }
-    }
-
-    @Override
-    public void close() {
-        program.close();
     }
 }

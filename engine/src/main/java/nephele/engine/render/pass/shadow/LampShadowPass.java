@@ -4,48 +4,55 @@ import java.util.List;
 import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.appearance.Lamp;
+import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
-import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.light.LampShadows;
 import nephele.engine.scene.light.LightNeeds;
 
-/** The lamps' depth pictures: layers of one texture. */
+/** The lamps' depth pictures: layers of one texture, drawn again when a lamp or a solid is another. */
 public final class LampShadowPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("shadow.lamps", LampShadowPass::requiredBy);
+    public static final RenderFeature FEATURE =
+            new RenderFeature("shadow.lamps", Stage.ONCE_A_FRAME, LampShadowPass::requiredBy);
 
-    private final GlContext gl;
-    private Texture map;
+    private final SharedResources shared;
+    private final List<Lamp> lamps;
+    private final LampShadows shadows;
+    private final Vec3 anchor;
+    private final DepthDraw depth;
+    private final DepthLayers maps;
+    private final Content content;
+    private final Texture.Extent extent;
 
-    private LampShadowPass(GlContext gl) {
-        this.gl = gl;
+    /** What the pictures follow from. */
+    private record Content(Same solids, List<Lamp> lamps) {}
+
+    private LampShadowPass(LoadContext context) {
+        shared = context.shared();
+        lamps = shared.surfaceLight().lamps().lamps();
+        shadows = shared.surfaceLight().lamps().shadows();
+        anchor = shared.surfaceLight().anchor();
+        depth = new DepthDraw(context);
+        maps = DepthDraw.layers(context, "lamp shadows");
+        content = new Content(new Same(context.scene().solids()), lamps);
+        extent = new Texture.Extent(
+                shadows.side(), shadows.side(), shadows.layers().size());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
         return request.lightMaps().has(Target.LAMP_SHADOW)
                 ? List.of(new Required(because(request.level()), LampShadowPass::new))
                 : List.of();
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.ONCE_A_FRAME;
-    }
-
-    @Override
-    public Set<Target> writes() {
-        return Set.of(Target.LAMP_SHADOW);
     }
 
     private static String because(Level level) {
@@ -58,37 +65,18 @@ public final class LampShadowPass implements Pass {
     }
 
     @Override
-    public void load(LoadContext context) {
-        SurfaceLight light = context.shared().surfaceLight(context);
-        List<Lamp> lamps = light.lamps().lamps();
-        LampShadows shadows = light.lamps().shadows();
-        Texture.Extent extent = new Texture.Extent(
-                shadows.side(), shadows.side(), shadows.layers().size());
-        map = new Texture(
-                gl, "lamp shadows", Texture.Shape.ARRAY, PixelFormat.DEPTH32F, extent, Sampling.NEAREST_CLAMP);
-        try (DepthDraw depth = new DepthDraw(context)) {
-            for (int layer = 0; layer < shadows.layers().size(); layer++) {
-                try (RenderTarget target = RenderTarget.depthLayer(gl, "lamp shadow " + layer, map, layer)) {
-                    Lamp lamp = lamps.get(shadows.layers().get(layer).lamp());
-                    depth.draw(
-                            target,
-                            shadows.clipFromAnchor(lamps, layer, light.anchor()),
-                            light.anchor(),
-                            LampShadows.depthPerMetre(lamp));
-                }
-            }
-        }
-        context.shared().publish(Target.LAMP_SHADOW, map);
+    public Set<Target> writes() {
+        return Set.of(Target.LAMP_SHADOW);
     }
 
-    /** Nothing moves: what was drawn while loading stays. */
     @Override
-    public void draw(FrameContext frame) {}
+    public void draw(FrameContext frame) {
+        shared.publish(Target.LAMP_SHADOW, maps.showing(content, extent, this::draw));
+    }
 
-    @Override
-    public void close() {
-        if (map != null) {
-            map.close();
-        }
+    private void draw(int layer, RenderTarget target) {
+        Lamp lamp = lamps.get(shadows.layers().get(layer).lamp());
+        depth.drawInFrustum(
+                target, shadows.clipFromAnchor(lamps, layer, anchor), anchor, LampShadows.depthPerMetre(lamp));
     }
 }

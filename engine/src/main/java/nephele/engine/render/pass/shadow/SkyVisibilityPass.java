@@ -15,19 +15,21 @@ import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.SkyVisibility;
 
 /** Hands the baked light map of the static faces to the surfaces. */
 public final class SkyVisibilityPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("sky-visibility", SkyVisibilityPass::requiredBy);
+    public static final RenderFeature FEATURE =
+            new RenderFeature("sky-visibility", Stage.ONCE_A_FRAME, SkyVisibilityPass::requiredBy);
 
-    private final GlContext gl;
-    private Texture map;
-
-    private SkyVisibilityPass(GlContext gl) {
-        this.gl = gl;
+    private SkyVisibilityPass(LoadContext context) {
+        SkyVisibility visibility = context.scene().skyVisibility();
+        Texture map =
+                context.share(Texture.class, new Same(visibility.texels()), () -> texture(context.gl(), visibility));
+        context.shared().publish(Target.SKY_VISIBILITY, map);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -38,9 +40,16 @@ public final class SkyVisibilityPass implements Pass {
                 : List.of();
     }
 
-    @Override
-    public Stage stage() {
-        return Stage.ONCE_A_FRAME;
+    private static Texture texture(GlContext gl, SkyVisibility visibility) {
+        Texture.Extent extent = Texture.Extent.flat(
+                visibility.layout().width(), visibility.layout().height());
+        Texture map =
+                new Texture(gl, "sky visibility", Texture.Shape.FLAT, PixelFormat.R16, extent, Sampling.LINEAR_CLAMP);
+        ByteBuffer texels =
+                ByteBuffer.allocateDirect(2 * visibility.texels().length).order(ByteOrder.nativeOrder());
+        texels.asShortBuffer().put(visibility.texels());
+        map.upload(0, texels);
+        return map;
     }
 
     @Override
@@ -48,27 +57,7 @@ public final class SkyVisibilityPass implements Pass {
         return Set.of(Target.SKY_VISIBILITY);
     }
 
-    @Override
-    public void load(LoadContext context) {
-        SkyVisibility visibility = context.scene().skyVisibility();
-        Texture.Extent extent = Texture.Extent.flat(
-                visibility.layout().width(), visibility.layout().height());
-        map = new Texture(gl, "sky visibility", Texture.Shape.FLAT, PixelFormat.R16, extent, Sampling.LINEAR_CLAMP);
-        ByteBuffer texels =
-                ByteBuffer.allocateDirect(2 * visibility.texels().length).order(ByteOrder.nativeOrder());
-        texels.asShortBuffer().put(visibility.texels());
-        map.upload(0, texels);
-        context.shared().publish(Target.SKY_VISIBILITY, map);
-    }
-
-    /** Nothing moves: what was drawn while loading stays. */
+    /** Nothing moves: what was published stays. */
     @Override
     public void draw(FrameContext frame) {}
-
-    @Override
-    public void close() {
-        if (map != null) {
-            map.close();
-        }
-    }
 }

@@ -8,25 +8,35 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
-import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.PixelFormat;
-import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.Sampling;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.ShadowFrame;
 
-/** The sun's depth map over all solids that can shade another. */
+/** The sun's depth map over all solids that can shade another; drawn again when the sun or a solid has moved. */
 public final class SunShadowPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("shadow.sun", SunShadowPass::requiredBy);
+    public static final RenderFeature FEATURE =
+            new RenderFeature("shadow.sun", Stage.ONCE_A_FRAME, SunShadowPass::requiredBy);
 
-    private final GlContext gl;
-    private Texture map;
+    private final SharedResources shared;
+    private final SurfaceLight light;
+    private final DepthDraw depth;
+    private final DepthLayers map;
+    private final Same solids;
 
-    private SunShadowPass(GlContext gl) {
-        this.gl = gl;
+    /** What a map follows from. */
+    private record Content(Same solids, ShadowFrame frame) {}
+
+    private SunShadowPass(LoadContext context) {
+        shared = context.shared();
+        light = shared.surfaceLight();
+        depth = new DepthDraw(context);
+        map = DepthDraw.layers(context, "sun shadow");
+        solids = new Same(context.scene().solids());
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -38,35 +48,17 @@ public final class SunShadowPass implements Pass {
     }
 
     @Override
-    public Stage stage() {
-        return Stage.ONCE_A_FRAME;
-    }
-
-    @Override
     public Set<Target> writes() {
         return Set.of(Target.SUN_SHADOW);
     }
 
     @Override
-    public void load(LoadContext context) {
-        ShadowFrame frame = context.shared().surfaceLight(context).sunFrame();
-        Texture.Extent extent = new Texture.Extent(frame.width(), frame.height(), 1);
-        map = new Texture(gl, "sun shadow", Texture.Shape.ARRAY, PixelFormat.DEPTH32F, extent, Sampling.NEAREST_CLAMP);
-        try (DepthDraw depth = new DepthDraw(context);
-                RenderTarget target = RenderTarget.depthLayer(gl, "sun shadow", map, 0)) {
-            depth.draw(target, frame.clipFromAnchor(), frame.anchor(), DepthDraw.PARALLEL);
-        }
-        context.shared().publish(Target.SUN_SHADOW, map);
-    }
-
-    /** Nothing moves: what was drawn while loading stays. */
-    @Override
-    public void draw(FrameContext frame) {}
-
-    @Override
-    public void close() {
-        if (map != null) {
-            map.close();
-        }
+    public void draw(FrameContext context) {
+        ShadowFrame frame = light.sunFrame();
+        Texture texture = map.showing(
+                new Content(solids, frame),
+                new Texture.Extent(frame.width(), frame.height(), 1),
+                (layer, target) -> depth.drawAll(target, frame.clipFromAnchor(), frame.anchor()));
+        shared.publish(Target.SUN_SHADOW, texture);
     }
 }

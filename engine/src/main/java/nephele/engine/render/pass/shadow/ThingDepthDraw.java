@@ -18,7 +18,7 @@ import nephele.engine.scene.thing.VisibleThings;
 import org.joml.Matrix4d;
 
 /** Draws the depth of what moves under a projection; both sides of every face, since halves are open. */
-final class ThingDepthDraw implements AutoCloseable {
+final class ThingDepthDraw {
     private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
 
     private record DepthUniforms(Matrix4 clipFromAnchor, Scalar depthPerMetre, RunUniforms run) {}
@@ -44,10 +44,15 @@ final class ThingDepthDraw implements AutoCloseable {
                         RunUniforms.of(uniforms)));
     }
 
+    /** A sun's picture, whose depth is linear as it is. */
+    void drawParallel(VisibleThings visible, Matrix4d clipFromAnchor) {
+        draw(visible, clipFromAnchor, 0);
+    }
+
     /**
      * Into the bound target, after its depth was cleared.
      *
-     * @param depthPerMetre as for {@link DepthDraw#draw}
+     * @param depthPerMetre 1 / a lamp's range
      */
     void draw(VisibleThings visible, Matrix4d clipFromAnchor, double depthPerMetre) {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, clipDistances);
@@ -58,10 +63,5 @@ final class ThingDepthDraw implements AutoCloseable {
         for (int run = 0; run < visible.runs(); run++) {
             meshes.draw(visible, run, program.uniforms().run());
         }
-    }
-
-    @Override
-    public void close() {
-        program.close();
     }
 }

@@ -18,37 +18,36 @@ import nephele.engine.scene.thing.VisibleThings;
 import org.joml.Matrix4d;
 
 /** The lamps' depth pictures of what moves: the same layers and projections as those of what never moves. */
-final class ThingLampShadow implements AutoCloseable {
+final class ThingLampShadow {
     /** @param clipFromAnchor the layer's projection */
     private record Layer(RenderTarget target, Matrix4d clipFromAnchor, Frustum frustum, Lamp lamp) {}
 
     private final ThingShade shade;
-    private final Texture maps;
     private final List<Layer> layers = new ArrayList<>();
     private final boolean[] used;
     private final VisibleThings visible;
     private final int side;
 
     ThingLampShadow(LoadContext context, ThingMeshes meshes) {
-        SurfaceLight light = context.shared().surfaceLight(context);
+        SurfaceLight light = context.shared().surfaceLight();
         shade = light.thingShade();
         List<Lamp> lamps = light.lamps().lamps();
         LampShadows shadows = light.lamps().shadows();
         side = shadows.side();
         Texture.Extent extent =
                 new Texture.Extent(side, side, Math.max(1, shadows.layers().size()));
-        maps = new Texture(
+        Texture maps = context.own(new Texture(
                 context.gl(),
                 "lamp shadows of things",
                 Texture.Shape.ARRAY,
                 PixelFormat.DEPTH32F,
                 extent,
-                Sampling.NEAREST_CLAMP);
+                Sampling.NEAREST_CLAMP));
         for (int i = 0; i < shadows.layers().size(); i++) {
             Lamp lamp = lamps.get(shadows.layers().get(i).lamp());
             Matrix4d clip = shadows.clipFromAnchor(lamps, i, light.anchor());
             layers.add(new Layer(
-                    RenderTarget.depthLayer(context.gl(), "lamp shadow of things " + i, maps, i),
+                    context.own(RenderTarget.depthLayer(context.gl(), "lamp shadow of things " + i, maps, i)),
                     clip,
                     Frustum.of(clip, light.anchor()),
                     lamp));
@@ -69,11 +68,5 @@ final class ThingLampShadow implements AutoCloseable {
                 depth.draw(visible, layer.clipFromAnchor, LampShadows.depthPerMetre(layer.lamp));
             }
         }
-    }
-
-    @Override
-    public void close() {
-        layers.forEach(layer -> layer.target.close());
-        maps.close();
     }
 }

@@ -16,7 +16,7 @@ import nephele.engine.scene.thing.VisibleThings;
 import org.joml.Matrix4d;
 
 /** The sun's depth map of what moves. */
-final class ThingSunShadow implements AutoCloseable {
+final class ThingSunShadow {
     /** So many times finer than the static map's side the own map's side is. */
     private static final int SMALLER = 4;
 
@@ -25,7 +25,6 @@ final class ThingSunShadow implements AutoCloseable {
     private final ThingShade shade;
     private final Vec3 anchor;
     private final ThingSunMap sunMap;
-    private final Texture map;
     private final RenderTarget target;
     private final VisibleThings visible;
     private final Matrix4d matrix = new Matrix4d();
@@ -33,24 +32,25 @@ final class ThingSunShadow implements AutoCloseable {
     ThingSunShadow(LoadContext context, ThingMeshes meshes) {
         gl = context.gl();
         this.meshes = meshes;
-        shade = context.shared().surfaceLight(context).thingShade();
-        anchor = context.shared().surfaceLight(context).anchor();
+        shade = context.shared().surfaceLight().thingShade();
+        anchor = context.shared().surfaceLight().anchor();
         int side = Math.max(256, context.quality().shadowTexels() / SMALLER);
-        sunMap = new ThingSunMap(context.scene().level().environment().sun().directionTowardsSun(), side);
+        sunMap = new ThingSunMap(side);
         Texture.Extent extent = new Texture.Extent(side, side, 1);
-        map = new Texture(
-                gl, "sun shadow of things", Texture.Shape.ARRAY, PixelFormat.DEPTH32F, extent, Sampling.NEAREST_CLAMP);
-        target = RenderTarget.depthLayer(gl, "sun shadow of things", map, 0);
+        Texture map = context.own(new Texture(
+                gl, "sun shadow of things", Texture.Shape.ARRAY, PixelFormat.DEPTH32F, extent, Sampling.NEAREST_CLAMP));
+        target = context.own(RenderTarget.depthLayer(gl, "sun shadow of things", map, 0));
         visible = new VisibleThings(meshes.things(), meshes.copies());
         context.shared().publish(Target.THING_SUN_SHADOW, map);
     }
 
-    /** Whether the map is about what an eye elsewhere sees. */
-    boolean isOutgrown(Vec3 eye) {
-        return sunMap.isOutgrown(eye);
+    /** Whether the sun stands elsewhere than the map shows it, or the map is about what an eye elsewhere sees. */
+    boolean isOutdated(Vec3 towardsSun, Vec3 eye) {
+        return !towardsSun.equals(sunMap.towardsSun()) || sunMap.isOutgrown(eye);
     }
 
-    void draw(ThingDepthDraw depth, Vec3 eye) {
+    void draw(ThingDepthDraw depth, Vec3 towardsSun, Vec3 eye) {
+        sunMap.turn(towardsSun);
         sunMap.fit(meshes.copies(), eye);
         if (sunMap.width() == 0) {
             shade.noSunMap();
@@ -61,17 +61,11 @@ final class ThingSunShadow implements AutoCloseable {
         target.clearDepth();
         visible.find(Frustum.everything(), eye, 1 / sunMap.texelMetres());
         sunMap.mapFromAnchor(anchor, matrix);
-        depth.draw(visible, clip(matrix), DepthDraw.PARALLEL);
+        depth.drawParallel(visible, clip(matrix));
         gl.state().noScissor();
     }
 
     private static Matrix4d clip(Matrix4d map) {
         return map.scaleLocal(2, 2, 2, map).translateLocal(-1, -1, -1, map);
-    }
-
-    @Override
-    public void close() {
-        target.close();
-        map.close();
     }
 }

@@ -12,17 +12,21 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
 import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.VertexFormat;
@@ -31,46 +35,39 @@ import org.joml.Vector3d;
 
 /** Six pictures around the eye, where no solid has been drawn. Nothing is seen of them through fog. */
 public final class SkyboxPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("sky.skybox", SkyboxPass::requiredBy);
+    public static final RenderFeature FEATURE =
+            new RenderFeature("sky.skybox", Stage.IN_VIEWS, Role.SKY, SkyboxPass::requiredBy);
 
     private static final String FOLDER = "/nephele/engine/render/pass/sky/";
     private static final int[][] CORNERS = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
     private static final int[] QUAD = {0, 1, 2, 0, 2, 3};
 
     private final GlContext gl;
-    private final Sky.Skybox sky;
-    private GpuMesh cube;
-    private Texture faces;
-    private GlProgram<Object> program;
+    private final GlProgram<?> program;
+    private final Cube cube;
 
-    private SkyboxPass(GlContext gl, Sky.Skybox sky) {
-        this.gl = gl;
-        this.sky = sky;
+    private record MadeFrom(Same level, Sky sky, Output output) {}
+
+    /** Six pictures and what they are drawn on. */
+    private record Cube(Texture faces, GpuMesh mesh) implements GlObject {
+        static Cube of(LoadContext context, Sky.Skybox sky) {
+            SkyboxFaces pictures = SkyboxFaces.of(sky, context.shared()::picture);
+            return new Cube(SkyboxTexture.upload(context, pictures), cube(context.gl(), pictures.side()));
+        }
+
+        @Override
+        public void close() {
+            mesh.close();
+            faces.close();
+        }
     }
 
-    private static List<Required> requiredBy(FrameRequest request) {
-        Environment environment = request.level().environment();
-        boolean isSeen = FogVeil.of(environment).isEmpty();
-        return isSeen && environment.sky() instanceof Sky.Skybox skybox
-                ? List.of(new Required("environment.sky: a skybox", gl -> new SkyboxPass(gl, skybox)))
-                : List.of();
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.IN_VIEWS;
-    }
-
-    @Override
-    public boolean isSky() {
-        return true;
-    }
-
-    @Override
-    public void load(LoadContext context) {
-        SkyboxFaces pictures = SkyboxFaces.of(sky, context.shared()::picture);
-        faces = SkyboxTexture.upload(context, pictures);
-        cube = cube(gl, pictures.side());
+    private SkyboxPass(LoadContext context, Sky.Skybox sky) {
+        gl = context.gl();
+        cube = context.share(
+                Cube.class,
+                new MadeFrom(context.shared().openedLevel(), sky, context.output()),
+                () -> Cube.of(context, sky));
         var defines = Defines.of(context).values();
         program = new GlProgram<>(
                 gl,
@@ -81,6 +78,14 @@ public final class SkyboxPass implements Pass {
                     uniforms.sampler("faces", TextureUnit.COLOURS);
                     return uniforms;
                 });
+    }
+
+    private static List<Required> requiredBy(FrameRequest request) {
+        Environment environment = request.level().environment();
+        boolean isSeen = FogVeil.of(environment).isEmpty();
+        return isSeen && environment.sky() instanceof Sky.Skybox skybox
+                ? List.of(new Required("environment.sky: a skybox", context -> new SkyboxPass(context, skybox)))
+                : List.of();
     }
 
     private static GpuMesh cube(GlContext gl, int side) {
@@ -113,20 +118,7 @@ public final class SkyboxPass implements Pass {
         frame.surface().bind();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.NONE);
         program.use();
-        faces.bind(TextureUnit.COLOURS);
-        cube.draw(0, 36);
-    }
-
-    @Override
-    public void close() {
-        if (program != null) {
-            program.close();
-        }
-        if (cube != null) {
-            cube.close();
-        }
-        if (faces != null) {
-            faces.close();
-        }
+        cube.faces.bind(TextureUnit.COLOURS);
+        cube.mesh.draw(0, 36);
     }
 }

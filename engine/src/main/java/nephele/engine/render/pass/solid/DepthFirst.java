@@ -15,7 +15,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.ShaderSource;
 
 /** Lays down the depth of all solids, so that costly light is computed once a pixel and not for what is covered. */
-final class DepthFirst implements AutoCloseable {
+final class DepthFirst {
     private static final String FOLDER = "/nephele/engine/render/pass/solid/";
 
     private final GlContext gl;
@@ -43,10 +43,5 @@ final class DepthFirst implements AutoCloseable {
             program.uniforms().eye(eye);
             mesh.draw(i, frame.visible());
         }
-    }
-
-    @Override
-    public void close() {
-        program.close();
     }
 }

@@ -15,7 +15,6 @@ import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PictureArrays;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.SurfaceLight;
@@ -32,24 +31,36 @@ import nephele.engine.scene.light.LightNeeds;
 
 /** Solids and models: one multi-draw for each batch. */
 public final class SolidPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("solid", SolidPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("solid", Stage.IN_VIEWS, SolidPass::requiredBy);
 
     private final GlContext gl;
     private final TargetReads reads;
     private final Map<SolidVariant, GlProgram<SolidUniforms>> programs = new HashMap<>();
     private final List<GlProgram<SolidUniforms>> programOfBatch = new ArrayList<>();
     private final float[] eye = new float[6];
-    private MaterialBlocks materials;
-    private SolidMesh mesh;
-    private PictureArrays colours;
-    private PictureArrays normals;
-    private SharedResources shared;
-    private SurfaceLight light;
-    private DepthFirst depthFirst;
+    private final MaterialBlocks materials;
+    private final SolidMesh mesh;
+    private final PictureArrays colours;
+    private final PictureArrays normals;
+    private final SurfaceLight light;
+    /** {@code null} where light is alike all over a face, so that it costs next to nothing. */
+    private final DepthFirst depthFirst;
 
-    private SolidPass(GlContext gl, TargetReads reads) {
-        this.gl = gl;
+    private SolidPass(LoadContext context, TargetReads reads) {
         this.reads = reads;
+        gl = context.gl();
+        mesh = context.shared().solids();
+        colours = context.shared().colourPictures();
+        normals = context.shared().normalPictures();
+        light = context.shared().surfaceLight();
+        depthFirst = light.variesOverFaces() ? new DepthFirst(context) : null;
+        materials =
+                context.own(new MaterialBlocks(gl, context.scene().materials().surfaces()));
+        for (SolidBatch batch : mesh.batches()) {
+            SolidVariant variant = SolidVariant.of(batch, context.scene().level());
+            programOfBatch.add(programs.computeIfAbsent(
+                    variant, wanted -> wanted.program(context, materials.materialsPerBlock())));
+        }
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -59,35 +70,12 @@ public final class SolidPass implements Pass {
         }
         String what = LightNeeds.surfaces(level);
         TargetReads reads = request.lightMaps().all();
-        return List.of(new Required(what + ": surfaces to see", gl -> new SolidPass(gl, reads)));
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.IN_VIEWS;
+        return List.of(new Required(what + ": surfaces to see", context -> new SolidPass(context, reads)));
     }
 
     @Override
     public Set<Target> reads() {
         return reads.declared();
-    }
-
-    @Override
-    public void load(LoadContext context) {
-        mesh = context.shared().solids();
-        colours = context.shared().colourPictures(context);
-        normals = context.shared().normalPictures(context);
-        shared = context.shared();
-        light = shared.surfaceLight(context);
-        if (light.variesOverFaces()) {
-            depthFirst = new DepthFirst(context);
-        }
-        materials = new MaterialBlocks(gl, context.scene().materials().surfaces());
-        for (SolidBatch batch : mesh.batches()) {
-            SolidVariant variant = SolidVariant.of(batch, context.scene().level());
-            programOfBatch.add(programs.computeIfAbsent(
-                    variant, wanted -> wanted.program(context, materials.materialsPerBlock())));
-        }
     }
 
     @Override
@@ -99,7 +87,7 @@ public final class SolidPass implements Pass {
             depthFirst.draw(frame, mesh);
             gl.state().set(Depth.LESS_OR_EQUAL, Blend.REPLACE, Cull.BACK, frame.clipDistances());
         }
-        light.bind(shared, reads);
+        light.bind(reads);
         for (int i = 0; i < programOfBatch.size(); i++) {
             if (frame.visible().size(i) > 0) {
                 drawBatch(frame, i);
@@ -123,16 +111,5 @@ public final class SolidPass implements Pass {
             normals.get(batch.kind().normalArray()).bind(TextureUnit.NORMALS);
         }
         mesh.draw(index, frame.visible());
-    }
-
-    @Override
-    public void close() {
-        programs.values().forEach(GlProgram::close);
-        if (depthFirst != null) {
-            depthFirst.close();
-        }
-        if (materials != null) {
-            materials.close();
-        }
     }
 }

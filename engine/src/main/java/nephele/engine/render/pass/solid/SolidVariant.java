@@ -27,7 +27,7 @@ record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emissi
     }
 
     GlProgram<SolidUniforms> program(LoadContext context, int materialsPerBlock) {
-        SurfaceLight light = context.shared().surfaceLight(context);
+        SurfaceLight light = context.shared().surfaceLight();
         Defines lit = form.isModel() ? light.addForModels(Defines.of(context)) : light.addTo(Defines.of(context));
         var defines = surface.addTo(lit, materialsPerBlock)
                 .withIf(emission, "EMISSION")
@@ -50,9 +50,9 @@ record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emissi
     private SolidUniforms uniforms(Uniforms uniforms, SurfaceLight light) {
         surface.set(uniforms);
         if (form.isModel()) {
-            light.setForModels(uniforms);
+            light.tieForModels(uniforms);
         } else {
-            light.set(uniforms);
+            light.tie(uniforms);
         }
         return new SolidUniforms(
                 uniforms.vector3("eyeHigh"),

@@ -25,7 +25,7 @@ import nephele.engine.scene.thing.ThingGroup;
 import nephele.engine.scene.thing.VisibleThings;
 
 /** Draws runs of instances: a program for each group of them, all of one look. */
-final class ThingDraw implements AutoCloseable {
+final class ThingDraw {
     /** The view's plane and two of a thing's own. */
     private static final int CLIP_DISTANCES = 3;
 
@@ -35,7 +35,6 @@ final class ThingDraw implements AutoCloseable {
     private final GlContext gl;
     private final ThingLook look;
     private final TargetReads reads;
-    private final SharedResources shared;
     private final ThingMeshes meshes;
     private final PictureArrays colours;
     private final PictureArrays normals;
@@ -52,19 +51,14 @@ final class ThingDraw implements AutoCloseable {
         this.look = look;
         this.reads = reads;
         gl = context.gl();
-        shared = context.shared();
-        meshes = shared.things(context);
-        colours = shared.colourPictures(context);
-        normals = shared.normalPictures(context);
-        light = shared.surfaceLight(context);
+        SharedResources shared = context.shared();
+        meshes = shared.things();
+        colours = shared.colourPictures();
+        normals = shared.normalPictures();
+        light = shared.surfaceLight();
         cuts = ViewTree.mayGrow(context.scene().level());
-        materials = new MaterialBlocks(gl, meshes.things().materials());
-        try {
-            meshes.things().groups().forEach(group -> programOfGroup.add(programFor(group, context)));
-        } catch (RuntimeException e) {
-            close();
-            throw e;
-        }
+        materials = context.own(new MaterialBlocks(gl, meshes.things().materials()));
+        meshes.things().groups().forEach(group -> programOfGroup.add(programFor(group, context)));
     }
 
     /** {@code null} for what is never drawn so: nobody holds a figure, the only thing of several parts. */
@@ -79,7 +73,7 @@ final class ThingDraw implements AutoCloseable {
     void draw(FrameContext frame, VisibleThings visible) {
         frame.surface().bind();
         gl.state().set(depth(), blend(), Cull.BACK, cuts ? CLIP_DISTANCES : 0);
-        light.bind(shared, reads);
+        light.bind(reads);
         meshes.bind();
         double pixel =
                 2 * frame.view().projection().tanHalfHeight() / frame.surface().height();
@@ -113,11 +107,5 @@ final class ThingDraw implements AutoCloseable {
             normals.get(kind.normalArray()).bind(TextureUnit.NORMALS);
         }
         meshes.draw(visible, run, program.uniforms().run());
-    }
-
-    @Override
-    public void close() {
-        programs.values().forEach(GlProgram::close);
-        materials.close();
     }
 }

@@ -21,22 +21,27 @@ import nephele.engine.scene.thing.VisibleThings;
  * front faces covers each pixel and no order matters. Its shadow and every other sight of it stay solid.
  */
 public final class ThingPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("thing", ThingPass::requiredBy);
-    public static final RenderFeature HELD = new RenderFeature("thing.held", ThingPass::heldRequiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("thing", Stage.IN_VIEWS, ThingPass::requiredBy);
+    public static final RenderFeature HELD =
+            new RenderFeature("thing.held", Stage.IN_VIEWS_AFTER_OPAQUE, ThingPass::heldRequiredBy);
 
     /** The share of what is behind that the middle of a held face hides: a define of {@code held-look.glsl}. */
     public static final double HELD_FACE_OPACITY = 0.3;
 
     private final ThingLook look;
     private final TargetReads reads;
-    private ThingMeshes meshes;
-    private VisibleThings visible;
-    private HeldSight held;
-    private ThingDraw draw;
+    private final ThingMeshes meshes;
+    private final VisibleThings visible;
+    private final HeldSight held;
+    private final ThingDraw draw;
 
-    private ThingPass(ThingLook look, TargetReads reads) {
+    private ThingPass(LoadContext context, ThingLook look, TargetReads reads) {
         this.look = look;
         this.reads = reads;
+        meshes = context.shared().things();
+        visible = new VisibleThings(meshes.things(), meshes.copies());
+        held = new HeldSight(meshes.copies());
+        draw = new ThingDraw(context, look, reads);
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -56,25 +61,12 @@ public final class ThingPass implements Pass {
 
     private static List<Required> required(String because, ThingLook look, FrameRequest request) {
         TargetReads reads = request.lightMaps().things();
-        return List.of(new Required(because, gl -> new ThingPass(look, reads)));
-    }
-
-    @Override
-    public Stage stage() {
-        return look == ThingLook.SOLID ? Stage.IN_VIEWS : Stage.IN_VIEWS_AFTER_OPAQUE;
+        return List.of(new Required(because, context -> new ThingPass(context, look, reads)));
     }
 
     @Override
     public Set<Target> reads() {
         return reads.declared();
-    }
-
-    @Override
-    public void load(LoadContext context) {
-        meshes = context.shared().things(context);
-        visible = new VisibleThings(meshes.things(), meshes.copies());
-        held = new HeldSight(meshes.copies());
-        draw = new ThingDraw(context, look, reads);
     }
 
     @Override
@@ -96,13 +88,6 @@ public final class ThingPass implements Pass {
             visible.find(frame.view(), frame.limits(), frame.surface().height(), held);
         } else {
             visible.find(frame.view(), frame.surface().height(), held);
-        }
-    }
-
-    @Override
-    public void close() {
-        if (draw != null) {
-            draw.close();
         }
     }
 }

@@ -26,7 +26,7 @@ record ThingVariant(SurfaceVariant surface, boolean detailed, ThingLook look) {
     }
 
     GlProgram<ThingUniforms> program(LoadContext context, int materialsPerBlock) {
-        SurfaceLight light = context.shared().surfaceLight(context);
+        SurfaceLight light = context.shared().surfaceLight();
         Defines defines = surface.addTo(light.addForThings(Defines.of(context)), materialsPerBlock)
                 .withIf(detailed, "DETAIL");
         if (look == ThingLook.SEE_THROUGH) {
@@ -42,7 +42,7 @@ record ThingVariant(SurfaceVariant surface, boolean detailed, ThingLook look) {
 
     private ThingUniforms uniforms(Uniforms uniforms, SurfaceLight light, boolean cut) {
         surface.set(uniforms);
-        light.setForThings(uniforms);
+        light.tieForThings(uniforms);
         return new ThingUniforms(
                 uniforms.vector3("eyeHigh"),
                 uniforms.vector3("eyeLow"),

@@ -14,19 +14,20 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
-import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.TextureUnit;
 
 /** Exposure, tone curve, sRGB and dither over the whole picture; exists only for output HDR. */
 public final class ToneMapPass implements Pass {
-    public static final RenderFeature FEATURE = new RenderFeature("tonemap", ToneMapPass::requiredBy);
+    public static final RenderFeature FEATURE = new RenderFeature("tonemap", Stage.AFTER_ALL, ToneMapPass::requiredBy);
 
     private static final String FOLDER = "/nephele/engine/render/pass/tonemap/";
 
     private final FullScreenDrawing drawing;
 
-    private ToneMapPass(GlContext gl) {
-        drawing = new FullScreenDrawing(gl, "tone map");
+    private ToneMapPass(LoadContext context) {
+        var stages = new FullScreenDrawing.Stages("tonemap.vert", "tonemap.frag");
+        drawing = new FullScreenDrawing(
+                context, FOLDER, stages, uniforms -> uniforms.sampler("linearPicture", TextureUnit.COLOURS));
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -35,11 +36,6 @@ public final class ToneMapPass implements Pass {
         }
         String because = LinearLight.because(request.level()).orElse("output: hdr was asked for");
         return List.of(new Required(because, ToneMapPass::new));
-    }
-
-    @Override
-    public Stage stage() {
-        return Stage.AFTER_ALL;
     }
 
     @Override
@@ -53,21 +49,8 @@ public final class ToneMapPass implements Pass {
     }
 
     @Override
-    public void load(LoadContext context) {
-        drawing.load(context, FOLDER, new FullScreenDrawing.Stages("tonemap.vert", "tonemap.frag"), uniforms -> {
-            uniforms.sampler("linearPicture", TextureUnit.COLOURS);
-            return uniforms;
-        });
-    }
-
-    @Override
     public void draw(FrameContext frame) {
         frame.surface().colour().bind(TextureUnit.COLOURS);
         drawing.draw(frame.picture(), Depth.OFF);
-    }
-
-    @Override
-    public void close() {
-        drawing.close();
     }
 }

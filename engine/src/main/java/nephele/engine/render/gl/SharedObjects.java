@@ -1,0 +1,91 @@
+package nephele.engine.render.gl;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+
+/**
+ * Objects of a context by the immutable values that they are made from. A value that is there is shared; the last holder
+ * that lets go closes it. So an edited level's renderer takes over what did not change, and several renderers of one
+ * scene have its geometry and pictures once.
+ */
+public final class SharedObjects {
+    private final Map<Key, Held> held = new HashMap<>();
+
+    /** A value that equals only itself: for what is too large to be compared and never made twice. */
+    public record Same(Object value) {
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Same same && same.value == value;
+        }
+
+        @Override
+        public int hashCode() {
+            return System.identityHashCode(value);
+        }
+    }
+
+    private record Key(Class<?> kind, Object madeFrom) {}
+
+    private static final class Held {
+        private final Object object;
+        private final Runnable close;
+        private int holders;
+
+        private Held(Object object, Runnable close) {
+            this.object = object;
+            this.close = close;
+        }
+    }
+
+    /**
+     * One holder's part in an object.
+     *
+     * @param <T> its kind
+     */
+    public final class Share<T> implements GlObject {
+        private final Key key;
+        private final T object;
+
+        private Share(Key key, T object) {
+            this.key = key;
+            this.object = object;
+        }
+
+        public T get() {
+            return object;
+        }
+
+        @Override
+        public void close() {
+            letGo(key);
+        }
+    }
+
+    /**
+     * Takes a share.
+     *
+     * @param madeFrom equal values share an object of the same kind
+     * @param make called where nobody holds one
+     */
+    public <T> Share<T> share(Class<T> kind, Object madeFrom, Supplier<T> make, Consumer<T> close) {
+        Key key = new Key(kind, madeFrom);
+        if (!held.containsKey(key)) {
+            T made = make.get();
+            held.put(key, new Held(made, () -> close.accept(made)));
+        }
+        Held known = held.get(key);
+        known.holders++;
+        return new Share<>(key, kind.cast(known.object));
+    }
+
+    private void letGo(Key key) {
+        Held known = held.get(key);
+        known.holders--;
+        if (known.holders == 0) {
+            held.remove(key);
+            known.close.run();
+        }
+    }
+}

@@ -1,0 +1,13 @@
+// The numbers of a level's light, as they are in this frame; written by render.frame.LightBlock.
+layout(std140) uniform Light {
+    vec3 sunDirection; // towards the sun, unit
+    vec3 sunIrradiance; // on a perpendicular plane
+    vec3 ambientRadiance;
+    mat4 sunMapFromAnchor; // metres from the anchor -> texture coordinates and depth, 0 to 1
+    vec4 sunMapRight; // unit axis along the map's rows; w: texel side / depth range
+    vec4 sunMapUp; // unit axis along its columns; w: half a texel side / depth range
+    vec3 lampGridMin; // metres from the anchor
+    vec3 lampGridCellsPerMetre;
+    vec3 lampGridSize;
+    vec3 skyCoefficients[9]; // 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2
+};
