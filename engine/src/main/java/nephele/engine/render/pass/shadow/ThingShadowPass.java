@@ -3,7 +3,6 @@ package nephele.engine.render.pass.shadow;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
@@ -58,19 +57,14 @@ public final class ThingShadowPass implements Pass {
     @Override
     public void draw(FrameContext frame) {
         long now = meshes.update(frame.moment());
-        Vec3 eye = frame.view().eye();
-        Vec3 towardsSun =
-                sun == null ? null : frame.moment().environment().sun().directionTowardsSun();
-        if (now == drawn && (sun == null || !sun.isOutdated(towardsSun, eye))) {
-            return;
-        }
+        boolean haveMoved = now != drawn;
         drawn = now;
-        if (sun != null) {
-            sun.draw(depth, towardsSun, eye);
-        }
-        if (lamps != null) {
+        if (lamps != null && haveMoved) {
             lamps.draw(depth);
         }
-        shade.upload();
+        boolean isSunDrawn = sun != null && sun.follow(depth, frame, haveMoved);
+        if (haveMoved || isSunDrawn) {
+            shade.upload();
+        }
     }
 }

@@ -2,6 +2,7 @@ package nephele.engine.render.pass.shadow;
 
 import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.ThingMeshes;
@@ -44,12 +45,23 @@ final class ThingSunShadow {
         context.shared().publish(Target.THING_SUN_SHADOW, map);
     }
 
-    /** Whether the sun stands elsewhere than the map shows it, or the map is about what an eye elsewhere sees. */
-    boolean isOutdated(Vec3 towardsSun, Vec3 eye) {
-        return !towardsSun.equals(sunMap.towardsSun()) || sunMap.isOutgrown(eye);
+    /**
+     * Draws the map again where it shows something else: other things, a sun that stood elsewhere, or what an eye far away
+     * saw.
+     *
+     * @return whether it did
+     */
+    boolean follow(ThingDepthDraw depth, FrameContext frame, boolean haveMoved) {
+        Vec3 towardsSun = frame.moment().environment().sun().directionTowardsSun();
+        Vec3 eye = frame.view().eye();
+        if (!haveMoved && towardsSun.equals(sunMap.towardsSun()) && !sunMap.isOutgrown(eye)) {
+            return false;
+        }
+        draw(depth, towardsSun, eye);
+        return true;
     }
 
-    void draw(ThingDepthDraw depth, Vec3 towardsSun, Vec3 eye) {
+    private void draw(ThingDepthDraw depth, Vec3 towardsSun, Vec3 eye) {
         sunMap.turn(towardsSun);
         sunMap.fit(meshes.copies(), eye);
         if (sunMap.width() == 0) {

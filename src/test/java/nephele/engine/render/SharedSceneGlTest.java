@@ -1,0 +1,210 @@
+package nephele.engine.render;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.TestAssets;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Sky;
+import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.TestLevel;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.GlKind;
+import nephele.engine.scene.Moment;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.View;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Renderers that have something in common, edits, and a light outside that changes. */
+class SharedSceneGlTest {
+    private static final RenderSettings DIRECT = RenderSettings.of(Output.DIRECT);
+    private static final Vec3 MORNING = new Vec3(1, 0.6, 0.3);
+    private static final Vec3 EVENING = new Vec3(-1, 0.5, 0.1);
+
+    private static TestLevel room(Vec3 towardsSun, double zenith, double stops) {
+        return new TestLevel()
+                .castingSun(towardsSun, 2)
+                .skyLight()
+                .sky(sky(zenith))
+                .develop(ToneCurve.CLIP, stops)
+                .material("grey", TestLevel.grey(0.5))
+                .light(new Light.Point("lamp", new Vec3(0, 2, 0), TestLevel.grey(4), 10, true))
+                .box("grey", new Vec3(0, -1, 0), new Vec3(9, 1, 9))
+                .box("grey", new Vec3(0, 0, -2), new Vec3(1, 1, 1))
+                .cube("grey", new Vec3(1, 0, -1), 0.5);
+    }
+
+    private static Sky sky(double zenith) {
+        return new Sky.Gradient(new Vec3(0.1, 0.2, zenith), TestLevel.grey(0.5), TestLevel.grey(0.2));
+    }
+
+    private static View view(Offscreen offscreen) {
+        return offscreen.view(new Vec3(0.4, 1.6, 3), new Vec3(0, -0.5, -1));
+    }
+
+    private static int[] drawn(Offscreen offscreen, Renderer renderer, Moment moment) {
+        renderer.draw(view(offscreen), moment, offscreen.picture);
+        offscreen.gl.requireNoError("frame");
+        return offscreen.pixels();
+    }
+
+    @Test
+    void renderersOfOneSceneHaveItsGeometryPicturesAndMapsOnce() {
+        Scene scene = Scene.of(room(MORNING, 0.6, 0).level(), TestAssets.NONE);
+        Moment start = Moment.atStart(scene.level());
+        try (Offscreen offscreen = new Offscreen(64, 48)) {
+            var before = offscreen.gl.live().counts();
+            Renderer first = Renderer.load(offscreen.gl, scene, DIRECT);
+            int[] expected = drawn(offscreen, first, start);
+            drawn(offscreen, first, start);
+            long steady = first.draws();
+            var one = offscreen.gl.live().counts();
+            try (Renderer second = Renderer.load(offscreen.gl, scene, DIRECT)) {
+                assertArrayEquals(expected, drawn(offscreen, second, start));
+                int ofThings = 3;
+                int textures = offscreen.gl.live().counts().get(GlKind.TEXTURE) - one.get(GlKind.TEXTURE);
+                assertTrue(textures < one.get(GlKind.TEXTURE) - before.get(GlKind.TEXTURE), "textures " + textures);
+                assertTrue(second.draws() < steady + ofThings + 1, "no map of what never moves is drawn again");
+                first.close();
+                assertArrayEquals(expected, drawn(offscreen, second, start), "what is shared outlives the first");
+            }
+            assertEquals(before, offscreen.gl.live().counts());
+        }
+    }
+
+    /** With a solid more, one less, another lamp, another material, no lamp, and back. */
+    @Test
+    void anEditedRendererDrawsWhatAFreshOneDoes() {
+        Level level = room(MORNING, 0.6, 0).level();
+        TestLevel more = room(MORNING, 0.6, 0).box("grey", new Vec3(-1.5, 0, 0), new Vec3(0.5, 2, 0.5));
+        List<Level> edits = List.of(
+                more.level(),
+                more.material("red", new Vec3(0.8, 0.1, 0.1))
+                        .box("red", new Vec3(2, 0, 0), new Vec3(1, 1, 1))
+                        .level(),
+                level.with(
+                        level.environment(),
+                        List.of(new Light.Point("lamp", new Vec3(1, 2, 1), TestLevel.grey(6), 10, true))),
+                level.with(level.environment(), List.of()),
+                level);
+        List<int[]> fresh = edits.stream().map(SharedSceneGlTest::fresh).toList();
+        try (Offscreen offscreen = new Offscreen(64, 48)) {
+            var before = offscreen.gl.live().counts();
+            Renderer renderer = Renderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), DIRECT);
+            for (int i = 0; i < fresh.size(); i++) {
+                drawn(offscreen, renderer, Moment.atStart(renderer.scene().level()));
+                renderer = renderer.edited(Scene.of(edits.get(i), TestAssets.NONE));
+                assertArrayEquals(fresh.get(i), drawn(offscreen, renderer, Moment.atStart(edits.get(i))), "edit " + i);
+            }
+            renderer.close();
+            assertEquals(before, offscreen.gl.live().counts());
+        }
+    }
+
+    private static int[] fresh(Level level) {
+        try (Offscreen offscreen = new Offscreen(64, 48)) {
+            return offscreen.pixels(level, TestAssets.NONE, view(offscreen), DIRECT);
+        }
+    }
+
+    @Test
+    void anEditThatCannotBeDrawnLeavesTheRendererAsItIs() {
+        Level level = room(MORNING, 0.6, 0).level();
+        try (Offscreen offscreen = new Offscreen(64, 48);
+                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, DIRECT)) {
+            int[] expected = drawn(offscreen, renderer, Moment.atStart(level));
+            var loaded = offscreen.gl.live().counts();
+            Level missing = level.with(
+                    new Environment(
+                            null,
+                            new Sky.Skybox(SkyboxLayout.CROSS, List.of("sky/none.png")),
+                            null,
+                            0,
+                            ToneCurve.CLIP,
+                            null,
+                            List.of()),
+                    List.of());
+            Scene scene = Scene.of(missing.with(List.of(), List.of(), List.of()), TestAssets.NONE);
+            assertThrows(AssetException.class, () -> renderer.edited(scene));
+            assertEquals(loaded, offscreen.gl.live().counts());
+            assertArrayEquals(expected, drawn(offscreen, renderer, Moment.atStart(level)));
+        }
+    }
+
+    /** Which of a moment's values is another. */
+    enum Change {
+        SUN(EVENING, 0.6, 0),
+        SKY(MORNING, 0.1, 0),
+        EXPOSURE(MORNING, 0.6, 1.5),
+        ALL(EVENING, 0.2, -1);
+
+        private final Vec3 towardsSun;
+        private final double zenith;
+        private final double stops;
+
+        Change(Vec3 towardsSun, double zenith, double stops) {
+            this.towardsSun = towardsSun;
+            this.zenith = zenith;
+            this.stops = stops;
+        }
+
+        Level level() {
+            return room(towardsSun, zenith, stops).level();
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aMomentsLightLooksAsALevelsOwn(Change change) {
+        Level level = room(MORNING, 0.6, 0).level();
+        Level other = change.level();
+        for (Output output : List.of(Output.DIRECT, Output.HDR)) {
+            RenderSettings settings = RenderSettings.of(output);
+            try (Offscreen offscreen = new Offscreen(64, 48);
+                    Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
+                Moment moment = Moment.atStart(level);
+                int[] before = drawn(offscreen, renderer, moment);
+                moment.environment(other.environment());
+                int[] after = drawn(offscreen, renderer, moment);
+                assertTrue(!Arrays.equals(before, after));
+                assertArrayEquals(offscreen.pixels(other, TestAssets.NONE, view(offscreen), settings), after);
+                moment.environment(level.environment());
+                assertArrayEquals(before, drawn(offscreen, renderer, moment), "and back");
+            }
+        }
+    }
+
+    /** Moving the sun draws its maps again, once; a frame like the one before draws none. */
+    @Test
+    void mapsAreDrawnAgainOnlyWhenTheSunMoves() {
+        Level level = room(MORNING, 0.6, 0).level();
+        try (Offscreen offscreen = new Offscreen(64, 48);
+                Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, DIRECT)) {
+            Moment moment = Moment.atStart(level);
+            long first = draws(offscreen, renderer, moment);
+            long steady = draws(offscreen, renderer, moment);
+            assertTrue(first > steady, first + " calls, then " + steady);
+            moment.environment(Change.EXPOSURE.level().environment());
+            assertEquals(steady, draws(offscreen, renderer, moment), "the sun stands where it stood");
+            moment.environment(Change.SUN.level().environment());
+            assertEquals(steady + 2, draws(offscreen, renderer, moment), "the map of what stays and of what moves");
+            assertEquals(steady, draws(offscreen, renderer, moment));
+        }
+    }
+
+    private static long draws(Offscreen offscreen, Renderer renderer, Moment moment) {
+        drawn(offscreen, renderer, moment);
+        return renderer.draws();
+    }
+}
