@@ -19,7 +19,9 @@ public final class MaterialBlocks implements GlObject {
     private final int materialsPerBlock;
 
     public MaterialBlocks(GlContext gl, List<Surface> surfaces) {
-        materialsPerBlock = Math.min(surfaces.size(), SolidGeometry.MATERIALS_PER_BLOCK);
+        // A power of two: it is a constant of the shaders, and few more materials shall not ask for other programs.
+        int least = Integer.highestOneBit(2 * surfaces.size() - 1);
+        materialsPerBlock = Math.min(least, SolidGeometry.MATERIALS_PER_BLOCK);
         for (int first = 0; first < surfaces.size(); first += materialsPerBlock) {
             float[] values = new float[FLOATS_PER_MATERIAL * materialsPerBlock];
             for (int i = 0; i < materialsPerBlock && first + i < surfaces.size(); i++) {
