@@ -131,7 +131,7 @@ class TradeRunTest {
                 1,
                 new ErrorMetric("error", "m", 0.1, 1),
                 List.of("tens"),
-                new CostMetric("CPU", "ns", 1, 1, CostMetric.Clock.THREAD),
+                new CostMetric("CPU", "ns", 1, 1, CostMetric.Clock.THREAD), null,
                 site -> experiment);
     }
 }

@@ -34,20 +34,6 @@ record DrawnScene(FixedSceneDrawing drawing, View view, SceneLook look, RenderTa
         return Compared.DISPLAY.read(null, picture);
     }
 
-    /** As {@link #displayed}, each pixel the mean of {@code side} × {@code side} that are drawn. */
-    LinearPicture displayed(int side) {
-        LinearPicture fine = displayed();
-        int width = fine.width() / side;
-        float[] mean = new float[3 * width * (fine.height() / side)];
-        for (int i = 0; i < fine.rgb().length; i++) {
-            int pixel = i / 3;
-            int row = pixel / fine.width() / side;
-            int column = pixel % fine.width() / side;
-            mean[3 * (row * width + column) + i % 3] += fine.rgb()[i] / (side * side);
-        }
-        return new LinearPicture(width, fine.height() / side, mean);
-    }
-
     @Override
     public void close() {
         drawing.close();

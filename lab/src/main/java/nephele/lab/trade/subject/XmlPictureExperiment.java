@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
-import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.render.fixed.SceneFiles;
 import nephele.engine.render.fixed.SceneLook;
@@ -56,20 +55,13 @@ final class XmlPictureExperiment implements Experiment {
         LinearPicture test = scene(setting).displayed();
         ErrorMap flip = Flip.ofDisplayed(oracle(), test);
         site.gl().requireNoError("still life");
-        return new Judgement(
-                flip.mean(),
-                List.of(
-                        ImageError.relativeSquared(oracle(), test),
-                        100 * ImageError.meanBias(oracle(), test),
-                        flip.quantile(0.99)),
-                Compared.DISPLAY.shown(test, null),
-                flip);
+        return PictureExperiment.judgement(oracle(), test, flip, Compared.DISPLAY.shown(test, null));
     }
 
     private LinearPicture oracle() {
         if (exact == null) {
             try (var fine = scene(exactWay, EXACT_SIDE)) {
-                exact = fine.displayed(EXACT_SIDE);
+                exact = fine.displayed().reduced(EXACT_SIDE);
             }
         }
         return exact;
