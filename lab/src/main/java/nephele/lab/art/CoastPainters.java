@@ -13,11 +13,9 @@ final class CoastPainters {
     /** Whitewashed brick with rain marks; what tints it paints the bands of a tower. */
     static BufferedImage whitewash() {
         TileNoise noise = new TileNoise(961);
-        return Pixels.picture(
-                TOWER_SIDE,
-                TOWER_SIDE,
-                (column, row) -> brick(noise, (column + 0.5) / TOWER_SIDE, 1 - (row + 0.5) / TOWER_SIDE)
-                        .rgb());
+        return Pixels.picture(TOWER_SIDE, TOWER_SIDE, (column, row) -> brick(
+                        noise, (column + 0.5) / TOWER_SIDE, 1 - (row + 0.5) / TOWER_SIDE)
+                .rgb());
     }
 
     private static Colour brick(TileNoise noise, double u, double v) {

@@ -14,9 +14,8 @@ final class HullPainter {
 
     static BufferedImage paint() {
         TileNoise noise = new TileNoise(931);
-        return Pixels.picture(
-                SIDE, SIDE, (column, row) -> colour(noise, (column + 0.5) / SIDE, 1 - (row + 0.5) / SIDE)
-                        .rgb());
+        return Pixels.picture(SIDE, SIDE, (column, row) -> colour(noise, (column + 0.5) / SIDE, 1 - (row + 0.5) / SIDE)
+                .rgb());
     }
 
     private static Colour colour(TileNoise noise, double u, double v) {

@@ -131,7 +131,8 @@ class TradeRunTest {
                 1,
                 new ErrorMetric("error", "m", 0.1, 1),
                 List.of("tens"),
-                new CostMetric("CPU", "ns", 1, 1, CostMetric.Clock.THREAD), null,
+                new CostMetric("CPU", "ns", 1, 1, CostMetric.Clock.THREAD),
+                null,
                 site -> experiment);
     }
 }
