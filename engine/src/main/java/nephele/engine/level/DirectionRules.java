@@ -44,7 +44,9 @@ final class DirectionRules {
         void solid(String path, Solid solid) {
             if (solid instanceof Solid.Planes planes) {
                 LevelRule.each(
-                        path + ".planes", planes.planes(), (face, plane) -> direction(face + ".normal", plane.normal()));
+                        path + ".planes",
+                        planes.planes(),
+                        (face, plane) -> direction(face + ".normal", plane.normal()));
             }
         }
 

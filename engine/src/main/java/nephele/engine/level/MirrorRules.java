@@ -12,8 +12,7 @@ final class MirrorRules {
             return;
         }
         LevelRule.each("materials", level.materials(), (path, material) -> bare(path, material, report));
-        LevelRule.each(
-                "models", level.models(), (path, model) -> onlySolids(path, model.material(), mirrors, report));
+        LevelRule.each("models", level.models(), (path, model) -> onlySolids(path, model.material(), mirrors, report));
         LevelRule.each("bodies", level.bodies(), (path, body) -> onlySolids(path, body.material(), mirrors, report));
     };
 
