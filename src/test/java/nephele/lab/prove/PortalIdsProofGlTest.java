@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** The same code as `prove portal-ids`, for two cameras of each level: one at a portal, one along a wall. */
 class PortalIdsProofGlTest {
     static List<String> levels() {
-        return PortalIdsProof.levels();
+        return SeenLevels.all();
     }
 
     @ParameterizedTest

@@ -16,6 +16,7 @@ import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.terminal.Terminal;
 import nephele.lab.bench.Bench;
 import nephele.lab.bench.CalibrationDrawing;
+import nephele.lab.bench.Drawing;
 import nephele.lab.bench.LevelDrawing;
 import nephele.lab.bench.PerPass;
 import nephele.lab.bench.SceneDrawing;
@@ -99,21 +100,15 @@ final class BenchCommand implements Command {
                         view,
                         picture.target(gl),
                         frames == null ? 1 : frames)) {
-            print(bare ? bare(gl, drawing) : new Bench(gl).measure(drawing), terminal);
+            print(times(gl, drawing), terminal);
             gl.requireNoError("bench");
-        }
-    }
-
-    private static FrameTimes bare(GlContext gl, SceneDrawing engine) {
-        try (var twin = engine.bareTwin()) {
-            return new Bench(gl).measure(twin);
         }
     }
 
     private void measure(OpenedLevel opened, Terminal terminal) {
         try (var gl = GlContext.offscreen();
                 var drawing = AssetComplaint.named(opened, () -> drawing(opened, gl))) {
-            print(bare ? bare(gl, drawing) : new Bench(gl).measure(drawing), terminal);
+            print(times(gl, drawing), terminal);
             gl.requireNoError("bench");
             if (perPass) {
                 new PerPass(gl, drawing).csv().forEach(terminal.out()::println);
@@ -121,7 +116,10 @@ final class BenchCommand implements Command {
         }
     }
 
-    private static FrameTimes bare(GlContext gl, LevelDrawing engine) {
+    private FrameTimes times(GlContext gl, Drawing engine) {
+        if (!bare) {
+            return new Bench(gl).measure(engine);
+        }
         try (var twin = engine.bareTwin(gl)) {
             return new Bench(gl).measure(twin);
         }

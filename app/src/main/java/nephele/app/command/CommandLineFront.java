@@ -1,7 +1,9 @@
 package nephele.app.command;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Collectors;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.render.fixed.LightTerm;
 import nephele.engine.render.fixed.Shading;
@@ -14,6 +16,9 @@ import picocli.CommandLine.ParameterException;
 
 /** From arguments to an exit code: finds the command, lets picocli read its options, runs it and explains failures. */
 public final class CommandLineFront {
+    private static final int NAME_WIDTH = 10;
+    private static final int FARTHEST_TYPING_ERROR = 2;
+
     private final Terminal terminal;
 
     public CommandLineFront(Terminal terminal) {
@@ -35,12 +40,12 @@ public final class CommandLineFront {
     private ExitCode answer(String... arguments) {
         var words = List.of(arguments);
         if (words.isEmpty() || words.get(0).equals("--help") || words.get(0).equals("-h")) {
-            (words.isEmpty() ? terminal.err() : terminal.out()).print(Overview.text());
+            (words.isEmpty() ? terminal.err() : terminal.out()).print(overview());
             return words.isEmpty() ? ExitCode.USAGE : ExitCode.DONE;
         }
         var entry = Commands.named(words.get(0));
         if (entry.isEmpty()) {
-            terminal.err().println("nephele: " + Overview.unknown(words.get(0)));
+            terminal.err().println("nephele: " + unknown(words.get(0)));
             return ExitCode.USAGE;
         }
         return run(entry.get(), arguments);
@@ -85,5 +90,46 @@ public final class CommandLineFront {
             var explained = Explanation.of(failure, List.of(arguments));
             return explained.tell(terminal, "nephele " + entry.name(), common.verbose);
         }
+    }
+
+    private static String overview() {
+        var lines = Commands.ALL.stream()
+                .map(entry -> "  " + padded(entry.name()) + entry.summary() + "\n")
+                .collect(Collectors.joining());
+        return "Usage: nephele COMMAND [ARGUMENT...]\n\n" + lines
+                + "\n`nephele COMMAND --help` tells more. Exit codes: 0 done, 1 the input has errors,"
+                + " 2 wrong usage, 3 the environment lacks something.\n";
+    }
+
+    private static String unknown(String word) {
+        var nearest = Commands.ALL.stream()
+                .map(CommandEntry::name)
+                .min(Comparator.comparingInt(name -> editDistance(name, word)))
+                .filter(name -> editDistance(name, word) <= FARTHEST_TYPING_ERROR)
+                .map(name -> "; did you mean `" + name + "`?")
+                .orElse("");
+        return "unknown command `" + word + "`" + nearest + "\n`nephele --help` lists the commands.";
+    }
+
+    /** Levenshtein (1966): the least number of letters to insert, drop or change. */
+    private static int editDistance(String a, String b) {
+        int[] previous = new int[b.length() + 1];
+        for (int j = 0; j <= b.length(); j++) {
+            previous[j] = j;
+        }
+        for (int i = 1; i <= a.length(); i++) {
+            int[] current = new int[b.length() + 1];
+            current[0] = i;
+            for (int j = 1; j <= b.length(); j++) {
+                int change = previous[j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
+                current[j] = Math.min(change, 1 + Math.min(previous[j], current[j - 1]));
+            }
+            previous = current;
+        }
+        return previous[b.length()];
+    }
+
+    private static String padded(String name) {
+        return name + " ".repeat(Math.max(1, NAME_WIDTH - name.length()));
     }
 }

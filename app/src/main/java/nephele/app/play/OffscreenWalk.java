@@ -8,13 +8,11 @@ import nephele.engine.draw.Preparation;
 import nephele.engine.level.Level;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.measure.Stopwatch;
-import nephele.engine.named.AssetComplaint;
 import nephele.engine.render.Capture;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.scene.thing.FigurePresence;
 import nephele.engine.sim.Replay;
 import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.walk.ReplayInput;
@@ -43,7 +41,7 @@ public final class OffscreenWalk {
         var preparation = Preparation.begin(request.level(), request.quality(), PrintedProgress.ofBake(System.err));
         try (var gl = GlContext.offscreen();
                 var target = target(gl);
-                var renderer = renderer(gl, preparation.get())) {
+                var renderer = Session.renderer(gl, request, preparation.get())) {
             var replay = replay();
             var walk = walk(preparation.get(), replay);
             out.println(
@@ -64,7 +62,7 @@ public final class OffscreenWalk {
             profile.done("context");
             var prepared = preparation.get();
             profile.done("waiting for the level");
-            try (var renderer = renderer(gl, prepared)) {
+            try (var renderer = Session.renderer(gl, request, prepared)) {
                 profile.done("upload and compile");
                 var walk = walk(prepared, replay());
                 renderer.draw(walk.view(aspect()), walk.moment(), target);
@@ -125,13 +123,6 @@ public final class OffscreenWalk {
         var from = request.from() != null ? request.from() : replay.start();
         var beginning = new Walk.Beginning(request.level().fileName(), replay.settings(), from);
         return new Walk(prepared.opened().level(), prepared.world(), beginning, new ReplayInput(replay));
-    }
-
-    private Renderer renderer(GlContext gl, Preparation.Prepared prepared) {
-        var output = request.quality().output(prepared.opened().level());
-        var settings =
-                request.quality().settings(output, gl.limits().software()).with(FigurePresence.POSSIBLE);
-        return AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 
     private RenderTarget target(GlContext gl) {

@@ -37,11 +37,14 @@ final class Session implements AutoCloseable {
     /** Builds what the level requires; its problems are thrown before anything is kept. */
     static Session load(GlContext gl, PlayRequest request, Preparation preparation, Input input) {
         var prepared = preparation.get();
+        return new Session(request, prepared, renderer(gl, request, prepared), input);
+    }
+
+    static Renderer renderer(GlContext gl, PlayRequest request, Preparation.Prepared prepared) {
         var output = request.quality().output(prepared.opened().level());
         var settings =
                 request.quality().settings(output, gl.limits().software()).with(FigurePresence.POSSIBLE);
-        var renderer = AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
-        return new Session(request, prepared, renderer, input);
+        return AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 
     /** The same level from its beginning; a replay brings its own settings. */

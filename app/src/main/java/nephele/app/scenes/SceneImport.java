@@ -19,6 +19,7 @@ import nephele.engine.level.LevelFormatException;
 import nephele.engine.level.LevelRules;
 import nephele.engine.level.LevelSaveException;
 import nephele.engine.level.Problem;
+import nephele.engine.level.appearance.Decoding;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -35,6 +36,8 @@ import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
 /** An XML scene becomes a level with its files beside it. */
 public final class SceneImport {
+    private static final double[] LINEAR = Decoding.SRGB.table();
+
     private static final Vec3 WHITE = new Vec3(1, 1, 1);
 
     private final SceneName name;
@@ -152,7 +155,7 @@ public final class SceneImport {
             if (picture == null) {
                 return new Part(file, null, WHITE, box(mesh));
             }
-            Vec3 tint = tints.computeIfAbsent(model.texture(), texture -> MeanColour.of(picture));
+            Vec3 tint = tints.computeIfAbsent(model.texture(), texture -> meanColour(picture));
             return new Part(file, files.picture(model.texture()), tint, box(mesh));
         } catch (IllegalArgumentException tooLarge) {
             tell(model.line(), model.file() + ": " + tooLarge.getMessage());
@@ -167,5 +170,18 @@ public final class SceneImport {
             box = box.union(new Aabb(p[i], p[i + 1], p[i + 2], p[i], p[i + 1], p[i + 2]));
         }
         return box;
+    }
+
+    /** In linear light. */
+    private static Vec3 meanColour(Picture picture) {
+        byte[] rgba = picture.toRgba8().samples();
+        double[] sums = new double[3];
+        for (int i = 0; i < rgba.length; i += 4) {
+            for (int channel = 0; channel < 3; channel++) {
+                sums[channel] += LINEAR[rgba[i + channel] & 0xff];
+            }
+        }
+        double pixels = rgba.length / 4.0;
+        return new Vec3(sums[0] / pixels, sums[1] / pixels, sums[2] / pixels);
     }
 }

@@ -3,9 +3,12 @@ package nephele.app.window;
 import static org.lwjgl.glfw.GLFW.*;
 import static org.lwjgl.system.MemoryUtil.NULL;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import nephele.engine.terminal.CommandFailure;
 import org.lwjgl.glfw.Callbacks;
+import org.lwjgl.glfw.GLFWErrorCallback;
 import org.lwjgl.glfw.GLFWVidMode;
 import org.lwjgl.system.Configuration;
 
@@ -165,6 +168,20 @@ public final class GameWindow implements AutoCloseable {
         var complaints = glfwSetErrorCallback(null);
         if (complaints != null) {
             complaints.free();
+        }
+    }
+
+    /** What the window system said went wrong. */
+    private static final class Complaints extends GLFWErrorCallback {
+        private final List<String> texts = new ArrayList<>();
+
+        @Override
+        public void invoke(int error, long description) {
+            texts.add(getDescription(description));
+        }
+
+        String text() {
+            return texts.isEmpty() ? "the system gives no reason" : String.join("; ", texts);
         }
     }
 }

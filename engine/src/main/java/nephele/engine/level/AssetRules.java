@@ -1,7 +1,6 @@
 package nephele.engine.level;
 
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
@@ -14,19 +13,17 @@ import nephele.engine.level.appearance.SkyboxSizes;
 final class AssetRules {
     static final LevelRule READABLE = (level, assets, report) -> {
         Check check = new Check(assets, report, new HashMap<>());
-        for (int i = 0; i < level.materials().size(); i++) {
-            Material material = level.materials().get(i);
-            check.picture("materials[" + i + "].texture", material.texture());
-            check.picture("materials[" + i + "].normalTexture", material.normalTexture());
-        }
+        LevelRule.each("materials", level.materials(), (path, material) -> {
+            check.picture(path + ".texture", material.texture());
+            check.picture(path + ".normalTexture", material.normalTexture());
+        });
         if (level.environment().sky() instanceof Sky.Skybox skybox) {
             check.skybox("environment.sky.files", skybox);
         }
-        List<Cloud> clouds = level.environment().clouds();
-        for (int i = 0; i < clouds.size(); i++) {
-            check.density(
-                    "environment.clouds[" + i + "].density.file", clouds.get(i).density());
-        }
+        LevelRule.each(
+                "environment.clouds",
+                level.environment().clouds(),
+                (path, cloud) -> check.density(path + ".density.file", cloud.density()));
     };
 
     private AssetRules() {}

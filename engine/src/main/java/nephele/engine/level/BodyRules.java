@@ -3,15 +3,14 @@ package nephele.engine.level;
 /** Bodies whose numbers contradict each other. */
 final class BodyRules {
     static final LevelRule SHAPES = (level, assets, report) -> {
-        for (int i = 0; i < level.bodies().size(); i++) {
-            if (level.bodies().get(i) instanceof Body.Capsule capsule
-                    && capsule.heightMetres() < 2 * capsule.radiusMetres()) {
+        LevelRule.each("bodies", level.bodies(), (path, body) -> {
+            if (body instanceof Body.Capsule capsule && capsule.heightMetres() < 2 * capsule.radiusMetres()) {
                 report.accept(Problem.error(
-                        "bodies[" + i + "].heightMetres",
+                        path + ".heightMetres",
                         "a capsule is at least as high as it is wide: make it " + 2 * capsule.radiusMetres()
                                 + " or more, or a sphere"));
             }
-        }
+        });
     };
 
     /** The space that is opened behind a portal is this deep. */
@@ -19,16 +18,16 @@ final class BodyRules {
 
     static final LevelRule REACH = (level, assets, report) -> {
         boolean hasPortals = level.portalGun() != null || !level.portals().isEmpty();
-        for (int i = 0; hasPortals && i < level.bodies().size(); i++) {
-            double reach = reachMetres(level.bodies().get(i));
-            if (reach > MOST_REACH_METRES) {
+        LevelRule.each("bodies", level.bodies(), (path, body) -> {
+            double reach = reachMetres(body);
+            if (hasPortals && reach > MOST_REACH_METRES) {
                 report.accept(Problem.warning(
-                        "bodies[" + i + "]",
+                        path,
                         "reaches " + Math.round(reach * 100) / 100.0
                                 + " m from its centre: in a portal, what is farther than " + MOST_REACH_METRES
                                 + " m from the plane meets this side's solids"));
             }
-        }
+        });
     };
 
     private BodyRules() {}

@@ -12,20 +12,17 @@ final class CameraRules {
     /** Sine of the angle between view and up below which the roll is left to chance. */
     private static final double PARALLEL = 1e-6;
 
-    static final LevelRule VIEW = (level, assets, report) -> {
-        for (int i = 0; i < level.cameras().size(); i++) {
-            camera("cameras[" + i + "]", level.cameras().get(i), report);
-        }
-    };
+    static final LevelRule VIEW = (level, assets, report) ->
+            LevelRule.each("cameras", level.cameras(), (path, camera) -> camera(path, camera, report));
 
     private CameraRules() {}
 
     private static void camera(String path, Camera camera, Consumer<Problem> report) {
         looksSomewhere(path, camera.position(), camera.target(), report);
-        for (int i = 0; i < camera.path().size(); i++) {
-            Camera.Waypoint waypoint = camera.path().get(i);
-            looksSomewhere(path + ".path[" + i + "]", waypoint.position(), waypoint.target(), report);
-        }
+        LevelRule.each(
+                path + ".path",
+                camera.path(),
+                (place, waypoint) -> looksSomewhere(place, waypoint.position(), waypoint.target(), report));
         if (camera.horizontalFovDegrees() != 0 && camera.verticalFovDegrees() != 0) {
             report.accept(Problem.error(
                     path + ".verticalFovDegrees", "the horizontal field of view is given already: delete one"));

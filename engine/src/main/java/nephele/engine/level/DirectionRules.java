@@ -1,6 +1,5 @@
 package nephele.engine.level;
 
-import java.util.List;
 import java.util.function.Consumer;
 import nephele.engine.math.Vec3;
 
@@ -16,26 +15,17 @@ final class DirectionRules {
                     "environment.sun.directionTowardsSun",
                     level.environment().sun().directionTowardsSun());
         }
-        for (int i = 0; i < level.cameras().size(); i++) {
-            check.direction("cameras[" + i + "].up", level.cameras().get(i).up());
-        }
-        for (int i = 0; i < level.solids().size(); i++) {
-            if (level.solids().get(i) instanceof Solid.Planes planes) {
-                check.planes("solids[" + i + "].planes", planes.planes());
-            }
-        }
-        for (int i = 0; i < level.lights().size(); i++) {
-            if (level.lights().get(i) instanceof Light.Spot spot) {
-                check.direction("lights[" + i + "].direction", spot.direction());
-            }
-        }
-        for (int i = 0; i < level.portals().size(); i++) {
-            check.direction("portals[" + i + "].normal", level.portals().get(i).normal());
-            check.direction("portals[" + i + "].up", level.portals().get(i).up());
-        }
-        for (int i = 0; i < level.models().size(); i++) {
-            check.steps("models[" + i + "].transform", level.models().get(i).transform());
-        }
+        LevelRule.each("cameras", level.cameras(), (path, camera) -> check.direction(path + ".up", camera.up()));
+        LevelRule.each("solids", level.solids(), check::solid);
+        LevelRule.each("lights", level.lights(), check::light);
+        LevelRule.each("portals", level.portals(), (path, portal) -> {
+            check.direction(path + ".normal", portal.normal());
+            check.direction(path + ".up", portal.up());
+        });
+        LevelRule.each(
+                "models",
+                level.models(),
+                (path, model) -> LevelRule.each(path + ".transform", model.transform(), check::step));
     };
 
     private DirectionRules() {}
@@ -51,19 +41,26 @@ final class DirectionRules {
             }
         }
 
-        void planes(String path, List<Solid.PlaneFace> planes) {
-            for (int i = 0; i < planes.size(); i++) {
-                direction(path + "[" + i + "].normal", planes.get(i).normal());
+        void solid(String path, Solid solid) {
+            if (solid instanceof Solid.Planes planes) {
+                LevelRule.each(
+                        path + ".planes",
+                        planes.planes(),
+                        (face, plane) -> direction(face + ".normal", plane.normal()));
             }
         }
 
-        void steps(String path, List<ModelPlacement.TransformStep> steps) {
-            for (int i = 0; i < steps.size(); i++) {
-                if (steps.get(i) instanceof ModelPlacement.TransformStep.Rotate rotate) {
-                    direction(path + "[" + i + "].axis", rotate.axis());
-                } else if (steps.get(i) instanceof ModelPlacement.TransformStep.Scale scale) {
-                    scale(path + "[" + i + "].by", scale.by());
-                }
+        void light(String path, Light light) {
+            if (light instanceof Light.Spot spot) {
+                direction(path + ".direction", spot.direction());
+            }
+        }
+
+        void step(String path, ModelPlacement.TransformStep step) {
+            if (step instanceof ModelPlacement.TransformStep.Rotate rotate) {
+                direction(path + ".axis", rotate.axis());
+            } else if (step instanceof ModelPlacement.TransformStep.Scale scale) {
+                scale(path + ".by", scale.by());
             }
         }
 

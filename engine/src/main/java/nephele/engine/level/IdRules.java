@@ -25,15 +25,9 @@ final class IdRules {
         Set<String> known = new HashSet<>();
         level.materials().forEach(material -> known.add(material.id()));
         References references = new References(known, report);
-        for (int i = 0; i < level.solids().size(); i++) {
-            references.solid("solids[" + i + "]", level.solids().get(i));
-        }
-        for (int i = 0; i < level.models().size(); i++) {
-            references.material("models[" + i + "]", level.models().get(i).material());
-        }
-        for (int i = 0; i < level.bodies().size(); i++) {
-            references.body("bodies[" + i + "]", level.bodies().get(i));
-        }
+        LevelRule.each("solids", level.solids(), references::solid);
+        LevelRule.each("models", level.models(), (path, model) -> references.material(path, model.material()));
+        LevelRule.each("bodies", level.bodies(), (path, body) -> references.material(path, body.material()));
     };
 
     private IdRules() {}
@@ -69,14 +63,8 @@ final class IdRules {
             } else if (solid instanceof Solid.Wedge wedge) {
                 wedge.faces().forEach((side, face) -> material(path + ".faces." + side, face.material()));
             } else if (solid instanceof Solid.Planes planes) {
-                for (int i = 0; i < planes.planes().size(); i++) {
-                    material(path + ".planes[" + i + "]", planes.planes().get(i).material());
-                }
+                LevelRule.each(path + ".planes", planes.planes(), (face, plane) -> material(face, plane.material()));
             }
-        }
-
-        void body(String path, Body body) {
-            material(path, body.material());
         }
     }
 }

@@ -1,5 +1,7 @@
 package nephele.engine.level;
 
+import java.util.List;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetSource;
 
@@ -7,4 +9,11 @@ import nephele.engine.asset.AssetSource;
 public interface LevelRule {
     /** Hands every breach to {@code report}, in the order of the file. */
     void check(Level level, AssetSource assets, Consumer<Problem> report);
+
+    /** Every entry of a list with its path, such as {@code solids[3]}. */
+    static <T> void each(String section, List<T> entries, BiConsumer<String, T> use) {
+        for (int i = 0; i < entries.size(); i++) {
+            use.accept(section + "[" + i + "]", entries.get(i));
+        }
+    }
 }

@@ -15,7 +15,7 @@ public final class LevelRules {
             CameraRules.VIEW,
             LightRules.CONES,
             LightRules.SHADOWS,
-            SkyRules.FILES,
+            EnvironmentRules.SKY_FILES,
             PortalRules.LINKS,
             PortalRules.COUNT,
             PortalRules.ON_SURFACE,
@@ -25,7 +25,7 @@ public final class LevelRules {
             BodyRules.REACH,
             PlayerRules.FREE,
             PlayerRules.SOMEWHERE,
-            FutureRules.NOT_YET);
+            EnvironmentRules.NOT_YET);
 
     /** All rules; the last ones read every picture and every mesh. */
     public static final List<LevelRule> ALL = all();

@@ -5,11 +5,8 @@ import nephele.engine.math.Vec3;
 
 /** Lamps that light something. */
 final class LightRules {
-    static final LevelRule CONES = (level, assets, report) -> {
-        for (int i = 0; i < level.lights().size(); i++) {
-            light("lights[" + i + "]", level.lights().get(i), report);
-        }
-    };
+    static final LevelRule CONES = (level, assets, report) ->
+            LevelRule.each("lights", level.lights(), (path, light) -> light(path, light, report));
 
     static final LevelRule SHADOWS = (level, assets, report) -> {
         int pictures = 0;

@@ -11,17 +11,9 @@ final class MirrorRules {
         if (mirrors.isEmpty()) {
             return;
         }
-        for (int i = 0; i < level.materials().size(); i++) {
-            if (level.materials().get(i).mirror()) {
-                bare("materials[" + i + "]", level.materials().get(i), report);
-            }
-        }
-        for (int i = 0; i < level.models().size(); i++) {
-            onlySolids("models[" + i + "].material", level.models().get(i).material(), mirrors, report);
-        }
-        for (int i = 0; i < level.bodies().size(); i++) {
-            onlySolids("bodies[" + i + "].material", level.bodies().get(i).material(), mirrors, report);
-        }
+        LevelRule.each("materials", level.materials(), (path, material) -> bare(path, material, report));
+        LevelRule.each("models", level.models(), (path, model) -> onlySolids(path, model.material(), mirrors, report));
+        LevelRule.each("bodies", level.bodies(), (path, body) -> onlySolids(path, body.material(), mirrors, report));
     };
 
     private MirrorRules() {}
@@ -29,11 +21,15 @@ final class MirrorRules {
     private static void onlySolids(String path, String material, Set<String> mirrors, Consumer<Problem> report) {
         if (material != null && mirrors.contains(material)) {
             report.accept(Problem.error(
-                    path, "'" + material + "' is a mirror, and only faces of solids can be: give another material"));
+                    path + ".material",
+                    "'" + material + "' is a mirror, and only faces of solids can be: give another material"));
         }
     }
 
     private static void bare(String path, Material material, Consumer<Problem> report) {
+        if (!material.mirror()) {
+            return;
+        }
         without(path + ".texture", material.texture() != null, report);
         without(path + ".roughness", material.roughness() != null, report);
         without(path + ".metallic", material.metallic() != null, report);

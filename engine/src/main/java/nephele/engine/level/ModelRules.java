@@ -17,15 +17,14 @@ final class ModelRules {
         Map<String, String> parents = new HashMap<>();
         level.models().forEach(model -> parents.put(model.id(), model.parent()));
         Map<String, Boolean> circular = new HashMap<>();
-        for (int i = 0; i < level.models().size(); i++) {
-            ModelPlacement model = level.models().get(i);
-            String path = "models[" + i + "].parent";
+        LevelRule.each("models", level.models(), (entry, model) -> {
+            String path = entry + ".parent";
             if (model.parent() != null && !parents.containsKey(model.parent())) {
                 report.accept(Problem.error(path, "there is no model '" + model.parent() + "'"));
             } else if (circles(model.id(), parents, circular)) {
                 report.accept(Problem.error(path, "'" + model.id() + "' hangs below itself: break the circle"));
             }
-        }
+        });
     };
 
     static final LevelRule READABLE = (level, assets, report) -> {

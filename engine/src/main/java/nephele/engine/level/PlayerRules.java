@@ -20,14 +20,12 @@ final class PlayerRules {
             return;
         }
         Vec3 feet = level.player().feet();
-        for (int i = 0; i < level.solids().size(); i++) {
-            Solid solid = level.solids().get(i);
+        LevelRule.each("solids", level.solids(), (path, solid) -> {
             if (mayReach(solid, feet, 0) && holdsAxis(solid, feet)) {
                 report.accept(Problem.error(
-                        "player.feet",
-                        "the player starts inside solids[" + i + "] ('" + solid.id() + "'): move the start"));
+                        "player.feet", "the player starts inside " + path + " ('" + solid.id() + "'): move the start"));
             }
-        }
+        });
     };
 
     static final LevelRule SOMEWHERE = (level, assets, report) -> {

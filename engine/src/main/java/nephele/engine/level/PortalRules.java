@@ -17,9 +17,7 @@ final class PortalRules {
     static final LevelRule LINKS = (level, assets, report) -> {
         Map<String, PortalSpec> byId = new HashMap<>();
         level.portals().forEach(portal -> byId.putIfAbsent(portal.id(), portal));
-        for (int i = 0; i < level.portals().size(); i++) {
-            link("portals[" + i + "]", level.portals().get(i), byId, report);
-        }
+        LevelRule.each("portals", level.portals(), (path, portal) -> link(path, portal, byId, report));
     };
 
     /** As many as a mask of the simulation has bits, a gun's two among them. */
@@ -53,17 +51,16 @@ final class PortalRules {
 
     /** Tells of portals that lie neither on a solid nor on a model. */
     static void tellFree(Level level, PlacedModels models, Consumer<Problem> report) {
-        for (int i = 0; i < level.portals().size(); i++) {
-            PortalSpec portal = level.portals().get(i);
+        LevelRule.each("portals", level.portals(), (path, portal) -> {
             boolean isOnSurface = DirectionRules.isZero(portal.normal())
                     || level.solids().stream().anyMatch(solid -> liesOn(portal, solid))
                     || models.all().stream().anyMatch(model -> liesOn(portal, model.triangles()));
             if (!isOnSurface) {
                 report.accept(Problem.warning(
-                        "portals[" + i + "].centre",
+                        path + ".centre",
                         "lies on no solid's face that looks along the portal's normal: it opens in free space"));
             }
-        }
+        });
     }
 
     private static boolean liesOn(PortalSpec portal, WorldTriangles mesh) {

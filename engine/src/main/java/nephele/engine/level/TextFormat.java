@@ -5,6 +5,9 @@ import nephele.engine.asset.AssetId;
 
 /** Texts, by what they may consist of. */
 record TextFormat(TextRule rule, String fallback) implements ValueFormat {
+    /** Letters that are drawn as nothing (Hangul fillers) and the empty Braille pattern. */
+    private static final String BLANK_LETTERS = "\u115f\u1160\u3164\uffa0\u2800";
+
     @Override
     public Object read(JsonValue json, Problems problems) {
         if (!(json instanceof JsonValue.Text text)) {
@@ -27,7 +30,7 @@ record TextFormat(TextRule rule, String fallback) implements ValueFormat {
         }
         for (int i = 0; i < text.length(); i++) {
             char c = text.charAt(i);
-            if (rule == TextRule.ID && VisibleText.isInvisible(c)) {
+            if (rule == TextRule.ID && isInvisible(c)) {
                 return String.format(
                         Locale.ROOT,
                         "an id holds no invisible characters, this one has U+%04X at position %d",
@@ -38,7 +41,7 @@ record TextFormat(TextRule rule, String fallback) implements ValueFormat {
                 return "the text holds a control character at position " + i;
             }
         }
-        return rule == TextRule.ID && VisibleText.isBlank(text) ? "an id needs a character that can be seen" : null;
+        return rule == TextRule.ID && isBlank(text) ? "an id needs a character that can be seen" : null;
     }
 
     @Override
@@ -63,5 +66,23 @@ record TextFormat(TextRule rule, String fallback) implements ValueFormat {
     @Override
     public Object absent() {
         return fallback;
+    }
+
+    /** Control and format characters, among them those that turn the direction of writing, and ends of lines. */
+    private static boolean isInvisible(char c) {
+        int type = Character.getType(c);
+        return type == Character.CONTROL
+                || type == Character.FORMAT
+                || type == Character.LINE_SEPARATOR
+                || type == Character.PARAGRAPH_SEPARATOR;
+    }
+
+    /** Whether there is nothing to see but space. */
+    private static boolean isBlank(String text) {
+        return text.chars()
+                .allMatch(c -> Character.isWhitespace(c)
+                        || Character.isSpaceChar(c)
+                        || isInvisible((char) c)
+                        || BLANK_LETTERS.indexOf(c) >= 0);
     }
 }

@@ -42,6 +42,10 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
                 Math.max(maxZ, b.maxZ));
     }
 
+    public Aabb moved(Vec3 by) {
+        return new Aabb(minX + by.x(), minY + by.y(), minZ + by.z(), maxX + by.x(), maxY + by.y(), maxZ + by.z());
+    }
+
     public Aabb grown(double metres) {
         return new Aabb(minX - metres, minY - metres, minZ - metres, maxX + metres, maxY + metres, maxZ + metres);
     }

@@ -173,12 +173,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     }
 
     private static boolean behindAll(List<Plane> planes, Vec3 p, double epsilon) {
-        for (Plane plane : planes) {
-            if (plane.signedDistance(p) > epsilon) {
-                return false;
-            }
-        }
-        return true;
+        return planes.stream().noneMatch(plane -> plane.signedDistance(p) > epsilon);
     }
 
     private static boolean near(List<Vec3> corners, Vec3 p, double epsilon) {

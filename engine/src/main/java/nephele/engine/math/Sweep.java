@@ -6,14 +6,7 @@ record Sweep(Aabb box, Vec3 motion, Aabb whole) {
     private static final double GROWTH = 1 + 8 * 0x1p-53;
 
     static Sweep of(Aabb box, Vec3 motion) {
-        Aabb whole = box.union(new Aabb(
-                box.minX() + motion.x(),
-                box.minY() + motion.y(),
-                box.minZ() + motion.z(),
-                box.maxX() + motion.x(),
-                box.maxY() + motion.y(),
-                box.maxZ() + motion.z()));
-        return new Sweep(box, motion, whole);
+        return new Sweep(box, motion, box.union(box.moved(motion)));
     }
 
     /**

@@ -1,6 +1,8 @@
 package nephele.engine.sim;
 
 import nephele.engine.collision.rigid.Bodies;
+import nephele.engine.math.BitHash;
+import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
 /**
@@ -36,7 +38,19 @@ public record Changeable(Bodies bodies, Portals portals, Shots shots, Holding ho
 
     long hash(long seed) {
         long hash = bodies.size() == 0 ? seed : bodies.hash(seed);
-        hash = portals.size() == 0 ? hash : PortalHash.join(hash, portals);
+        hash = portals.size() == 0 ? hash : joined(hash, portals);
         return trace.hash(holding.hash(shots.hash(hash)));
+    }
+
+    /** Places, frames and links; apertures are the level's and never change. */
+    private static long joined(long seed, Portals portals) {
+        long hash = BitHash.join(seed, portals.size());
+        for (int i = 0; i < portals.size(); i++) {
+            Portal portal = portals.portal(i);
+            hash = BitHash.join(BitHash.join(hash, portals.partner(i)), portal.centre());
+            hash = BitHash.join(hash, portal.frame().up());
+            hash = BitHash.join(hash, portal.frame().back());
+        }
+        return hash;
     }
 }

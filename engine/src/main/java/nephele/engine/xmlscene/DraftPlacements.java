@@ -9,6 +9,9 @@ import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.LevelDraft.Part;
 import nephele.engine.xmlscene.XmlGroup.Step;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
+import org.joml.AxisAngle4d;
+import org.joml.Matrix4d;
+import org.joml.Quaterniond;
 
 /**
  * Groups as placements: the first model of a group carries its frame, the others and the groups below hang from it. A
@@ -116,7 +119,7 @@ final class DraftPlacements {
             }
         } else if (step instanceof Step.Follow follow) {
             steps.add(new TransformStep.Translate(follow.points().get(0)));
-            TransformStep turn = StartOfCurve.turn(follow);
+            TransformStep turn = turn(follow);
             if (turn != null) {
                 steps.add(turn);
             }
@@ -142,5 +145,17 @@ final class DraftPlacements {
     /** Of the models placed, as {@link PosedScene} counts them. */
     List<Integer> numbers() {
         return numbers;
+    }
+
+    /** @return {@code null} for no turn */
+    private static TransformStep turn(Step.Follow follow) {
+        if (!follow.align()) {
+            return null;
+        }
+        Matrix4d frame = new Matrix4d();
+        new CurveFrame(follow.points()).carryAligned(0, frame, new Matrix4d());
+        AxisAngle4d turn = new AxisAngle4d(frame.getNormalizedRotation(new Quaterniond()));
+        boolean turns = turn.angle != 0 && Double.isFinite(turn.angle + turn.x + turn.y + turn.z);
+        return turns ? new TransformStep.Rotate(new Vec3(turn.x, turn.y, turn.z), Math.toDegrees(turn.angle)) : null;
     }
 }

@@ -158,12 +158,7 @@ final class XmlTags {
     }
 
     private static boolean holds(List<XmlAttribute> attributes, String name) {
-        for (int i = 0; i < attributes.size(); i++) {
-            if (attributes.get(i).name().equalsIgnoreCase(name)) {
-                return true;
-            }
-        }
-        return false;
+        return attributes.stream().anyMatch(attribute -> attribute.name().equalsIgnoreCase(name));
     }
 
     private String value(String name) {

@@ -2,10 +2,16 @@ package nephele.lab.art;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.ImageOutputStream;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelJson;
 
@@ -22,21 +28,21 @@ public final class ArtFiles {
         }
         Path assets = root.resolve("assets");
         for (Map.Entry<String, BufferedImage> picture : benchPictures().entrySet()) {
-            PictureFile.write(assets.resolve(picture.getKey()), picture.getValue());
+            write(assets.resolve(picture.getKey()), picture.getValue());
         }
         for (TextureRecipe recipe : Textures.ALL) {
             Surface surface = recipe.paint();
-            PictureFile.write(assets.resolve(recipe.colourFile()), surface.colourPicture());
-            PictureFile.write(assets.resolve(recipe.normalFile()), surface.normalPicture());
+            write(assets.resolve(recipe.colourFile()), surface.colourPicture());
+            write(assets.resolve(recipe.normalFile()), surface.normalPicture());
         }
         for (PictureRecipe recipe : ScenePictures.ALL) {
-            PictureFile.write(assets.resolve(recipe.file()), recipe.painter().get());
+            write(assets.resolve(recipe.file()), recipe.painter().get());
         }
         for (int face = 0; face < 6; face++) {
-            PictureFile.write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
+            write(assets.resolve(SkyPainter.files().get(face)), new SkyPainter().face(face));
         }
-        PictureFile.write(assets.resolve(SkyPainter.CROSS_FILE), new SkyPainter().cross());
-        PictureFile.write(assets.resolve(SignPainter.FILE), SignPainter.paint());
+        write(assets.resolve(SkyPainter.CROSS_FILE), new SkyPainter().cross());
+        write(assets.resolve(SignPainter.FILE), SignPainter.paint());
         for (Map.Entry<String, byte[]> mesh : SampleMeshes.all().entrySet()) {
             Files.write(assets.resolve(mesh.getKey()), mesh.getValue());
         }
@@ -50,5 +56,20 @@ public final class ArtFiles {
             pictures.put(BenchLevels.skyFiles().get(face), BenchPixels.sky(face));
         }
         return pictures;
+    }
+
+    private static void write(Path file, BufferedImage picture) throws IOException {
+        Files.createDirectories(file.getParent());
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
+        ImageWriteParam smallest = writer.getDefaultWriteParam();
+        smallest.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+        smallest.setCompressionQuality(0);
+        try (OutputStream out = Files.newOutputStream(file);
+                ImageOutputStream stream = ImageIO.createImageOutputStream(out)) {
+            writer.setOutput(stream);
+            writer.write(null, new IIOImage(picture, null, null), smallest);
+        } finally {
+            writer.dispose();
+        }
     }
 }

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
@@ -93,15 +95,8 @@ final class BenchLevels {
         return Level.of(name, description, environment, List.of(camera));
     }
 
-    private interface Track {
-        Camera.Waypoint at(int frame);
-    }
-
-    private static List<Camera.Waypoint> path(Track track) {
-        List<Camera.Waypoint> path = new ArrayList<>(BenchPath.FRAMES);
-        for (int frame = 0; frame < BenchPath.FRAMES; frame++) {
-            path.add(track.at(frame));
-        }
-        return path;
+    /** One round. */
+    static List<Camera.Waypoint> path(IntFunction<Camera.Waypoint> track) {
+        return IntStream.range(0, BenchPath.FRAMES).mapToObj(track).toList();
     }
 }

@@ -16,13 +16,7 @@ final class BenchPixels {
 
     /** A dark frame around a two-tone chequer, with a little noise. */
     static BufferedImage box() {
-        BufferedImage picture = new BufferedImage(BOX_SIDE, BOX_SIDE, BufferedImage.TYPE_INT_RGB);
-        for (int y = 0; y < BOX_SIDE; y++) {
-            for (int x = 0; x < BOX_SIDE; x++) {
-                picture.setRGB(x, y, boxPixel(x, y));
-            }
-        }
-        return picture;
+        return Pixels.picture(BOX_SIDE, BOX_SIDE, BenchPixels::boxPixel);
     }
 
     private static int boxPixel(int x, int y) {
@@ -37,16 +31,12 @@ final class BenchPixels {
 
     /** Face {@code face} of the skybox in the order +x, −x, +y, −y, +z, −z: tinted noise under a grid. */
     static BufferedImage sky(int face) {
-        BufferedImage picture = new BufferedImage(SKY_SIDE, SKY_SIDE, BufferedImage.TYPE_INT_RGB);
         int[] base = SKY_BASE[face];
-        for (int y = 0; y < SKY_SIDE; y++) {
-            for (int x = 0; x < SKY_SIDE; x++) {
-                int line = x % 64 == 0 || y % 64 == 0 ? -40 : 0;
-                int add = (int) (noise(x / 64f, y / 64f, 10 + face) * 70) - 20 + line;
-                picture.setRGB(x, y, rgb(base[0] + add, base[1] + add, base[2] + add));
-            }
-        }
-        return picture;
+        return Pixels.picture(SKY_SIDE, SKY_SIDE, (x, y) -> {
+            int line = x % 64 == 0 || y % 64 == 0 ? -40 : 0;
+            int add = (int) (noise(x / 64f, y / 64f, 10 + face) * 70) - 20 + line;
+            return rgb(base[0] + add, base[1] + add, base[2] + add);
+        });
     }
 
     private static int rgb(int red, int green, int blue) {

@@ -81,17 +81,9 @@ final class BenchPortals {
                                 60,
                                 0.1,
                                 500,
-                                hallPath())))
+                                BenchLevels.path(BenchPortals::hallPoint))))
                 .with(List.of(box), hallSolids())
                 .withPortals(hallPortals());
-    }
-
-    private static List<Camera.Waypoint> hallPath() {
-        List<Camera.Waypoint> path = new ArrayList<>();
-        for (int frame = 0; frame < BenchPath.FRAMES; frame++) {
-            path.add(hallPoint(frame));
-        }
-        return path;
     }
 
     /** Swings a little from side to side; no arch leaves the picture. */
@@ -134,8 +126,8 @@ final class BenchPortals {
                 link(
                         portals,
                         "side-" + row + "-" + column,
-                        arch(west, new Vec3(1, 0, 0)),
-                        arch(east, new Vec3(-1, 0, 0)));
+                        new Place(west, new Vec3(1, 0, 0)),
+                        new Place(east, new Vec3(-1, 0, 0)));
             }
             for (int column = 0; column < BACK_COLUMNS / 2; column++) {
                 Vec3 left = new Vec3(offset(column, BACK_COLUMNS), height(row), -wall);
@@ -143,18 +135,14 @@ final class BenchPortals {
                 link(
                         portals,
                         "back-" + row + "-" + column,
-                        arch(left, new Vec3(0, 0, 1)),
-                        arch(right, new Vec3(0, 0, 1)));
+                        new Place(left, new Vec3(0, 0, 1)),
+                        new Place(right, new Vec3(0, 0, 1)));
             }
         }
         return portals;
     }
 
     private record Place(Vec3 centre, Vec3 normal) {}
-
-    private static Place arch(Vec3 centre, Vec3 normal) {
-        return new Place(centre, normal);
-    }
 
     private static void link(List<PortalSpec> portals, String id, Place a, Place b) {
         portals.add(spec(id + "-a", id + "-b", a));

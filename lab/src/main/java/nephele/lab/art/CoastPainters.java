@@ -12,16 +12,10 @@ final class CoastPainters {
 
     /** Whitewashed brick with rain marks; what tints it paints the bands of a tower. */
     static BufferedImage whitewash() {
-        BufferedImage picture = new BufferedImage(TOWER_SIDE, TOWER_SIDE, BufferedImage.TYPE_INT_RGB);
         TileNoise noise = new TileNoise(961);
-        for (int row = 0; row < TOWER_SIDE; row++) {
-            for (int column = 0; column < TOWER_SIDE; column++) {
-                double u = (column + 0.5) / TOWER_SIDE;
-                double v = 1 - (row + 0.5) / TOWER_SIDE;
-                picture.setRGB(column, row, brick(noise, u, v).rgb());
-            }
-        }
-        return picture;
+        return Pixels.picture(TOWER_SIDE, TOWER_SIDE, (column, row) -> brick(
+                        noise, (column + 0.5) / TOWER_SIDE, 1 - (row + 0.5) / TOWER_SIDE)
+                .rgb());
     }
 
     private static Colour brick(TileNoise noise, double u, double v) {

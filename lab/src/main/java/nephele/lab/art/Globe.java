@@ -16,27 +16,23 @@ final class Globe {
     /** Twice as wide as high. */
     static BufferedImage paint(int height, Brush brush) {
         int width = 2 * height;
-        BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Vector3d direction = new Vector3d();
-        for (int row = 0; row < height; row++) {
+        return Pixels.picture(width, height, (column, row) -> {
             double latitude = Math.PI * (0.5 - (row + 0.5) / height);
-            double y = StrictMath.sin(latitude);
-            double ring = StrictMath.cos(latitude);
-            for (int column = 0; column < width; column++) {
-                double longitude = 2 * Math.PI * (column + 0.5) / width;
-                direction.set(ring * StrictMath.sin(longitude), y, ring * StrictMath.cos(longitude));
-                picture.setRGB(column, row, brush.at(direction).rgb());
-            }
-        }
-        return picture;
+            double longitude = 2 * Math.PI * (column + 0.5) / width;
+            return brush.at(towards(longitude, latitude, direction)).rgb();
+        });
     }
 
     /** From longitude and latitude in degrees. */
     static Vector3d direction(double longitudeDegrees, double latitudeDegrees) {
         double longitude = StrictMath.toRadians(longitudeDegrees);
-        double latitude = StrictMath.toRadians(latitudeDegrees);
+        return towards(longitude, StrictMath.toRadians(latitudeDegrees), new Vector3d());
+    }
+
+    private static Vector3d towards(double longitude, double latitude, Vector3d direction) {
         double ring = StrictMath.cos(latitude);
-        return new Vector3d(
+        return direction.set(
                 ring * StrictMath.sin(longitude), StrictMath.sin(latitude), ring * StrictMath.cos(longitude));
     }
 }

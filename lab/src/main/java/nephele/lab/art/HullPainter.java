@@ -13,18 +13,9 @@ final class HullPainter {
     private HullPainter() {}
 
     static BufferedImage paint() {
-        BufferedImage picture = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_RGB);
         TileNoise noise = new TileNoise(931);
-        for (int row = 0; row < SIDE; row++) {
-            for (int column = 0; column < SIDE; column++) {
-                picture.setRGB(
-                        column,
-                        row,
-                        colour(noise, (column + 0.5) / SIDE, 1 - (row + 0.5) / SIDE)
-                                .rgb());
-            }
-        }
-        return picture;
+        return Pixels.picture(SIDE, SIDE, (column, row) -> colour(noise, (column + 0.5) / SIDE, 1 - (row + 0.5) / SIDE)
+                .rgb());
     }
 
     private static Colour colour(TileNoise noise, double u, double v) {

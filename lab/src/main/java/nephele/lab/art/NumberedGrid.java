@@ -23,13 +23,7 @@ final class NumberedGrid {
     private NumberedGrid() {}
 
     static BufferedImage paint() {
-        BufferedImage picture = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_RGB);
-        for (int y = 0; y < SIDE; y++) {
-            for (int x = 0; x < SIDE; x++) {
-                picture.setRGB(x, y, colour(x, y).rgb());
-            }
-        }
-        return picture;
+        return Pixels.picture(SIDE, SIDE, (x, y) -> colour(x, y).rgb());
     }
 
     private static Colour colour(int x, int y) {

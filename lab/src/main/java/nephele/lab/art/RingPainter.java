@@ -7,28 +7,22 @@ import java.awt.image.BufferedImage;
  * distances from the planet, out and in again.
  */
 final class RingPainter {
-    private static final int WIDTH = 256;
-    private static final int HEIGHT = 256;
+    private static final int SIDE = 256;
     private static final ColourRamp ICE = ColourRamp.of(0x4A4136, 0x7D6F5B, 0xA8977B, 0xCDBD9C, 0xE7DAbF);
 
     private RingPainter() {}
 
     static BufferedImage paint() {
-        BufferedImage picture = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         SphereNoise noise = new SphereNoise(877);
         TileNoise clumps = new TileNoise(881);
-        for (int row = 0; row < HEIGHT; row++) {
-            double turn = 1 - (row + 0.5) / HEIGHT;
+        return Pixels.picture(SIDE, SIDE, (column, row) -> {
+            double turn = 1 - (row + 0.5) / SIDE;
             double out = 0.5 - 0.5 * StrictMath.cos(2 * Math.PI * turn);
             double grooves = 0.5 * noise.smooth(5 * out, 0.3, 0.1)
                     + 0.35 * noise.smooth(17 * out, 4.3, 0.1)
                     + 0.3 * noise.smooth(47 * out, 8.3, 0.1);
-            for (int column = 0; column < WIDTH; column++) {
-                double u = (column + 0.5) / WIDTH;
-                double grain = 0.03 * clumps.stretched(u, turn, 8, 48, 2);
-                picture.setRGB(column, row, ICE.at(0.66 + 0.5 * grooves + grain).rgb());
-            }
-        }
-        return picture;
+            double grain = 0.03 * clumps.stretched((column + 0.5) / SIDE, turn, 8, 48, 2);
+            return ICE.at(0.66 + 0.5 * grooves + grain).rgb();
+        });
     }
 }

@@ -11,15 +11,8 @@ final class SignPainter {
     private SignPainter() {}
 
     static BufferedImage paint() {
-        BufferedImage picture = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_RGB);
-        for (int row = 0; row < SIDE; row++) {
-            for (int column = 0; column < SIDE; column++) {
-                double x = (column + 0.5) * PIXEL;
-                double y = 1 - (row + 0.5) * PIXEL;
-                picture.setRGB(column, row, colour(x, y).rgb());
-            }
-        }
-        return picture;
+        return Pixels.picture(SIDE, SIDE, (column, row) -> colour((column + 0.5) * PIXEL, 1 - (row + 0.5) * PIXEL)
+                .rgb());
     }
 
     /** x and y run 0–1 from the lower left corner. */
@@ -41,8 +34,7 @@ final class SignPainter {
     }
 
     private static double zero(double x, double y) {
-        double ring = Math.abs(Shapes.roundedBox(x, y, 0.115, 0.215, 0.115)) - 0.04;
-        return ring;
+        return Math.abs(Shapes.roundedBox(x, y, 0.115, 0.215, 0.115)) - 0.04;
     }
 
     private static double one(double x, double y) {

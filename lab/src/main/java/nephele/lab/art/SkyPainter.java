@@ -36,31 +36,23 @@ final class SkyPainter {
 
     /** @param face index in the order +x, −x, +y, −y, +z, −z */
     BufferedImage face(int face) {
-        BufferedImage picture = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_RGB);
-        paint(picture, face, 0, 0, SIDE);
-        return picture;
+        return Pixels.picture(SIDE, SIDE, (column, row) -> rgb(face, column, row, SIDE));
     }
 
     /** The whole sky unfolded: four columns and three rows, −x −z +x +z in the middle row. */
     BufferedImage cross() {
         int side = SIDE / 2;
-        BufferedImage picture = new BufferedImage(4 * side, 3 * side, BufferedImage.TYPE_INT_RGB);
-        int[][] cells = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {3, 1}, {1, 1}};
-        for (int face = 0; face < cells.length; face++) {
-            paint(picture, face, cells[face][0] * side, cells[face][1] * side, side);
-        }
-        return picture;
+        int[][] faces = {{-1, 2, -1, -1}, {1, 5, 0, 4}, {-1, 3, -1, -1}};
+        return Pixels.picture(4 * side, 3 * side, (column, row) -> {
+            int face = faces[row / side][column / side];
+            return face < 0 ? 0 : rgb(face, column % side, row % side, side);
+        });
     }
 
-    private void paint(BufferedImage picture, int face, int left, int top, int side) {
-        for (int row = 0; row < side; row++) {
-            for (int column = 0; column < side; column++) {
-                double right = 2 * (column + 0.5) / side - 1;
-                double up = 1 - 2 * (row + 0.5) / side;
-                Colour colour = colour(direction(face, right, up).normalize());
-                picture.setRGB(left + column, top + row, colour.rgb());
-            }
-        }
+    private int rgb(int face, int column, int row, int side) {
+        double right = 2 * (column + 0.5) / side - 1;
+        double up = 1 - 2 * (row + 0.5) / side;
+        return colour(direction(face, right, up).normalize()).rgb();
     }
 
     /** Each face as an eye in the middle sees it; +y has its bottom edge and −y its top edge at −z. */

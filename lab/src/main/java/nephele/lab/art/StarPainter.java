@@ -37,11 +37,7 @@ final class StarPainter {
             double size = chance.unit(i, 3, 5);
             star(FAINT_STARS + i, 1.1 + 1.5 * size * size, 0.75 + 0.75 * size * size);
         }
-        BufferedImage picture = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        for (int i = 0; i < pixels.length; i++) {
-            picture.setRGB(i % WIDTH, i / WIDTH, pixels[i].rgb());
-        }
-        return picture;
+        return Pixels.picture(WIDTH, HEIGHT, (column, row) -> pixels[row * WIDTH + column].rgb());
     }
 
     /** Across the band, 0 on its middle, as a share of the picture's height; the band climbs to the right. */

@@ -66,11 +66,7 @@ final class Surface {
     }
 
     BufferedImage colourPicture() {
-        BufferedImage picture = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_RGB);
-        for (int i = 0; i < texels.length; i++) {
-            picture.setRGB(i % SIDE, i / SIDE, texels[i].colour.rgb());
-        }
-        return picture;
+        return Pixels.picture(SIDE, SIDE, (column, row) -> texels[row * SIDE + column].colour.rgb());
     }
 
     /** Tangent-space normals, red to the right and green upwards, with the roughness factor in alpha. */

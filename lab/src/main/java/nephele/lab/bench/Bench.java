@@ -39,8 +39,8 @@ public final class Bench {
             for (int frame = 0; frame < drawing.roundLength(); frame++) {
                 allocatedByBench += makeRoom(frames);
                 wallNanos[frames++] = timed(drawing, frame);
-                draws += drawing.draws();
-                triangles += drawing.triangles();
+                draws += drawing.draws(gl);
+                triangles += drawing.triangles(gl);
             }
         }
         double allocated = stopwatch.allocatedBytes() - allocatedStart - allocatedByBench;

@@ -71,16 +71,6 @@ public final class CalibrationDrawing implements Drawing {
     }
 
     @Override
-    public long draws() {
-        return gl.state().draws();
-    }
-
-    @Override
-    public long triangles() {
-        return gl.state().triangles();
-    }
-
-    @Override
     public void close() {
         triangle.close();
         checks.close();

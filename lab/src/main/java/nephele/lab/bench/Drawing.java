@@ -1,5 +1,7 @@
 package nephele.lab.bench;
 
+import nephele.engine.render.gl.GlContext;
+
 /** Frames of a round that can be drawn again and again: the engine's, the bare twin's or the calibration's. */
 public interface Drawing extends AutoCloseable {
     /** How many frames a round has. */
@@ -9,10 +11,19 @@ public interface Drawing extends AutoCloseable {
     void draw(int frame);
 
     /** Draw calls of the last frame. */
-    long draws();
+    default long draws(GlContext gl) {
+        return gl.state().draws();
+    }
 
     /** Triangles of the last frame. */
-    long triangles();
+    default long triangles(GlContext gl) {
+        return gl.state().triangles();
+    }
+
+    /** The same frames by plain OpenGL calls, with the same counts; this drawing has to stay open as long. */
+    default Drawing bareTwin(GlContext gl) {
+        return TwinDrawing.of(this, gl);
+    }
 
     @Override
     void close();

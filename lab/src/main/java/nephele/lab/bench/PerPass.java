@@ -20,7 +20,7 @@ public final class PerPass {
 
     /** A header that says which clock it was, then a line a pass. */
     public List<String> csv() {
-        var names = drawing.stepNames();
+        var names = drawing.renderer().stepNames();
         var lines = new ArrayList<String>();
         try (var timer = StepTimer.of(gl, names.size())) {
             int frames = Math.max(LEAST_FRAMES, drawing.roundLength()) * names.size();

@@ -1,18 +1,35 @@
 package nephele.lab.bench;
 
+import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.render.BareTwin;
+import nephele.engine.render.gl.GlContext;
 
-/** The bare OpenGL twin of a level's frames; the counts are the engine's, which it repeats. */
+/** The bare OpenGL twin of a drawing's frames; the counts are the engine's, which it repeats. */
 final class TwinDrawing implements Drawing {
     private final BareTwin twin;
     private final long[] draws;
     private final long[] triangles;
     private int lastFrame;
 
-    TwinDrawing(BareTwin twin, long[] draws, long[] triangles) {
+    private TwinDrawing(BareTwin twin, long[] draws, long[] triangles) {
         this.twin = twin;
         this.draws = draws;
         this.triangles = triangles;
+    }
+
+    static TwinDrawing of(Drawing engine, GlContext gl) {
+        List<Runnable> frames = new ArrayList<>();
+        long[] draws = new long[engine.roundLength()];
+        long[] triangles = new long[engine.roundLength()];
+        for (int i = 0; i < engine.roundLength(); i++) {
+            int frame = i;
+            frames.add(() -> engine.draw(frame));
+            engine.draw(frame);
+            draws[frame] = engine.draws(gl);
+            triangles[frame] = engine.triangles(gl);
+        }
+        return new TwinDrawing(new BareTwin(gl, frames), draws, triangles);
     }
 
     @Override
@@ -27,12 +44,12 @@ final class TwinDrawing implements Drawing {
     }
 
     @Override
-    public long draws() {
+    public long draws(GlContext gl) {
         return draws[lastFrame];
     }
 
     @Override
-    public long triangles() {
+    public long triangles(GlContext gl) {
         return triangles[lastFrame];
     }
 

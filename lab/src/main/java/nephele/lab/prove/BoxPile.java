@@ -26,7 +26,11 @@ record BoxPile(String name, double heightMetres, List<Body.Box> bodies) {
         /** Twelve cubes of 40 cm, each 1, 2 or 3.16 times as heavy as the one below. */
         TOWER,
         /** A tonne of 1 m on one small cube. */
-        BIG
+        BIG;
+
+        String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
     }
 
     static final double HALF_ROOM_METRES = 6;
@@ -48,7 +52,7 @@ record BoxPile(String name, double heightMetres, List<Body.Box> bodies) {
                 };
         Body.Box top = bodies.get(bodies.size() - 1);
         double height = Math.max(6, top.centre().y() + top.size().y() / 2 + 2);
-        return new BoxPile(family.name().toLowerCase(Locale.ROOT) + "-" + number, height, bodies);
+        return new BoxPile(family.word() + "-" + number, height, bodies);
     }
 
     private static List<Body.Box> drop(Random random) {

@@ -2,6 +2,7 @@ package nephele.lab.prove;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyTable;
@@ -29,6 +30,8 @@ final class BoxPileCourse {
     private final BoxPile pile;
     private final BodyEnergy energy = new BodyEnergy();
     private final Vector3d v = new Vector3d();
+    private final List<Figure> figures = new ArrayList<>();
+    private final List<String> failures = new ArrayList<>();
     private double mostEnergy;
     private double maxSpeed;
     private double maxSpin;
@@ -42,39 +45,26 @@ final class BoxPileCourse {
     }
 
     /**
-     * The columns of one pile.
+     * One pile by the columns of the table.
      *
-     * @param energyGain the energy was above 1.1 times the first at a step
-     * @param maxSpeed greatest of a body at a step, m/s; {@code maxSpin} likewise, rad/s
-     * @param fastAny a body was faster than 25 m/s at a step
-     * @param sunk a centre was lower than half its smallest edge less 1 cm, at the end
-     * @param sunkChecks the same at the steps 150, 503 and 1200
-     * @param through a centre was more than half the smallest edge and 1 cm under the floor, at the end
-     * @param escaped a centre was 10 cm in a wall or the ceiling or 1 m under the floor, at a step
-     * @param atRest all were under .02 m/s and .1 rad/s at the end
-     * @param stands the top box lost less than 5 cm of height
-     * @param faulty a body was frozen, or its way through portals cut short
-     * @param cpuSeconds of the steps alone, sleeping ones included
+     * <ul>
+     *   <li>{@code energy_gain}: the energy was above 1.1 times the first at a step
+     *   <li>{@code max_speed}: greatest of a body at a step; {@code max_spin} likewise
+     *   <li>{@code fast_any}: a body was faster than 25 m/s at a step
+     *   <li>{@code sunk}: a centre was lower than half its smallest edge less 1 cm, at the end
+     *   <li>{@code sunk_checks}: the same at the steps 150, 503 and 1200
+     *   <li>{@code through}: a centre was more than half the smallest edge and 1 cm under the floor, at the end
+     *   <li>{@code escaped}: a centre was 10 cm in a wall or the ceiling or 1 m under the floor, at a step
+     *   <li>{@code at_rest}: all were under .02 m/s and .1 rad/s at the end
+     *   <li>{@code cpu}: of the steps alone, sleeping ones included
+     *   <li>{@code stands}: the top box lost less than 5 cm of height; of piles that can stand
+     * </ul>
      */
-    record Seen(
-            boolean energyGain,
-            double maxSpeed,
-            double maxSpin,
-            boolean fastAny,
-            boolean sunk,
-            boolean sunkChecks,
-            boolean through,
-            boolean escaped,
-            boolean atRest,
-            boolean stands,
-            boolean faulty,
-            double cpuSeconds) {}
-
-    static Seen run(BoxPile pile) {
-        return new BoxPileCourse(pile).run();
+    static ProofResult run(BoxPile.Family family, int number) {
+        return new BoxPileCourse(BoxPile.of(family, number)).run(family);
     }
 
-    private Seen run() {
+    private ProofResult run(BoxPile.Family family) {
         BodyTable table = new BodyTable(List.<Body>copyOf(pile.bodies()));
         RigidStep step = new RigidStep(table, new Vec3(0, -GRAVITY, 0));
         Surroundings room = Surroundings.of(pile.room());
@@ -91,19 +81,36 @@ final class BoxPileCourse {
                 sunkAtChecks |= isAnyUnder(bodies, 1);
             }
         }
-        return new Seen(
-                gained,
-                maxSpeed,
-                maxSpin,
-                maxSpeed > FAST_METRES_PER_SECOND,
-                isAnyUnder(bodies, 1),
-                sunkAtChecks,
-                isAnyUnder(bodies, -1),
-                escaped,
-                isAtRest(bodies),
-                stands(bodies),
-                faulty,
-                nanos * 1e-9);
+        String of = family.word() + " ";
+        figures.add(Figure.sum(of + "piles", 1, ""));
+        wrong(of + "energy_gain", gained, "gains energy");
+        figures.add(Figure.greatest(of + "max_speed", maxSpeed, "m/s in " + pile.name()));
+        figures.add(Figure.greatest(of + "max_spin", maxSpin, "rad/s in " + pile.name()));
+        share(of + "fast_any", maxSpeed > FAST_METRES_PER_SECOND);
+        wrong(of + "sunk", isAnyUnder(bodies, 1), "sinks");
+        share(of + "sunk_checks", sunkAtChecks);
+        wrong(of + "through", isAnyUnder(bodies, -1), "goes through the floor");
+        wrong(of + "escaped", escaped, "escapes");
+        share(of + "at_rest", isAtRest(bodies));
+        figures.add(Figure.sum(of + "cpu", nanos * 1e-9, "s"));
+        if (family != BoxPile.Family.DROP) {
+            share(of + "stands", stands(bodies));
+        }
+        if (faulty) {
+            failures.add(pile.name() + " has a fault");
+        }
+        return new ProofResult(1, failures.isEmpty() ? 0 : 1, figures, failures);
+    }
+
+    private void wrong(String name, boolean is, String what) {
+        share(name, is);
+        if (is) {
+            failures.add(pile.name() + " " + what);
+        }
+    }
+
+    private void share(String name, boolean is) {
+        figures.add(Figure.sum(name, is ? 1 : 0, ""));
     }
 
     private void look(Bodies bodies, RigidStep step) {

@@ -44,12 +44,7 @@ final class ClippedAreas {
     }
 
     private boolean isOnPiece(double x, double y) {
-        for (double[] piece : pieces) {
-            if (contains(piece, x, y)) {
-                return true;
-            }
-        }
-        return false;
+        return pieces.stream().anyMatch(piece -> contains(piece, x, y));
     }
 
     static boolean contains(double[] polygon, double x, double y) {

@@ -12,6 +12,7 @@ import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
 import nephele.engine.collision.rigid.Surroundings;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
@@ -129,7 +130,7 @@ final class CrossingBodies {
                     -n.y() * speed + random.nextDouble(-1, 1),
                     -n.z() * speed + random.nextDouble(-1, 1));
             Vec3 axis = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-            Vec3 spin = random.nextInt(3) == 0 ? Vec3.ZERO : new Vec3(10 * axis.x(), 10 * axis.y(), 10 * axis.z());
+            Vec3 spin = random.nextInt(3) == 0 ? Vec3.ZERO : Directions.scaled(axis, 10);
             orientation.set(Rotations.aroundAxis(axis, random.nextDouble(0, 3)));
             BodyState state = new BodyState(from, new Quaterniond(orientation), velocity, spin);
             if (place.holds(from) && isFree(state)) {

@@ -89,16 +89,12 @@ public final class EnergyProof implements Proof {
     }
 
     private static long judge(ProofResult result, String some, String of, double most, List<String> failures) {
-        double count = value(result, some);
-        double all = value(result, of);
+        double count = result.value(some);
+        double all = result.value(of);
         if (count <= most * all) {
             return 0;
         }
         failures.add(0, String.format(Locale.ROOT, "%s: %.0f of %.0f", some, count, all));
         return (long) count;
-    }
-
-    private static double value(ProofResult result, String name) {
-        return result.figure(name).map(Figure::value).orElse(0.0);
     }
 }

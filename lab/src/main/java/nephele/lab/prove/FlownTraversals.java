@@ -61,10 +61,7 @@ final class FlownTraversals {
         Vec3 centre =
                 entry.world(random.nextDouble(-0.2, 0.2), random.nextDouble(-0.4, 0.4), random.nextDouble(0.01, 0.06));
         Vec3 ahead = entry.world(random.nextDouble(-0.2, 0.2), random.nextDouble(-0.2, 0.2), -1);
-        Vec3 middle = entry.centre();
-        double speed = random.nextDouble(6, 12);
-        Vec3 velocity = new Vec3(
-                speed * (ahead.x() - middle.x()), speed * (ahead.y() - middle.y()), speed * (ahead.z() - middle.z()));
+        Vec3 velocity = Directions.scaled(Directions.between(entry.centre(), ahead), random.nextDouble(6, 12));
         Vec3 spin = new Vec3(random.nextDouble(-5, 5), random.nextDouble(-5, 5), random.nextDouble(-5, 5));
         return new BodyState(centre, new Quaterniond(), velocity, spin);
     }

@@ -33,17 +33,13 @@ record LitSums(
     static Optional<LitSums> of(ProofResult result, String series) {
         return result.figure(series + WORST)
                 .map(worst -> new LitSums(
-                        value(result, series + PICTURES),
-                        value(result, series + FLIPS),
-                        value(result, series + AVERAGED),
-                        value(result, series + DRAWN),
-                        value(result, series + TRACED),
+                        result.value(series + PICTURES),
+                        result.value(series + FLIPS),
+                        result.value(series + AVERAGED),
+                        result.value(series + DRAWN),
+                        result.value(series + TRACED),
                         worst.value(),
                         worst.unit()));
-    }
-
-    private static double value(ProofResult result, String name) {
-        return result.figure(name).orElseThrow().value();
     }
 
     List<Figure> figures(String series) {

@@ -7,6 +7,7 @@ import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerInput;
@@ -53,13 +54,7 @@ public final class Parcours {
     }
 
     private void box(Vec3 low, Vec3 high) {
-        Aabb box = new Aabb(
-                origin.x() + low.x(),
-                origin.y() + low.y(),
-                origin.z() + low.z(),
-                origin.x() + high.x(),
-                origin.y() + high.y(),
-                origin.z() + high.z());
+        Aabb box = Aabb.of(List.of(low, high)).moved(origin);
         solids.add(new Collider("solid" + solids.size(), ConvexPolyhedron.box(box)));
     }
 
@@ -88,10 +83,8 @@ public final class Parcours {
 
     private Plane plane(Vec3 normal, Vec3 through) {
         Plane unit = Plane.of(normal, 0);
-        double x = origin.x() + through.x();
-        double y = origin.y() + through.y();
-        double z = origin.z() + through.z();
-        return new Plane(unit.nx(), unit.ny(), unit.nz(), unit.signedDistance(x, y, z));
+        double distance = unit.signedDistance(Directions.moved(origin, 1, through));
+        return new Plane(unit.nx(), unit.ny(), unit.nz(), distance);
     }
 
     private void planes(List<Plane> planes) {

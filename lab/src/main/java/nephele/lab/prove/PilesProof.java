@@ -41,7 +41,7 @@ public final class PilesProof implements Proof {
         ProofResult result = ProofResult.NOTHING;
         for (long unit = from; unit < from + count; unit++) {
             BoxPile.Family family = FAMILIES[(int) (unit % FAMILIES.length)];
-            result = result.and(seen(BoxPile.of(family, (int) (unit / FAMILIES.length)), family));
+            result = result.and(BoxPileCourse.run(family, (int) (unit / FAMILIES.length)));
             progress.unitsDone(unit + 1 - from);
         }
         return result;
@@ -49,50 +49,9 @@ public final class PilesProof implements Proof {
 
     private void warm() {
         for (int i = 0; i < warmPiles && !warm; i++) {
-            BoxPileCourse.run(BoxPile.of(FAMILIES[i % FAMILIES.length], i));
+            BoxPileCourse.run(FAMILIES[i % FAMILIES.length], i);
         }
         warm = true;
-    }
-
-    private static ProofResult seen(BoxPile pile, BoxPile.Family family) {
-        BoxPileCourse.Seen seen = BoxPileCourse.run(pile);
-        String of = word(family) + " ";
-        List<String> failures = new ArrayList<>();
-        addIf(seen.energyGain(), pile, "gains energy", failures);
-        addIf(seen.sunk(), pile, "sinks", failures);
-        addIf(seen.through(), pile, "goes through the floor", failures);
-        addIf(seen.escaped(), pile, "escapes", failures);
-        addIf(seen.faulty(), pile, "has a fault", failures);
-        List<Figure> figures = new ArrayList<>(List.of(
-                Figure.sum(of + "piles", 1, ""),
-                share(of + "energy_gain", seen.energyGain()),
-                Figure.greatest(of + "max_speed", seen.maxSpeed(), "m/s in " + pile.name()),
-                Figure.greatest(of + "max_spin", seen.maxSpin(), "rad/s in " + pile.name()),
-                share(of + "fast_any", seen.fastAny()),
-                share(of + "sunk", seen.sunk()),
-                share(of + "sunk_checks", seen.sunkChecks()),
-                share(of + "through", seen.through()),
-                share(of + "escaped", seen.escaped()),
-                share(of + "at_rest", seen.atRest()),
-                Figure.sum(of + "cpu", seen.cpuSeconds(), "s")));
-        if (family != BoxPile.Family.DROP) {
-            figures.add(share(of + "stands", seen.stands()));
-        }
-        return new ProofResult(1, failures.isEmpty() ? 0 : 1, figures, failures);
-    }
-
-    private static void addIf(boolean fails, BoxPile pile, String what, List<String> failures) {
-        if (fails) {
-            failures.add(pile.name() + " " + what);
-        }
-    }
-
-    private static Figure share(String name, boolean is) {
-        return Figure.sum(name, is ? 1 : 0, "");
-    }
-
-    private static String word(BoxPile.Family family) {
-        return family.name().toLowerCase(Locale.ROOT);
     }
 
     /** Sums become shares of the piles and CPU time a step; rest and standing are judged by the share. */
@@ -102,8 +61,8 @@ public final class PilesProof implements Proof {
         List<String> failures = new ArrayList<>(soFar.examples());
         long unsettled = 0;
         for (BoxPile.Family family : FAMILIES) {
-            String of = word(family) + " ";
-            double piles = value(soFar, of + "piles");
+            String of = family.word() + " ";
+            double piles = soFar.value(of + "piles");
             for (Figure figure : soFar.figures()) {
                 if (figure.name().startsWith(of)) {
                     figures.add(shown(figure, piles));
@@ -126,15 +85,11 @@ public final class PilesProof implements Proof {
 
     /** The piles without the property, when they are too many. */
     private static long judge(ProofResult result, String property, double piles, List<String> failures) {
-        double without = piles - value(result, property);
+        double without = piles - result.value(property);
         if (without <= MOST_UNSETTLED * piles) {
             return 0;
         }
         failures.add(String.format(Locale.ROOT, "%s: not %.0f of %.0f", property, without, piles));
         return (long) without;
-    }
-
-    private static double value(ProofResult result, String name) {
-        return result.figure(name).map(Figure::value).orElse(0.0);
     }
 }

@@ -30,18 +30,13 @@ public final class PortalIdsProof implements Proof {
 
     /** Of the checkout in the working directory. */
     public PortalIdsProof() {
-        this(levels());
+        this(SeenLevels.all());
     }
 
     /** @param files levels by path */
     public PortalIdsProof(List<String> files) {
         // One camera of each kind.
         cameras = new ComparedCameras(files, 5);
-    }
-
-    /** All levels and samples of the checkout in the working directory. */
-    public static List<String> levels() {
-        return SeenLevels.all();
     }
 
     @Override

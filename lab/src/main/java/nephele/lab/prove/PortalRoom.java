@@ -71,13 +71,12 @@ final class PortalRoom {
     }
 
     private void slab(double x0, double y0, double z0, double x1, double y1, double z1) {
-        Aabb box = new Aabb(
-                origin.x() + x0, origin.y() + y0, origin.z() + z0, origin.x() + x1, origin.y() + y1, origin.z() + z1);
+        Aabb box = new Aabb(x0, y0, z0, x1, y1, z1).moved(origin);
         solids.add(new Collider("slab" + solids.size(), ConvexPolyhedron.box(box)));
     }
 
     private Vec3 at(double x, double y, double z) {
-        return new Vec3(origin.x() + x, origin.y() + y, origin.z() + z);
+        return Directions.moved(origin, 1, new Vec3(x, y, z));
     }
 
     /** A block in the south-east corner with a slanted face, and the frame in the middle of that face. */
@@ -103,7 +102,7 @@ final class PortalRoom {
     }
 
     private static Plane through(Vec3 n, Vec3 p) {
-        return new Plane(n.x(), n.y(), n.z(), n.x() * p.x() + n.y() * p.y() + n.z() * p.z());
+        return new Plane(n.x(), n.y(), n.z(), Directions.dot(n, p));
     }
 
     private List<Portal> ends(Aperture aperture, Portal ramp) {
@@ -161,14 +160,10 @@ final class PortalRoom {
     private static boolean apart(Portal a, Portal b) {
         boolean coplanar =
                 Math.abs(a.inFront(b.centre().x(), b.centre().y(), b.centre().z())) < 1e-6
-                        && a.normal().x() * b.normal().x()
-                                        + a.normal().y() * b.normal().y()
-                                        + a.normal().z() * b.normal().z()
-                                > 0.99;
-        double across =
-                Math.abs(a.across(b.centre().x(), b.centre().y(), b.centre().z()));
-        double upward =
-                Math.abs(a.upward(b.centre().x(), b.centre().y(), b.centre().z()));
+                        && Directions.dot(a.normal(), b.normal()) > 0.99;
+        Vec3 p = b.centre();
+        double across = Math.abs(a.across(p.x(), p.y(), p.z()));
+        double upward = Math.abs(a.upward(p.x(), p.y(), p.z()));
         double side = a.aperture().widthMetres();
         double tall = a.aperture().heightMetres();
         boolean lying = Math.abs(a.normal().y()) > 0.99;
@@ -182,16 +177,7 @@ final class PortalRoom {
             return true;
         }
         Aabb block = solids.get(solids.size() - 1).bounds();
-        return !reaches(
-                end,
-                RAMP_METRES,
-                new Aabb(
-                        block.minX() - origin.x(),
-                        block.minY() - origin.y(),
-                        block.minZ() - origin.z(),
-                        block.maxX() - origin.x(),
-                        block.maxY() - origin.y(),
-                        block.maxZ() - origin.z()));
+        return !reaches(end, RAMP_METRES, block.moved(Directions.opposite(origin)));
     }
 
     /** Boxes on the floor, some just before an exit but none in it. */

@@ -53,4 +53,9 @@ public record ProofResult(long units, long failures, List<Figure> figures, List<
     Optional<Figure> figure(String name) {
         return figures.stream().filter(figure -> figure.name().equals(name)).findFirst();
     }
+
+    /** The number of a figure; 0 where there is none. */
+    double value(String name) {
+        return figure(name).map(Figure::value).orElse(0.0);
+    }
 }

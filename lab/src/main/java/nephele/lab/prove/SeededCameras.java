@@ -100,8 +100,7 @@ final class SeededCameras {
         double into = random.nextInt(3) == 0 ? 0.05 : 1;
         Vec3 d = direction(random, 1);
         double along = Directions.dot(d, n);
-        double share = -into * Math.abs(along) - along;
-        return view(eye, unit(d.x() + share * n.x(), d.y() + share * n.y(), d.z() + share * n.z()), fov);
+        return view(eye, unit(Directions.moved(d, -into * Math.abs(along) - along, n)), fov);
     }
 
     /** Millimetres to centimetres before a face that can be seen from somewhere, looking nearly along it. */
@@ -115,7 +114,7 @@ final class SeededCameras {
             Vec3 d = direction(random, 1);
             double out = 0.1 * (2 * random.nextDouble() - 1) - Directions.dot(d, n);
             if (!isInside(eye) && isSeen(eye, random)) {
-                View view = view(eye, unit(d.x() + out * n.x(), d.y() + out * n.y(), d.z() + out * n.z()), fov);
+                View view = view(eye, unit(Directions.moved(d, out, n)), fov);
                 if (isWhole(view)) {
                     return view;
                 }
@@ -125,20 +124,14 @@ final class SeededCameras {
     }
 
     private static Vec3 onFace(BrushFace face, SplittableRandom random, double height) {
-        Vec3 n = face.plane().normal();
-        double x = height * n.x();
-        double y = height * n.y();
-        double z = height * n.z();
+        Vec3 place = Directions.scaled(face.plane().normal(), height);
         double[] weights =
                 random.doubles(face.polygon().size()).map(w -> -Math.log(1 - w)).toArray();
         double all = java.util.Arrays.stream(weights).sum();
         for (int i = 0; i < weights.length; i++) {
-            Vec3 corner = face.polygon().get(i);
-            x += weights[i] / all * corner.x();
-            y += weights[i] / all * corner.y();
-            z += weights[i] / all * corner.z();
+            place = Directions.moved(place, weights[i] / all, face.polygon().get(i));
         }
-        return new Vec3(x, y, z);
+        return place;
     }
 
     private boolean isSeen(Vec3 place, SplittableRandom random) {
@@ -214,16 +207,15 @@ final class SeededCameras {
     }
 
     private static Vec3 towards(Vec3 from, Vec3 to) {
-        return unit(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
+        return unit(Directions.between(from, to));
     }
 
-    private static Vec3 unit(double x, double y, double z) {
-        return x == 0 && y == 0 && z == 0 ? new Vec3(0, 0, -1) : Directions.unit(x, y, z);
+    private static Vec3 unit(Vec3 v) {
+        return v.x() == 0 && v.y() == 0 && v.z() == 0 ? new Vec3(0, 0, -1) : Directions.unit(v);
     }
 
     private View view(Vec3 eye, Vec3 direction, double fovRadians) {
-        Vec3 target = new Vec3(eye.x() + direction.x(), eye.y() + direction.y(), eye.z() + direction.z());
-        Basis basis = Basis.lookAt(eye, target, UP, Basis.WORLD);
+        Basis basis = Basis.lookAt(eye, Directions.moved(eye, 1, direction), UP, Basis.WORLD);
         Projection projection = new Projection(fovRadians, aspect, NEAR_METRES, Double.POSITIVE_INFINITY);
         return new View(eye, basis.right(), basis.up(), basis.back(), projection);
     }

@@ -15,5 +15,5 @@ public interface Experiment extends AutoCloseable {
     }
 
     @Override
-    void close();
+    default void close() {}
 }

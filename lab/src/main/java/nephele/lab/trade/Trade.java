@@ -33,18 +33,19 @@ public record Trade(
         }
     }
 
-    /** Measured in whatever level is asked for. */
-    public Trade(
-            String subject,
-            Text text,
-            List<String> qualityFields,
-            List<Setting> settings,
-            int usual,
-            ErrorMetric error,
-            List<String> figures,
-            CostMetric cost,
-            Function<TradeSite, Experiment> experiment) {
-        this(subject, text, qualityFields, settings, usual, error, figures, cost, null, experiment);
+    /** The same knob in a level of the jar where it matters more than in the one that is reported. */
+    public Trade in(String otherLevel, String otherSubject, Text otherText) {
+        return new Trade(
+                otherSubject,
+                otherText,
+                qualityFields,
+                settings,
+                usual,
+                error,
+                figures,
+                cost,
+                otherLevel,
+                site -> experiment.apply(site.in(otherLevel)));
     }
 
     /**

@@ -47,6 +47,7 @@ class ReportTest {
                 new ErrorMetric("error", "mm", 0.1, 1),
                 List.of("other, %"),
                 new CostMetric("CPU a thing", "ms", 1e6, 1, CostMetric.Clock.THREAD),
+                null,
                 site -> null);
         double[] errors = {errorOfFast, 2.5, 2, 2};
         SubjectState state = SubjectState.NOTHING;

@@ -132,6 +132,7 @@ class TradeRunTest {
                 new ErrorMetric("error", "m", 0.1, 1),
                 List.of("tens"),
                 new CostMetric("CPU", "ns", 1, 1, CostMetric.Clock.THREAD),
+                null,
                 site -> experiment);
     }
 }

@@ -33,7 +33,7 @@ class SceneSubjectsTest {
     /** Each of the report's mistakes leaves out what is in view, all together the most; exact spheres nothing. */
     @Test
     void onlyExactSpheresLeaveOutNothingThatIsSeen() {
-        try (var experiment = new CullingSphereExperiment()) {
+        try (var experiment = new CullingSphereSubject()) {
             double all = experiment.judge(0).error();
             for (int alone = 1; alone < CullingSphereSubject.FAULTS.size(); alone++) {
                 double one = experiment.judge(alone).error();

@@ -58,12 +58,7 @@ record Patch(
             return false;
         }
         double most = Tolerance.coplanar(extent());
-        for (Vec3 corner : corners) {
-            if (Math.abs(frame.height(corner)) > most) {
-                return false;
-            }
-        }
-        return true;
+        return corners.stream().noneMatch(corner -> Math.abs(frame.height(corner)) > most);
     }
 
     private double extent() {

@@ -4,6 +4,7 @@ import java.nio.FloatBuffer;
 import java.util.HashMap;
 import java.util.Map;
 import nephele.engine.math.Frustum;
+import nephele.engine.math.Vec3;
 import nephele.engine.model.BoundingSphere;
 import nephele.engine.model.Mesh;
 import nephele.engine.render.fixed.ModelOrder.Run;
@@ -73,26 +74,14 @@ final class ModelPlaces implements AutoCloseable {
     private void put(int first, int end, Matrix4dc worldFromScene, FloatBuffer rows) {
         for (int number = first; number < end; number++) {
             worldFromScene.mul(posed.worldFromModel(order.posedNumber(number)), place);
-            rows.put((float) place.m00())
-                    .put((float) place.m10())
-                    .put((float) place.m20())
-                    .put((float) place.m30());
-            rows.put((float) place.m01())
-                    .put((float) place.m11())
-                    .put((float) place.m21())
-                    .put((float) place.m31());
-            rows.put((float) place.m02())
-                    .put((float) place.m12())
-                    .put((float) place.m22())
-                    .put((float) place.m32());
+            for (int row = 0; row < 3; row++) {
+                for (int column = 0; column < 4; column++) {
+                    rows.put((float) place.get(column, row));
+                }
+            }
             BoundingSphere sphere = inModel[number];
-            spheres.place(
-                    number,
-                    sphere.centre().x(),
-                    sphere.centre().y(),
-                    sphere.centre().z(),
-                    sphere.radius(),
-                    place);
+            Vec3 c = sphere.centre();
+            spheres.place(number, c.x(), c.y(), c.z(), sphere.radius(), place);
         }
     }
 

@@ -4,13 +4,10 @@ import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.terminal.CommandFailure;
 import nephele.lab.trade.Trade;
-import nephele.lab.trade.subject.AnisotropySubject;
 import nephele.lab.trade.subject.CullingSphereSubject;
-import nephele.lab.trade.subject.CullingSubject;
-import nephele.lab.trade.subject.OutputSubject;
+import nephele.lab.trade.subject.PictureSubjects;
 import nephele.lab.trade.subject.PlacementSubject;
 import nephele.lab.trade.subject.PortalSubjects;
-import nephele.lab.trade.subject.SamplesSubject;
 import nephele.lab.trade.subject.SceneSubjects;
 import nephele.lab.trade.subject.ShadowSubject;
 import nephele.lab.trade.subject.TickRateSubject;
@@ -24,11 +21,11 @@ public final class Trades {
             PortalSubjects.BUDGET_BETWEEN_FACING,
             PortalSubjects.RESOLUTION,
             ShadowSubject.TRADE,
-            SamplesSubject.TRADE,
-            AnisotropySubject.TRADE,
-            OutputSubject.TRADE,
-            CullingSubject.TRADE,
-            CullingSubject.OF_MANY,
+            PictureSubjects.SAMPLES,
+            PictureSubjects.ANISOTROPY,
+            PictureSubjects.OUTPUT,
+            PictureSubjects.CULLING,
+            PictureSubjects.CULLING_OF_MANY,
             PlacementSubject.TRADE,
             TraversalSubject.TRADE,
             TickRateSubject.TRADE,

@@ -64,15 +64,14 @@ final class PictureExperiment implements Experiment {
     }
 
     private Judgement judged(LinearPicture test) {
-        ErrorMap flip = compared.flip(oracle(), test);
-        return new Judgement(
-                flip.mean(),
-                List.of(
-                        ImageError.relativeSquared(oracle(), test),
-                        100 * ImageError.meanBias(oracle(), test),
-                        flip.quantile(0.99)),
-                compared.shown(test, site.level().environment()),
-                flip);
+        var shown = compared.shown(test, site.level().environment());
+        return judgement(oracle(), test, compared.flip(oracle(), test), shown);
+    }
+
+    static Judgement judgement(LinearPicture exact, LinearPicture test, ErrorMap flip, BufferedImage shown) {
+        double squared = ImageError.relativeSquared(exact, test);
+        double bias = 100 * ImageError.meanBias(exact, test);
+        return new Judgement(flip.mean(), List.of(squared, bias, flip.quantile(0.99)), shown, flip);
     }
 
     private LinearPicture oracle() {

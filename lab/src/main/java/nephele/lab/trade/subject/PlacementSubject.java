@@ -31,6 +31,7 @@ public final class PlacementSubject {
             new ErrorMetric("wrong yes and wrong no", "%", 0.05, 0.1),
             List.of("of its yes, wrong, %", "of what fits, refused, %"),
             new CostMetric("CPU a placement", "µs", 1e3, TIMED, CostMetric.Clock.THREAD),
+            null,
             site -> new Placements());
 
     private PlacementSubject() {}
@@ -68,11 +69,6 @@ public final class PlacementSubject {
             for (int question = 0; question < TIMED; question++) {
                 accepted += answer(setting, question) ? 1 : 0;
             }
-        }
-
-        @Override
-        public void close() {
-            accepted = 0;
         }
     }
 }

@@ -12,7 +12,7 @@ public final class PortalSubjects {
     private static final String RESOLUTION_FIELD = "portalResolution";
     private static final String ORACLE = "the oracle: rays go through portals without a limit that shows";
 
-    public static final Trade TECHNIQUE = PictureTrade.of(
+    public static final Trade TECHNIQUE = PictureSubjects.of(
             TECHNIQUE_FIELD,
             new Trade.Text(
                     "How portals are drawn",
@@ -29,7 +29,7 @@ public final class PortalSubjects {
                     technique("copy", "the whole frame buffer copied, for each view"),
                     technique("copy_area", "the opening's part copied")));
 
-    public static final Trade BUDGET = PictureTrade.of(
+    public static final Trade BUDGET = PictureSubjects.of(
             BUDGET_FIELD,
             new Trade.Text(
                     "Views through portals",
@@ -43,17 +43,16 @@ public final class PortalSubjects {
                     .map(views -> PictureSetting.of(BUDGET_FIELD, views, budgetNote(views)))
                     .toList());
 
-    public static final Trade BUDGET_BETWEEN_FACING = Elsewhere.of(
-            BUDGET,
+    public static final Trade BUDGET_BETWEEN_FACING = BUDGET.in(
+            "levels/samples/facing-portals.json",
             "viewBudgetFacing",
             new Trade.Text(
                     "Views between facing portals",
                     "The same knob where it matters most: in the sample of two portals that face each other, which"
                             + " repeat until a view is smaller than a pixel.",
-                    ORACLE),
-            "levels/samples/facing-portals.json");
+                    ORACLE));
 
-    public static final Trade RESOLUTION = PictureTrade.of(
+    public static final Trade RESOLUTION = PictureSubjects.of(
             RESOLUTION_FIELD,
             new Trade.Text(
                     "Resolution of portal pictures",

@@ -93,6 +93,7 @@ public final class SceneSubjects {
                 new ErrorMetric("mean FLIP", "", 5e-4, 2e-3),
                 XmlPictureExperiment.FIGURES,
                 CostMetric.FRAME,
+                null,
                 site -> {
                     var files = new StillLife.Generated();
                     var exact = new Way(scene.apply(EXACT_SLICES), files, Shading.PHONG);

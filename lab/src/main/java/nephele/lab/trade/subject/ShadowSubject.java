@@ -13,7 +13,7 @@ import nephele.lab.trade.Trade;
 public final class ShadowSubject {
     private static final String FIELD = "shadowTexels";
 
-    public static final Trade TRADE = PictureTrade.of(
+    public static final Trade TRADE = PictureSubjects.of(
             "shadow",
             new Trade.Text(
                     "Sun shadow",

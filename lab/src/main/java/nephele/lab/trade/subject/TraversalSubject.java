@@ -1,13 +1,28 @@
 package nephele.lab.trade.subject;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Crossing;
+import nephele.engine.portal.Passage;
+import nephele.engine.portal.Portals;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
+import nephele.lab.trade.Experiment;
+import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 /** How a player gets through a portal: the student report's leap against the time of impact. */
-public final class TraversalSubject {
+public final class TraversalSubject implements Experiment {
+    static final int TICKS_PER_RUN = 20_000;
+    private static final int WALKS = 100;
+    private static final double TICK_SECONDS = 1.0 / 120;
+    private static final Vector3dc STRAIGHT = new Vector3d();
+
     public static final Trade TRADE = new Trade(
             "traversal",
             new Trade.Text(
@@ -26,8 +41,83 @@ public final class TraversalSubject {
             2,
             new ErrorMetric("mean leap of picture points", "px", 0.01, 0.5),
             List.of("median turn of the view, °", "worst turn, °", "leap of the eye, m"),
-            new CostMetric("CPU a tick", "ns", 1, TraversalExperiment.TICKS_PER_RUN, CostMetric.Clock.THREAD),
-            site -> new TraversalExperiment());
+            new CostMetric("CPU a tick", "ns", 1, TICKS_PER_RUN, CostMetric.Clock.THREAD),
+            null,
+            site -> new TraversalSubject());
 
-    private TraversalSubject() {}
+    private final List<RecordedTraversal> walks = new ArrayList<>();
+    private final List<Vec3> places = new ArrayList<>();
+    private final List<Vector3d> centres = new ArrayList<>();
+    private final List<Vector3d> velocities = new ArrayList<>();
+    private final Crossing crossing = new Crossing();
+    /** What the compiler must not leave out. */
+    private int found;
+
+    private TraversalSubject() {
+        for (int seed = 0; seed < WALKS; seed++) {
+            var walk = new RecordedTraversal(seed);
+            walks.add(walk);
+            walk.states().forEach(state -> {
+                places.add(state.player().eye());
+                centres.add(state.player().centre().toVector());
+                velocities.add(state.player().velocity().toVector());
+            });
+        }
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        List<ViewJump> jumps = new ArrayList<>();
+        for (RecordedTraversal walk : walks) {
+            ViewJump jump = jump(setting, walk);
+            if (jump != null) {
+                jumps.add(jump);
+            }
+        }
+        jumps.sort(Comparator.comparingDouble(ViewJump::degrees));
+        return Judgement.of(
+                jumps.stream().mapToDouble(ViewJump::pixels).average().orElseThrow(),
+                jumps.get(jumps.size() / 2).degrees(),
+                jumps.get(jumps.size() - 1).degrees(),
+                jumps.stream().mapToDouble(ViewJump::metres).average().orElseThrow());
+    }
+
+    private static ViewJump jump(int setting, RecordedTraversal walk) {
+        Portals portals = walk.portals();
+        Passage passage = portals.passage(0);
+        if (setting == 2) {
+            Gaze[] through = walk.through();
+            return through == null ? null : ViewJump.of(passage, through[0], through[1]);
+        }
+        Gaze near = walk.near();
+        if (near == null) {
+            return null;
+        }
+        Gaze moved = setting == 0
+                ? SourceTeleport.alongNormal(portals.portal(1))
+                : SourceTeleport.keepingView(passage, portals.portal(1), near);
+        return ViewJump.of(passage, near, moved);
+    }
+
+    @Override
+    public void run(int setting) {
+        Portals portals = walks.get(0).portals();
+        for (int tick = 0; tick < TICKS_PER_RUN; tick++) {
+            int at = tick % places.size();
+            found += (setting == 2 ? isEntering(portals, at) : isNear(portals, at)) ? 1 : 0;
+        }
+    }
+
+    private boolean isEntering(Portals portals, int at) {
+        return crossing.find(portals, centres.get(at), velocities.get(at), STRAIGHT, TICK_SECONDS);
+    }
+
+    private boolean isNear(Portals portals, int at) {
+        for (int portal = 0; portal < portals.size(); portal++) {
+            if (SourceTeleport.isDue(portals.portal(portal), places.get(at))) {
+                return true;
+            }
+        }
+        return false;
+    }
 }

@@ -5,15 +5,20 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
-import nephele.engine.measure.ImageError;
 import nephele.engine.measure.LinearPicture;
+import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.fixed.SceneFiles;
 import nephele.engine.render.fixed.SceneLook;
 import nephele.engine.render.fixed.Shading;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.View;
 import nephele.engine.xmlscene.XmlScene;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.TradeSite;
+import org.joml.Matrix4d;
 
 /** A scene drawn in several ways, against itself drawn exactly, at sixteen points a pixel. */
 final class XmlPictureExperiment implements Experiment {
@@ -56,20 +61,13 @@ final class XmlPictureExperiment implements Experiment {
         LinearPicture test = scene(setting).displayed();
         ErrorMap flip = Flip.ofDisplayed(oracle(), test);
         site.gl().requireNoError("still life");
-        return new Judgement(
-                flip.mean(),
-                List.of(
-                        ImageError.relativeSquared(oracle(), test),
-                        100 * ImageError.meanBias(oracle(), test),
-                        flip.quantile(0.99)),
-                Compared.DISPLAY.shown(test, null),
-                flip);
+        return PictureExperiment.judgement(oracle(), test, flip, Compared.DISPLAY.shown(test, null));
     }
 
     private LinearPicture oracle() {
         if (exact == null) {
             try (var fine = scene(exactWay, EXACT_SIDE)) {
-                exact = fine.displayed(EXACT_SIDE);
+                exact = fine.displayed().reduced(EXACT_SIDE);
             }
         }
         return exact;
@@ -89,5 +87,36 @@ final class XmlPictureExperiment implements Experiment {
     @Override
     public void close() {
         drawn.stream().filter(scene -> scene != null).forEach(DrawnScene::close);
+    }
+
+    /** An XML scene as it is drawn in one way, with a picture to draw it into. */
+    private record DrawnScene(FixedSceneDrawing drawing, View view, SceneLook look, RenderTarget picture)
+            implements AutoCloseable {
+        private static final Matrix4d AT_HOME = new Matrix4d();
+
+        static DrawnScene of(GlContext gl, XmlScene scene, SceneFiles files, SceneLook look, int width, int height) {
+            var source = new FixedSceneDrawing.Source(scene, files);
+            return new DrawnScene(
+                    FixedSceneDrawing.load(gl, new FixedSceneDrawing.Sources(source, null, null)),
+                    FixedSceneDrawing.view(scene.eye(), (double) width / height),
+                    look,
+                    RenderTarget.picture(gl, "trade", PixelFormat.RGBA8, width, height));
+        }
+
+        void draw() {
+            drawing.draw(view, 0, AT_HOME, look, picture);
+        }
+
+        /** What a display emits of it. */
+        LinearPicture displayed() {
+            draw();
+            return Compared.DISPLAY.read(null, picture);
+        }
+
+        @Override
+        public void close() {
+            drawing.close();
+            picture.close();
+        }
     }
 }

@@ -1,2 +1,2 @@
-/** The knobs: one class a subject, each with a constant {@code TRADE}. */
+/** The knobs, each a constant of type {@link nephele.lab.trade.Trade}, and what measures them. */
 package nephele.lab.trade.subject;

@@ -1,0 +1,111 @@
+package nephele.lab.trade.subject;
+
+import java.util.List;
+import nephele.engine.render.frame.Output;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.ErrorMetric;
+import nephele.lab.trade.Setting;
+import nephele.lab.trade.Trade;
+
+/** Knobs of how a picture of the level is drawn, most of them judged by what the oracle's picture differs by. */
+public final class PictureSubjects {
+    private static final List<String> FIGURES = List.of("relMSE", "mean bias %", "HDR-FLIP, 99th percentile of pixels");
+    private static final String ORACLE = "the oracle: rays through the level, many a pixel";
+
+    public static final Trade SAMPLES = of(
+            "samples",
+            new Trade.Text(
+                    "Samples a pixel",
+                    "Edges of walls, portals and things are smoothed by testing coverage at several points of a pixel"
+                            + " (multisampling). One point gives stairs.",
+                    ORACLE),
+            List.of("samples"),
+            "1",
+            List.of(
+                    PictureSetting.of("samples", 1, "low, medium and high"),
+                    PictureSetting.of("samples", 2, ""),
+                    PictureSetting.of("samples", 4, "ultra"),
+                    PictureSetting.of("samples", 8, "")));
+
+    public static final Trade ANISOTROPY = of(
+            "anisotropy",
+            new Trade.Text(
+                    "Texture anisotropy",
+                    "How many samples a texture takes along the steep direction of a floor or wall that is seen at a"
+                            + " grazing angle. One sample blurs the far end of floors.",
+                    ORACLE),
+            List.of("anisotropy"),
+            "1",
+            List.of(
+                    PictureSetting.of("anisotropy", 1, "low, medium and high"),
+                    PictureSetting.of("anisotropy", 2, ""),
+                    PictureSetting.of("anisotropy", 4, ""),
+                    PictureSetting.of("anisotropy", 8, "ultra"),
+                    PictureSetting.of("anisotropy", 16, "the most that drivers offer")));
+
+    private static final List<PictureSetting> OUTPUTS = List.of(
+            new PictureSetting(
+                    new Setting("direct", "surfaces leave their shaders as they are displayed"),
+                    shot -> shot.with(Output.DIRECT)),
+            new PictureSetting(
+                    new Setting("hdr", "half floats first, then one tone-mapping pass"),
+                    shot -> shot.with(Output.HDR)));
+
+    public static final Trade OUTPUT = new Trade(
+            "output",
+            new Trade.Text(
+                    "Where the tone curve is applied",
+                    "Direct output applies it in the surfaces' own shaders and saves a whole pass. What is blended"
+                        + " over a picture that is display-referred already comes out too bright or too dark. So far"
+                        + " only the rims of portals and the ghosts of shots are blended: elsewhere both are equal up"
+                        + " to dither.",
+                    "the engine's own radiance in linear light, developed in double precision"),
+            List.of(),
+            OUTPUTS.stream().map(PictureSetting::setting).toList(),
+            0,
+            new ErrorMetric("mean FLIP as displayed", "", 5e-4, 2e-3),
+            XmlPictureExperiment.FIGURES,
+            CostMetric.FRAME,
+            null,
+            site -> new PictureExperiment(site, OUTPUTS, Compared.DISPLAY));
+
+    public static final Trade CULLING = of(
+            "culling",
+            new Trade.Text(
+                    "Leaving out what is out of view",
+                    "Solids that the view cannot show are not sent to the renderer: none left out, a sphere around"
+                            + " each tested, or boxes around groups of them tested first. Pictures must not differ.",
+                    ORACLE),
+            List.of(),
+            "hierarchy",
+            List.of(
+                    PictureSetting.of("culling", "none", "everything is drawn"),
+                    PictureSetting.of("culling", "sphere", "one after the other"),
+                    PictureSetting.of("culling", "hierarchy", "all presets")));
+
+    public static final Trade CULLING_OF_MANY = CULLING.in(
+            "levels/bench/boxes-10000.json",
+            "cullingBoxes",
+            new Trade.Text(
+                    "Leaving out some of ten thousand",
+                    "The same among ten thousand boxes, most of them out of view.",
+                    ORACLE));
+
+    private PictureSubjects() {}
+
+    static Trade of(String subject, Trade.Text text, List<String> fields, String usual, List<PictureSetting> settings) {
+        List<String> names =
+                settings.stream().map(setting -> setting.setting().name()).toList();
+        return new Trade(
+                subject,
+                text,
+                fields,
+                settings.stream().map(PictureSetting::setting).toList(),
+                names.indexOf(usual),
+                ErrorMetric.PICTURE,
+                FIGURES,
+                CostMetric.FRAME,
+                null,
+                site -> new PictureExperiment(site, settings, Compared.RADIANCE));
+    }
+}
