@@ -15,6 +15,10 @@ final class SpatialTreeBuilder {
 
     private final int leafItems;
     private final double[] boxes;
+    /** Three numbers for each box. */
+    private final double[] centres;
+
+    private final SplitBins[] bins = {new SplitBins(BINS), new SplitBins(BINS), new SplitBins(BINS)};
     private final int[] items;
     private final int[] scratch;
     private final int unbounded;
@@ -29,6 +33,7 @@ final class SpatialTreeBuilder {
     SpatialTreeBuilder(List<Aabb> given, int leafItems) {
         this.leafItems = Math.max(1, leafItems);
         boxes = new double[6 * given.size()];
+        centres = new double[3 * given.size()];
         items = new int[given.size()];
         scratch = new int[given.size()];
         int infinite = 0;
@@ -36,6 +41,9 @@ final class SpatialTreeBuilder {
         for (int i = 0; i < given.size(); i++) {
             Aabb box = given.get(i);
             write(box, boxes, 6 * i);
+            for (int axis = 0; axis < 3; axis++) {
+                centres[3 * i + axis] = boxes[6 * i + axis] / 2 + boxes[6 * i + 3 + axis] / 2;
+            }
             if (box.isEmpty()) {
                 empty++;
             } else if (SpatialIndex.isUnbounded(boxes, 6 * i)) {
@@ -117,15 +125,11 @@ final class SpatialTreeBuilder {
         }
     }
 
-    private static void grow(double[] bounds, int at, double[] box, int boxAt) {
+    static void grow(double[] bounds, int at, double[] box, int boxAt) {
         for (int axis = 0; axis < 3; axis++) {
             bounds[at + axis] = Math.min(bounds[at + axis], box[boxAt + axis]);
             bounds[at + 3 + axis] = Math.max(bounds[at + 3 + axis], box[boxAt + 3 + axis]);
         }
-    }
-
-    private double centre(int item, int axis) {
-        return boxes[6 * item + axis] / 2 + boxes[6 * item + 3 + axis] / 2;
     }
 
     /** Reorders the items of [from, to) and answers where the second half begins. */
@@ -133,23 +137,18 @@ final class SpatialTreeBuilder {
         double bestCost = Double.POSITIVE_INFINITY;
         int bestAxis = -1;
         int bestBin = 0;
-        SplitBins bins = new SplitBins(BINS);
         for (int axis = 0; axis < 3; axis++) {
-            if (!fill(bins, from, to, axis)) {
+            if (!fill(bins[axis], from, to, axis)) {
                 continue;
             }
-            int bin = bins.cheapest();
-            if (bins.cost(bin) < bestCost) {
-                bestCost = bins.cost(bin);
+            int bin = bins[axis].cheapest();
+            if (bins[axis].cost(bin) < bestCost) {
+                bestCost = bins[axis].cost(bin);
                 bestAxis = axis;
                 bestBin = bin;
             }
         }
-        if (bestAxis < 0) {
-            return (from + to) >>> 1;
-        }
-        fill(bins, from, to, bestAxis);
-        return partition(bins, from, to, bestAxis, bestBin);
+        return bestAxis < 0 ? (from + to) >>> 1 : partition(bins[bestAxis], from, to, bestAxis, bestBin);
     }
 
     /** False when all centres agree on this axis, which then cannot tell items apart. */
@@ -157,7 +156,7 @@ final class SpatialTreeBuilder {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;
         for (int i = from; i < to; i++) {
-            double centre = centre(items[i], axis);
+            double centre = centres[3 * items[i] + axis];
             low = Math.min(low, centre);
             high = Math.max(high, centre);
         }
@@ -165,7 +164,7 @@ final class SpatialTreeBuilder {
             return false;
         }
         for (int i = from; i < to; i++) {
-            bins.add(centre(items[i], axis), boxes, 6 * items[i]);
+            bins.add(centres[3 * items[i] + axis], boxes, 6 * items[i]);
         }
         return true;
     }
@@ -175,7 +174,7 @@ final class SpatialTreeBuilder {
         int spilled = 0;
         for (int i = from; i < to; i++) {
             int item = items[i];
-            if (bins.binOf(centre(item, axis)) <= lastLeftBin) {
+            if (bins.binOf(centres[3 * item + axis]) <= lastLeftBin) {
                 items[left++] = item;
             } else {
                 scratch[spilled++] = item;

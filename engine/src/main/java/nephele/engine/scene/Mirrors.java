@@ -22,7 +22,7 @@ final class Mirrors {
             return List.of();
         }
         List<Brush> brushes = statics.solids();
-        List<List<List<FaceFragment>>> fragments = FaceFragments.of(brushes);
+        List<List<List<FaceFragment>>> fragments = FaceFragments.of(brushes).byBrush();
         List<Opening> mirrors = new ArrayList<>();
         for (int brush = 0; brush < brushes.size(); brush++) {
             for (int face = 0; face < brushes.get(brush).faces().size(); face++) {

@@ -26,7 +26,7 @@ final class SolidMesher {
         this.lightMap = lightMap;
         this.brushes = brushes;
         this.batches = batches;
-        fragments = lightMap == null ? FaceFragments.uncut(brushes) : lightMap.fragments();
+        fragments = (lightMap == null ? FaceFragments.uncut(brushes) : lightMap.fragments()).byBrush();
         int bytes = SolidGeometry.VERTEX_BYTES + (lightMap == null ? 0 : SolidGeometry.LIGHT_MAP_BYTES);
         vertices = new VertexBytes(corners(), bytes);
     }
