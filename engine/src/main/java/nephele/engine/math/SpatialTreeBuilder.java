@@ -5,7 +5,8 @@ import java.util.List;
 
 /**
  * Builds by the surface area heuristic over bins (Wald 2007, "On fast Construction of SAH-based Bounding Volume
- * Hierarchies"). The order of items that fall into one bin is kept, so equal input gives the equal tree.
+ * Hierarchies"). The order of items that fall into one bin is kept, so equal input gives the equal tree, and the items of
+ * each node are in ascending order before it is split.
  */
 final class SpatialTreeBuilder {
     private static final int BINS = 16;
@@ -29,6 +30,8 @@ final class SpatialTreeBuilder {
     private int[] end;
     private int[] right;
     private int nodes;
+    /** A tree over some of the same boxes; {@code null} for none. */
+    private KnownTree known;
 
     SpatialTreeBuilder(List<Aabb> given, int leafItems) {
         this.leafItems = Math.max(1, leafItems);
@@ -84,9 +87,15 @@ final class SpatialTreeBuilder {
         }
     }
 
+    /** The same tree, copied where it is that over the same boxes. */
+    SpatialTree build(KnownTree over) {
+        known = over;
+        return build();
+    }
+
     SpatialTree build() {
         if (emptyFrom > unbounded) {
-            node(unbounded, emptyFrom, 0);
+            node(unbounded, emptyFrom, 0, known == null ? KnownTree.NONE : known.root());
         }
         double[] slotBounds = new double[boxes.length];
         for (int slot = 0; slot < items.length; slot++) {
@@ -103,16 +112,22 @@ final class SpatialTreeBuilder {
                 emptyFrom);
     }
 
-    private int node(int from, int to, int depth) {
-        int node = nodes++;
+    /** @param like the node of the known tree at this place */
+    private int node(int from, int to, int depth, int like) {
+        int node = nodes;
+        if (like != KnownTree.NONE && known.isOver(like, items, from, to)) {
+            nodes += known.copy(like, items, from, node, new SpatialTree(nodeBounds, first, end, right, null, null, 0, 0));
+            return node;
+        }
+        nodes++;
         bound(from, to, nodeBounds, 6 * node);
         first[node] = from;
         end[node] = to;
         right[node] = -1;
         if (to - from > leafItems) {
             int middle = depth < MAX_HEURISTIC_DEPTH ? split(from, to) : (from + to) >>> 1;
-            node(from, middle, depth + 1);
-            right[node] = node(middle, to, depth + 1);
+            node(from, middle, depth + 1, like == KnownTree.NONE ? like : known.left(like));
+            right[node] = node(middle, to, depth + 1, like == KnownTree.NONE ? like : known.right(like));
         }
         return node;
     }

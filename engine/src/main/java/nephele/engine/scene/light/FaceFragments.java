@@ -6,9 +6,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
+import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Kept;
 import nephele.engine.scene.light.FaceCut.Piece;
 
 /**
@@ -22,13 +24,17 @@ import nephele.engine.scene.light.FaceCut.Piece;
  * within the reach of {@link Neighbours}.
  */
 public final class FaceFragments {
-    private static final int NEW = -1;
+    private static final int NEW = Kept.NEW;
+
+    /** More new brushes than these are no edit. */
+    private static final int MOST_NEW = 32;
 
     private final BiFunction<ConvexPolyhedron.Face, List<ConvexPolyhedron>, List<Piece>> divide;
+    private final List<Brush> brushes;
     /** Solids of the same shape at the same place have the same fragments: a face is never before its own copy. */
     private final List<ConvexPolyhedron> shapes = new ArrayList<>();
 
-    private final Map<ConvexPolyhedron, Integer> numbers = new HashMap<>();
+    private final int[] numberOf;
     private final Neighbours neighbours;
     private final List<List<List<Piece>>> divided = new ArrayList<>();
     private final List<List<List<Piece>>> welded = new ArrayList<>();
@@ -40,27 +46,25 @@ public final class FaceFragments {
             List<Brush> brushes,
             FaceFragments known) {
         this.divide = divide;
-        for (Brush brush : brushes) {
-            if (numbers.putIfAbsent(brush.shape(), shapes.size()) == null) {
-                shapes.add(brush.shape());
-            }
-        }
+        this.brushes = List.copyOf(brushes);
+        this.numberOf = new int[brushes.size()];
+        int[] places = known == null ? null : Kept.places(known.brushes, brushes);
+        boolean isEdit = known != null
+                && IntStream.of(places).filter(place -> place == NEW).count() <= MOST_NEW;
+        int[] before = isEdit ? numbered(places, known) : numbered();
+        boolean isKnown = isEdit && isAscending(before);
         List<Aabb> boxes = shapes.stream().map(ConvexPolyhedron::bounds).toList();
-        int[] before = known == null ? fresh() : known.numbersOf(shapes);
-        if (isAscending(before)) {
-            neighbours =
-                    known == null ? Neighbours.of(boxes, FaceCut.PROBE_METRES) : known.neighbours.edited(boxes, before);
+        if (isKnown) {
+            neighbours = known.neighbours.edited(boxes, before);
         } else {
-            before = fresh();
+            Arrays.fill(before, NEW);
             neighbours = Neighbours.of(boxes, FaceCut.PROBE_METRES);
         }
         boolean[] hasOtherNeighbours = hasOtherNeighbours(before, known);
         boolean[] changed = divide(before, known, hasOtherNeighbours);
         changed = weld(before, known, reached(changed, hasOtherNeighbours));
         join(before, known, reached(changed, hasOtherNeighbours));
-        byBrush = brushes.stream()
-                .map(brush -> joined.get(numbers.get(brush.shape())))
-                .toList();
+        byBrush = IntStream.of(numberOf).mapToObj(joined::get).toList();
     }
 
     public static FaceFragments of(List<Brush> brushes) {
@@ -74,7 +78,7 @@ public final class FaceFragments {
 
     /** The same for other brushes; what is the same of a brush is the same object. */
     public FaceFragments edited(List<Brush> brushes) {
-        return new FaceFragments(divide, brushes, this);
+        return brushes == this.brushes ? this : new FaceFragments(divide, brushes, this);
     }
 
     /** Fragments by brush, by face of its shape; together they cover each face exactly. */
@@ -82,16 +86,56 @@ public final class FaceFragments {
         return byBrush;
     }
 
-    private int[] fresh() {
-        int[] fresh = new int[shapes.size()];
-        Arrays.fill(fresh, NEW);
-        return fresh;
+    /** Numbers the shapes as the brushes come; all of them are new. */
+    private int[] numbered() {
+        Map<ConvexPolyhedron, Integer> numbers = new HashMap<>();
+        for (int i = 0; i < numberOf.length; i++) {
+            ConvexPolyhedron shape = brushes.get(i).shape();
+            Integer number = numbers.putIfAbsent(shape, shapes.size());
+            numberOf[i] = number == null ? shapes.size() : number;
+            if (number == null) {
+                shapes.add(shape);
+            }
+        }
+        int[] before = new int[shapes.size()];
+        Arrays.fill(before, NEW);
+        return before;
     }
 
-    private int[] numbersOf(List<ConvexPolyhedron> others) {
-        return others.stream()
-                .mapToInt(shape -> numbers.getOrDefault(shape, NEW))
-                .toArray();
+    /**
+     * Numbers the shapes as the brushes come.
+     *
+     * @param places of the brushes among those known
+     * @return each shape's number among those known, {@link #NEW} where it is not there
+     */
+    private int[] numbered(int[] places, FaceFragments known) {
+        int[] now = new int[known.shapes.size()];
+        Arrays.fill(now, NEW);
+        int[] before = new int[places.length];
+        for (int i = 0; i < places.length; i++) {
+            ConvexPolyhedron shape = brushes.get(i).shape();
+            int old = places[i] == NEW ? known.shapes.indexOf(shape) : known.numberOf[places[i]];
+            int number = old == NEW ? numberAmongNew(shape, before) : now[old];
+            if (number == NEW) {
+                number = shapes.size();
+                shapes.add(shape);
+                before[number] = old;
+            }
+            if (old != NEW) {
+                now[old] = number;
+            }
+            numberOf[i] = number;
+        }
+        return Arrays.copyOf(before, shapes.size());
+    }
+
+    private int numberAmongNew(ConvexPolyhedron shape, int[] before) {
+        for (int i = 0; i < shapes.size(); i++) {
+            if (before[i] == NEW && shapes.get(i).equals(shape)) {
+                return i;
+            }
+        }
+        return NEW;
     }
 
     private static boolean isAscending(int[] before) {

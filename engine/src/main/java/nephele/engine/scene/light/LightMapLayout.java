@@ -117,15 +117,4 @@ public record LightMapLayout(
         }
         return y + shelf;
     }
-
-    /** Texels from the map's left border to a point of a fragment; 0 under another solid. */
-    public double column(int brush, int face, int fragment, Vec3 p) {
-        int chart = chartOf.get(brush).get(face)[fragment];
-        return chart < 0 ? 0.5 : columnOf[chart] + 0.5 + charts.get(chart).columnOf(p);
-    }
-
-    public double row(int brush, int face, int fragment, Vec3 p) {
-        int chart = chartOf.get(brush).get(face)[fragment];
-        return chart < 0 ? 0.5 : rowOf[chart] + 0.5 + charts.get(chart).rowOf(p);
-    }
 }
