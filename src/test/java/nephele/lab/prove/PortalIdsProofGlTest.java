@@ -42,7 +42,7 @@ class PortalIdsProofGlTest {
     @Test
     void aMissingViewIsAFailureUnlessTheBudgetLeftIt() {
         var opened = new LevelName("levels/samples/solid-box.json").open();
-        var traced = TracedLevel.of(opened.placed().as(IdLevel.of(opened.level())), Decoding.AS_STORED);
+        var traced = TracedLevel.of(opened.placed().edited(IdLevel.of(opened.level())), Decoding.AS_STORED);
         View view = View.ofCamera(opened.level().cameras().get(0), 0, 2);
         var sight = new SightPicture(traced, view, 4, 2);
         var drawn = new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB);
@@ -70,7 +70,7 @@ class PortalIdsProofGlTest {
     @Test
     void anOpeningsEdgeIsOneThoughTheSameFloorGoesOnBehindIt() {
         var opened = new LevelName("levels/samples/hall-of-mirrors.json").open();
-        var traced = TracedLevel.of(opened.placed().as(IdLevel.of(opened.level())), Decoding.AS_STORED);
+        var traced = TracedLevel.of(opened.placed().edited(IdLevel.of(opened.level())), Decoding.AS_STORED);
         View view = new SeededCameras(opened.level(), traced, 16.0 / 9).view(30);
         var sight = new SightPicture(traced, view, 320, 180);
         int row = 179 - 57;

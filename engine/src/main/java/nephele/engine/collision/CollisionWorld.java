@@ -26,15 +26,22 @@ public final class CollisionWorld {
     private final CollisionWorld base;
     /** One bit for each solid of the base, up to the last that is not here: whether it is not. */
     private final long[] absent;
+    /** What this is the world of; {@code null} where it is not one of static shapes. */
+    private final StaticShapes statics;
 
     public CollisionWorld(List<Collider> colliders) {
         this(new ListedColliders(colliders), null, ALL);
     }
 
     private CollisionWorld(ColliderSet own, CollisionWorld base, long[] absent) {
+        this(own, base, absent, null);
+    }
+
+    private CollisionWorld(ColliderSet own, CollisionWorld base, long[] absent, StaticShapes statics) {
         this.own = own;
         this.base = base;
         this.absent = absent;
+        this.statics = statics;
     }
 
     /**
@@ -48,13 +55,42 @@ public final class CollisionWorld {
 
     /** Solids and convex models, then each triangle of other models, then each triangle of the ground. */
     public static CollisionWorld of(StaticShapes statics) {
-        StaticColliders sorted = new StaticColliders();
-        statics.all().forEach(shape -> shape.select(sorted));
-        CollisionWorld world = new CollisionWorld(sorted.listed());
-        for (StaticShape.HeightGrid grid : sorted.ground()) {
+        StaticColliders sorted = StaticColliders.of(statics);
+        return of(statics, new ListedColliders(sorted.listed()), sorted.ground());
+    }
+
+    private static CollisionWorld of(
+            StaticShapes statics, ListedColliders listed, List<StaticShape.HeightGrid> ground) {
+        CollisionWorld world = new CollisionWorld(listed, null, ALL, statics);
+        for (StaticShape.HeightGrid grid : ground) {
             world = world.with(grid);
         }
         return world;
+    }
+
+    /**
+     * The world of an edited level, as {@link #of} builds it; a collider of the same shape is the same object, and so is the
+     * world where all are.
+     *
+     * @throws IllegalStateException when this is not the world of a level
+     */
+    public CollisionWorld edited(StaticShapes others) {
+        if (statics == null) {
+            throw new IllegalStateException("only the world of a level's shapes can be edited");
+        }
+        if (others == statics) {
+            return this;
+        }
+        StaticColliders sorted = StaticColliders.edited(others, statics, this);
+        ListedColliders before = listed();
+        ListedColliders now = before.edited(sorted.listed());
+        boolean isSame = now == before && others.ground().equals(statics.ground());
+        return isSame ? this : of(others, now, sorted.ground());
+    }
+
+    /** What is not ground, in the world of a level. */
+    private ListedColliders listed() {
+        return base == null ? (ListedColliders) own : base.listed();
     }
 
     /**
@@ -83,7 +119,7 @@ public final class CollisionWorld {
     /** This world and ground, whose triangles get the indices from {@link #size} on. */
     private CollisionWorld with(StaticShape.HeightGrid grid) {
         Math.addExact(size(), grid.field().triangles());
-        return new CollisionWorld(new HeightFieldColliders(grid.id(), grid.field()), this, ALL);
+        return new CollisionWorld(new HeightFieldColliders(grid.id(), grid.field()), this, ALL, statics);
     }
 
     /** One more than the greatest index. */

@@ -4,6 +4,7 @@ import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemRayTest;
 import nephele.engine.math.ItemVisitor;
+import nephele.engine.math.Kept;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
 import nephele.engine.math.SpatialIndex;
@@ -15,8 +16,23 @@ final class ListedColliders implements ColliderSet {
     private final SpatialIndex index;
 
     ListedColliders(List<Collider> colliders) {
+        this(colliders, SpatialIndex.of(boxes(colliders)));
+    }
+
+    private ListedColliders(List<Collider> colliders, SpatialIndex index) {
         this.colliders = List.copyOf(colliders);
-        index = SpatialIndex.of(colliders.stream().map(Collider::bounds).toList());
+        this.index = index;
+    }
+
+    private static List<Aabb> boxes(List<Collider> colliders) {
+        return colliders.stream().map(Collider::bounds).toList();
+    }
+
+    /** Others, or these where all are the same. */
+    ListedColliders edited(List<Collider> others) {
+        return Kept.list(colliders, others) == colliders
+                ? this
+                : new ListedColliders(others, index.edited(boxes(others)));
     }
 
     @Override

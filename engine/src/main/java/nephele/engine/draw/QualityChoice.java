@@ -98,7 +98,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
     /** The same with what follows from it. */
     public PlacedLevel shown(OpenedLevel opened) {
         return showsIds()
-                ? AssetComplaint.named(opened, () -> opened.placed().as(shown(opened.level())))
+                ? AssetComplaint.named(opened, () -> opened.placed().edited(shown(opened.level())))
                 : opened.placed();
     }
 

@@ -26,6 +26,12 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
      */
     public record Face(int planeIndex, Plane plane, List<Vec3> polygon) {}
 
+    /** Few solids have the same bounds. */
+    @Override
+    public int hashCode() {
+        return bounds.hashCode();
+    }
+
     /** The box in closed form; faces in the order +x −x +y −y +z −z. */
     public static ConvexPolyhedron box(Aabb b) {
         Vec3[] c = new Vec3[8];

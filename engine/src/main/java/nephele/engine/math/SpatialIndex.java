@@ -11,11 +11,13 @@ public final class SpatialIndex {
     private static final int DEFAULT_LEAF_ITEMS = 4;
 
     private final SpatialTree tree;
+    private final int leafItems;
     private final Culling culling;
     private final RayWalk rays;
 
-    private SpatialIndex(SpatialTree tree) {
+    private SpatialIndex(SpatialTree tree, int leafItems) {
         this.tree = tree;
+        this.leafItems = leafItems;
         this.culling = new Culling(tree);
         this.rays = new RayWalk(tree);
     }
@@ -26,7 +28,13 @@ public final class SpatialIndex {
 
     /** @param leafItems at most this many items are told apart by testing each, never by the tree */
     public static SpatialIndex of(List<Aabb> boxes, int leafItems) {
-        return new SpatialIndex(new SpatialTreeBuilder(boxes, leafItems).build());
+        return new SpatialIndex(new SpatialTreeBuilder(boxes, leafItems).build(), leafItems);
+    }
+
+    /** An index as if built anew; quick where most boxes are those of this index, in the same order. */
+    public SpatialIndex edited(List<Aabb> boxes) {
+        KnownTree known = new KnownTree(tree, boxes);
+        return new SpatialIndex(new SpatialTreeBuilder(boxes, leafItems).build(known), leafItems);
     }
 
     /** Items given, empty ones too. */

@@ -5,7 +5,8 @@ import java.util.List;
 
 /**
  * Builds by the surface area heuristic over bins (Wald 2007, "On fast Construction of SAH-based Bounding Volume
- * Hierarchies"). The order of items that fall into one bin is kept, so equal input gives the equal tree.
+ * Hierarchies"). The order of items that fall into one bin is kept, so equal input gives the equal tree, and the items of
+ * each node are in ascending order before it is split.
  */
 final class SpatialTreeBuilder {
     private static final int BINS = 16;
@@ -15,6 +16,10 @@ final class SpatialTreeBuilder {
 
     private final int leafItems;
     private final double[] boxes;
+    /** Three numbers for each box. */
+    private final double[] centres;
+
+    private final SplitBins[] bins = {new SplitBins(BINS), new SplitBins(BINS), new SplitBins(BINS)};
     private final int[] items;
     private final int[] scratch;
     private final int unbounded;
@@ -25,10 +30,13 @@ final class SpatialTreeBuilder {
     private int[] end;
     private int[] right;
     private int nodes;
+    /** A tree over some of the same boxes; {@code null} for none. */
+    private KnownTree known;
 
     SpatialTreeBuilder(List<Aabb> given, int leafItems) {
         this.leafItems = Math.max(1, leafItems);
         boxes = new double[6 * given.size()];
+        centres = new double[3 * given.size()];
         items = new int[given.size()];
         scratch = new int[given.size()];
         int infinite = 0;
@@ -36,6 +44,9 @@ final class SpatialTreeBuilder {
         for (int i = 0; i < given.size(); i++) {
             Aabb box = given.get(i);
             write(box, boxes, 6 * i);
+            for (int axis = 0; axis < 3; axis++) {
+                centres[3 * i + axis] = boxes[6 * i + axis] / 2 + boxes[6 * i + 3 + axis] / 2;
+            }
             if (box.isEmpty()) {
                 empty++;
             } else if (SpatialIndex.isUnbounded(boxes, 6 * i)) {
@@ -76,9 +87,15 @@ final class SpatialTreeBuilder {
         }
     }
 
+    /** The same tree, copied where it is that over the same boxes. */
+    SpatialTree build(KnownTree over) {
+        known = over;
+        return build();
+    }
+
     SpatialTree build() {
         if (emptyFrom > unbounded) {
-            node(unbounded, emptyFrom, 0);
+            node(unbounded, emptyFrom, 0, known == null ? KnownTree.NONE : known.root());
         }
         double[] slotBounds = new double[boxes.length];
         for (int slot = 0; slot < items.length; slot++) {
@@ -95,16 +112,22 @@ final class SpatialTreeBuilder {
                 emptyFrom);
     }
 
-    private int node(int from, int to, int depth) {
-        int node = nodes++;
+    /** @param like the node of the known tree at this place */
+    private int node(int from, int to, int depth, int like) {
+        int node = nodes;
+        if (like != KnownTree.NONE && known.isOver(like, items, from, to)) {
+            nodes += known.copy(like, items, from, node, new SpatialTree(nodeBounds, first, end, right, null, null, 0, 0));
+            return node;
+        }
+        nodes++;
         bound(from, to, nodeBounds, 6 * node);
         first[node] = from;
         end[node] = to;
         right[node] = -1;
         if (to - from > leafItems) {
             int middle = depth < MAX_HEURISTIC_DEPTH ? split(from, to) : (from + to) >>> 1;
-            node(from, middle, depth + 1);
-            right[node] = node(middle, to, depth + 1);
+            node(from, middle, depth + 1, like == KnownTree.NONE ? like : known.left(like));
+            right[node] = node(middle, to, depth + 1, like == KnownTree.NONE ? like : known.right(like));
         }
         return node;
     }
@@ -117,15 +140,11 @@ final class SpatialTreeBuilder {
         }
     }
 
-    private static void grow(double[] bounds, int at, double[] box, int boxAt) {
+    static void grow(double[] bounds, int at, double[] box, int boxAt) {
         for (int axis = 0; axis < 3; axis++) {
             bounds[at + axis] = Math.min(bounds[at + axis], box[boxAt + axis]);
             bounds[at + 3 + axis] = Math.max(bounds[at + 3 + axis], box[boxAt + 3 + axis]);
         }
-    }
-
-    private double centre(int item, int axis) {
-        return boxes[6 * item + axis] / 2 + boxes[6 * item + 3 + axis] / 2;
     }
 
     /** Reorders the items of [from, to) and answers where the second half begins. */
@@ -133,23 +152,18 @@ final class SpatialTreeBuilder {
         double bestCost = Double.POSITIVE_INFINITY;
         int bestAxis = -1;
         int bestBin = 0;
-        SplitBins bins = new SplitBins(BINS);
         for (int axis = 0; axis < 3; axis++) {
-            if (!fill(bins, from, to, axis)) {
+            if (!fill(bins[axis], from, to, axis)) {
                 continue;
             }
-            int bin = bins.cheapest();
-            if (bins.cost(bin) < bestCost) {
-                bestCost = bins.cost(bin);
+            int bin = bins[axis].cheapest();
+            if (bins[axis].cost(bin) < bestCost) {
+                bestCost = bins[axis].cost(bin);
                 bestAxis = axis;
                 bestBin = bin;
             }
         }
-        if (bestAxis < 0) {
-            return (from + to) >>> 1;
-        }
-        fill(bins, from, to, bestAxis);
-        return partition(bins, from, to, bestAxis, bestBin);
+        return bestAxis < 0 ? (from + to) >>> 1 : partition(bins[bestAxis], from, to, bestAxis, bestBin);
     }
 
     /** False when all centres agree on this axis, which then cannot tell items apart. */
@@ -157,7 +171,7 @@ final class SpatialTreeBuilder {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;
         for (int i = from; i < to; i++) {
-            double centre = centre(items[i], axis);
+            double centre = centres[3 * items[i] + axis];
             low = Math.min(low, centre);
             high = Math.max(high, centre);
         }
@@ -165,7 +179,7 @@ final class SpatialTreeBuilder {
             return false;
         }
         for (int i = from; i < to; i++) {
-            bins.add(centre(items[i], axis), boxes, 6 * items[i]);
+            bins.add(centres[3 * items[i] + axis], boxes, 6 * items[i]);
         }
         return true;
     }
@@ -175,7 +189,7 @@ final class SpatialTreeBuilder {
         int spilled = 0;
         for (int i = from; i < to; i++) {
             int item = items[i];
-            if (bins.binOf(centre(item, axis)) <= lastLeftBin) {
+            if (bins.binOf(centres[3 * item + axis]) <= lastLeftBin) {
                 items[left++] = item;
             } else {
                 scratch[spilled++] = item;

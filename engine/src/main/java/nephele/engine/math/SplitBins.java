@@ -24,9 +24,6 @@ final class SplitBins {
         low = lowest;
         scale = bins / (highest - lowest);
         Arrays.fill(count, 0);
-        for (int bin = 0; bin < bins; bin++) {
-            clear(bounds, 6 * bin);
-        }
         return scale > 0 && scale <= Double.MAX_VALUE;
     }
 
@@ -36,19 +33,28 @@ final class SplitBins {
 
     void add(double centre, double[] boxes, int at) {
         int bin = binOf(centre);
-        count[bin]++;
-        union(bounds, 6 * bin, boxes, at);
+        if (count[bin]++ == 0) {
+            System.arraycopy(boxes, at, bounds, 6 * bin, 6);
+        } else {
+            SpatialTreeBuilder.grow(bounds, 6 * bin, boxes, at);
+        }
     }
 
-    /** The last bin of the left side. Both sides hold items: the lowest centre is in the first bin, the highest last. */
+    /**
+     * The last bin of the left side, never an empty one: it costs what the one before it does. Both sides hold items: the
+     * lowest centre is in the first bin, the highest last.
+     */
     int cheapest() {
         sweepFromRight();
-        clear(sweep, 0);
+        clearSweep();
         int left = 0;
         int best = 0;
         for (int bin = 0; bin < bins - 1; bin++) {
+            if (count[bin] == 0) {
+                continue;
+            }
             left += count[bin];
-            union(sweep, 0, bounds, 6 * bin);
+            SpatialTreeBuilder.grow(sweep, 0, bounds, 6 * bin);
             costAfter[bin] += left * halfArea(sweep);
             if (costAfter[bin] < costAfter[best]) {
                 best = bin;
@@ -62,25 +68,22 @@ final class SplitBins {
     }
 
     private void sweepFromRight() {
-        clear(sweep, 0);
+        clearSweep();
         int rightCount = 0;
+        double cost = 0;
         for (int bin = bins - 1; bin > 0; bin--) {
-            rightCount += count[bin];
-            union(sweep, 0, bounds, 6 * bin);
-            costAfter[bin - 1] = rightCount * halfArea(sweep);
+            if (count[bin] > 0) {
+                rightCount += count[bin];
+                SpatialTreeBuilder.grow(sweep, 0, bounds, 6 * bin);
+                cost = rightCount * halfArea(sweep);
+            }
+            costAfter[bin - 1] = cost;
         }
     }
 
-    private static void clear(double[] bounds, int at) {
-        Arrays.fill(bounds, at, at + 3, Double.POSITIVE_INFINITY);
-        Arrays.fill(bounds, at + 3, at + 6, Double.NEGATIVE_INFINITY);
-    }
-
-    private static void union(double[] bounds, int at, double[] box, int boxAt) {
-        for (int axis = 0; axis < 3; axis++) {
-            bounds[at + axis] = Math.min(bounds[at + axis], box[boxAt + axis]);
-            bounds[at + 3 + axis] = Math.max(bounds[at + 3 + axis], box[boxAt + 3 + axis]);
-        }
+    private void clearSweep() {
+        Arrays.fill(sweep, 0, 3, Double.POSITIVE_INFINITY);
+        Arrays.fill(sweep, 3, 6, Double.NEGATIVE_INFINITY);
     }
 
     private static double halfArea(double[] box) {

@@ -20,6 +20,10 @@ final class BatchBuilder {
     private final int slots;
     private final Map<Key, Growing> batches = new LinkedHashMap<>();
 
+    private Growing last;
+    private SolidBatch.Form lastForm;
+    private int lastMaterial;
+
     private record Key(SolidBatch.Form form, SolidBatch.Kind kind, Vec3 cellOrigin) {}
 
     /** A batch while its triangles are added. */
@@ -39,15 +43,32 @@ final class BatchBuilder {
             return cell;
         }
 
+        /** Copies indices of another mesh, whose vertices stand {@code shift} farther on in this one. */
+        void indices(IntBuffer from, int first, int end, int shift) {
+            reserve(end - first);
+            for (int i = first; i < end; i++) {
+                indices[size++] = from.get(i) + shift;
+            }
+        }
+
+        private void reserve(int more) {
+            if (size + more > indices.length) {
+                indices = Arrays.copyOf(indices, 2 * (size + more));
+            }
+        }
+
         /** @param corners numbers of vertices from {@code firstVertex} on */
         void triangles(int firstVertex, int[] corners) {
-            if (size + corners.length > indices.length) {
-                indices = Arrays.copyOf(indices, 2 * (size + corners.length));
-            }
+            reserve(corners.length);
             for (int corner : corners) {
                 indices[size++] = firstVertex + corner;
             }
         }
+    }
+
+    /** The batch like one of another mesh, or {@code null} where nothing is in it yet. */
+    Growing known(SolidBatch like) {
+        return batches.get(new Key(like.form(), like.kind(), like.cellOrigin()));
     }
 
     /** @param origin what every cell's origin is a whole number of cells away from */
@@ -58,12 +79,21 @@ final class BatchBuilder {
 
     /** The batch for what is made of a material, near a place. */
     Growing batch(SolidBatch.Form form, Surface surface, int material, Vec3 place) {
+        Vec3 cell = cellOf(place);
+        if (last == null || lastForm != form || lastMaterial != material || !last.cell.equals(cell)) {
+            last = found(form, surface, material, cell);
+            lastForm = form;
+            lastMaterial = material;
+        }
+        return last;
+    }
+
+    private Growing found(SolidBatch.Form form, Surface surface, int material, Vec3 cell) {
         SolidBatch.Kind kind = new SolidBatch.Kind(
                 surface.material().lambert(),
                 surface.colour().array(),
                 surface.normal().array(),
                 material / SolidGeometry.MATERIALS_PER_BLOCK);
-        Vec3 cell = cellOf(place);
         return batches.computeIfAbsent(new Key(form, kind, cell), key -> new Growing(cell, slots));
     }
 

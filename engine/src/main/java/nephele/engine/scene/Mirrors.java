@@ -16,13 +16,13 @@ import nephele.engine.scene.light.FaceFragments;
 final class Mirrors {
     private Mirrors() {}
 
-    /** @param statics of the level, as they are drawn */
-    static List<Opening> of(Level level, StaticShapes statics, SceneMaterials materials) {
+    /** @param cut the faces of the level's solids */
+    static List<Opening> of(Level level, StaticShapes statics, SceneMaterials materials, FaceFragments cut) {
         if (!MirrorFaces.any(level)) {
             return List.of();
         }
         List<Brush> brushes = statics.solids();
-        List<List<List<FaceFragment>>> fragments = FaceFragments.of(brushes);
+        List<List<List<FaceFragment>>> fragments = cut.byBrush();
         List<Opening> mirrors = new ArrayList<>();
         for (int brush = 0; brush < brushes.size(); brush++) {
             for (int face = 0; face < brushes.get(brush).faces().size(); face++) {

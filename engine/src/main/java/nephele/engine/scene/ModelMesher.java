@@ -17,13 +17,25 @@ final class ModelMesher {
     private final VertexBytes vertices;
     private final short[] skyVisibility;
     private final int[] firstValue;
+    private final MeshCopy copy;
+    private final MeshSpans spans;
 
-    /** @param skyVisibility for every vertex of every mesh in turn, 0–65535, or {@code null} */
-    ModelMesher(List<PlacedModel> models, SceneMaterials materials, short[] skyVisibility, BatchBuilder batches) {
+    /**
+     * @param skyVisibility for every vertex of every mesh in turn, 0–65535, or {@code null}
+     * @param copy of the same models at the same place in the same light; {@code null} for none
+     */
+    ModelMesher(
+            List<PlacedModel> models,
+            SceneMaterials materials,
+            short[] skyVisibility,
+            BatchBuilder batches,
+            MeshCopy copy) {
         this.models = models;
         this.materials = materials;
         this.batches = batches;
         this.skyVisibility = skyVisibility;
+        this.copy = copy;
+        spans = MeshSpans.of(models.size());
         firstValue = new int[models.size()];
         int corners = 0;
         int values = 0;
@@ -35,11 +47,16 @@ final class ModelMesher {
         vertices = new VertexBytes(corners, SolidGeometry.MODEL_VERTEX_BYTES);
     }
 
-    void add(int model) {
-        PlacedModel placed = models.get(model);
-        if (placed.isEmpty()) {
-            return;
+    void add(int model, int slot) {
+        spans.begin(model, slot, vertices.count());
+        if (!models.get(model).isEmpty() && (copy == null || !copy.copy(model, vertices, batches))) {
+            add(model);
         }
+        spans.end(model, vertices.count());
+    }
+
+    private void add(int model) {
+        PlacedModel placed = models.get(model);
         int material = materials.indexOf(placed.said().material());
         Surface surface = materials.surfaces().get(material);
         WorldTriangles mesh = placed.triangles();
@@ -60,6 +77,10 @@ final class ModelMesher {
             }
             batch.triangles(first, TRIANGLE);
         }
+    }
+
+    MeshSpans spans() {
+        return spans;
     }
 
     SolidGeometry.Triangles finished(IntBuffer indices) {

@@ -2,10 +2,14 @@ package nephele.engine.scene;
 
 import java.util.List;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
+import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.BakedSky;
+import nephele.engine.scene.light.FaceFragments;
+import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.SkyVisibility;
 
 /**
@@ -13,6 +17,7 @@ import nephele.engine.scene.light.SkyVisibility;
  *
  * @param statics the shapes of what never moves
  * @param solids the same to be drawn
+ * @param cut the faces of the level's solids; {@code null} where neither sky visibility nor mirrors ask for them
  * @param skyVisibility {@code null} where no light of the sky falls on them
  * @param mirrors openings that never change, in the order of their ids
  */
@@ -22,6 +27,7 @@ public record Scene(
         StaticShapes statics,
         SceneMaterials materials,
         SolidGeometry solids,
+        FaceFragments cut,
         SkyVisibility skyVisibility,
         List<Opening> mirrors) {
     /** As {@link #of(PlacedLevel, SkyVisibility)}, for a level that nobody else derives anything from. */
@@ -39,10 +45,48 @@ public record Scene(
     public static Scene of(PlacedLevel placed, SkyVisibility visibility) {
         Level level = placed.level();
         StaticShapes statics = placed.statics();
-        SceneMaterials materials = SceneMaterials.of(level.materials(), placed.assets());
-        StaticShapes lit = visibility == null ? statics : statics.split(SkyVisibility.MODEL_EDGE_METRES);
-        SolidGeometry geometry = SolidGeometry.of(lit, materials, visibility);
-        List<Opening> mirrors = Mirrors.of(level, statics, materials);
-        return new Scene(level, placed.assets(), statics, materials, geometry, visibility, mirrors);
+        SceneMaterials materials = SceneMaterials.NONE.edited(level.materials(), placed.assets());
+        FaceFragments cut = cut(placed, visibility, null);
+        SolidGeometry geometry = SolidGeometry.of(statics, materials, visibility, cut);
+        List<Opening> mirrors = Mirrors.of(level, statics, materials, cut);
+        return new Scene(level, placed.assets(), statics, materials, geometry, cut, visibility, mirrors);
+    }
+
+    /**
+     * Derives the scene of an edited level: what does not differ stays the same object. Bakes nothing: the old
+     * light of the sky stays, as well as it fits.
+     *
+     * @param baked for this level or for an earlier one, {@code null} for that of this scene
+     * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
+     */
+    public Scene edited(PlacedLevel placed, SkyVisibility baked) {
+        Level edited = placed.level();
+        StaticShapes others = placed.statics();
+        SceneMaterials otherMaterials = materials.edited(edited.materials(), placed.assets());
+        SkyVisibility light = light(edited, baked);
+        FaceFragments otherCut = cut(placed, light, cut);
+        SolidGeometry geometry = solids.edited(others, otherMaterials, light, otherCut);
+        boolean areMirrorsSame = others.solids() == statics.solids() && otherMaterials == materials;
+        List<Opening> otherMirrors =
+                areMirrorsSame ? mirrors : Mirrors.of(edited, others, otherMaterials, otherCut);
+        return new Scene(
+                edited, placed.assets(), others, otherMaterials, geometry, otherCut, light, otherMirrors);
+    }
+
+    private SkyVisibility light(Level edited, SkyVisibility baked) {
+        if (!LightNeeds.skyVisibility(edited)) {
+            return null;
+        }
+        SkyVisibility known = baked == null ? skyVisibility : baked;
+        return known == null ? SkyVisibility.open() : known;
+    }
+
+    private static FaceFragments cut(PlacedLevel placed, SkyVisibility visibility, FaceFragments before) {
+        if (visibility == null && !MirrorFaces.any(placed.level())) {
+            return null;
+        }
+        FaceFragments known = before == null && visibility != null ? visibility.layout().fragments() : before;
+        List<Brush> solids = placed.statics().solids();
+        return known == null ? FaceFragments.of(solids) : known.edited(solids);
     }
 }

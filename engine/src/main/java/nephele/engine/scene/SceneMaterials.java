@@ -2,13 +2,16 @@ package nephele.engine.scene;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Material;
+import nephele.engine.math.Kept;
 
 /**
  * The level's materials by index, their pictures merged into arrays of one size each.
@@ -22,6 +25,8 @@ public record SceneMaterials(
         List<PictureArray> colourArrays,
         List<PictureArray> normalArrays,
         Map<String, Integer> indexById) {
+    static final SceneMaterials NONE = new SceneMaterials(List.of(), List.of(), List.of(), Map.of());
+
     /** Pictures of equal size, 8-bit RGBA. */
     public record PictureArray(int width, int height, List<Picture> layers) {}
 
@@ -31,21 +36,50 @@ public record SceneMaterials(
     }
 
     /** A material with its pictures found. */
-    public record Surface(Material material, Slot colour, Slot normal) {}
+    public record Surface(Material material, Slot colour, Slot normal) {
+        /** Whether a face of it has the same vertices, in the same batch. */
+        boolean isMeshedLike(Surface other) {
+            return colour.array == other.colour.array
+                    && normal.array == other.normal.array
+                    && material.lambert() == other.material.lambert()
+                    && material.textureMetres() == other.material.textureMetres();
+        }
+    }
 
-    /** @throws nephele.engine.asset.AssetException naming the picture that cannot be used */
-    static SceneMaterials of(List<Material> materials, AssetSource assets) {
-        Arrays colours = new Arrays(assets);
-        Arrays normals = new Arrays(assets);
-        List<Surface> surfaces = new ArrayList<>();
+    /**
+     * Those of an edited level; pictures that are known are not read again, and what does not differ is the same object.
+     *
+     * @throws nephele.engine.asset.AssetException naming the picture that cannot be used
+     */
+    SceneMaterials edited(List<Material> materials, AssetSource assets) {
+        List<Material> before = surfaces.stream().skip(1).map(Surface::material).toList();
+        if (!surfaces.isEmpty() && Kept.list(before, materials) == before) {
+            return this;
+        }
+        Arrays colours = new Arrays(assets, colourArrays);
+        Arrays normals = new Arrays(assets, normalArrays);
+        for (Surface surface : surfaces) {
+            colours.know(surface.material().texture(), surface.colour());
+            normals.know(surface.material().normalTexture(), surface.normal());
+        }
+        List<Surface> all = new ArrayList<>();
         Map<String, Integer> indexById = new HashMap<>();
-        surfaces.add(new Surface(Material.DEFAULT_GREY, Slot.NONE, Slot.NONE));
+        all.add(new Surface(Material.DEFAULT_GREY, Slot.NONE, Slot.NONE));
         for (Material material : materials) {
-            indexById.put(material.id(), surfaces.size());
-            surfaces.add(
+            indexById.put(material.id(), all.size());
+            all.add(
                     new Surface(material, colours.slot(material.texture()), normals.slot(material.normalTexture())));
         }
-        return new SceneMaterials(List.copyOf(surfaces), colours.finished(), normals.finished(), Map.copyOf(indexById));
+        return new SceneMaterials(List.copyOf(all), colours.finished(), normals.finished(), Map.copyOf(indexById));
+    }
+
+    /** The ids of materials whose faces had other vertices, or were in another batch. */
+    Set<String> changedSince(SceneMaterials before) {
+        Set<String> changed = new HashSet<>(indexById.keySet());
+        changed.addAll(before.indexById.keySet());
+        changed.removeIf(id -> indexOf(id) == before.indexOf(id)
+                && surfaces.get(indexOf(id)).isMeshedLike(before.surfaces.get(indexOf(id))));
+        return changed;
     }
 
     /** @param materialId {@code null} for the default grey */
@@ -56,12 +90,21 @@ public record SceneMaterials(
     /** Collects pictures by size; one file is decoded once. */
     private static final class Arrays {
         private final AssetSource assets;
+        private final List<PictureArray> before;
+        private final Map<String, Picture> known = new HashMap<>();
         private final Map<String, Slot> slots = new HashMap<>();
         private final Map<List<Integer>, Integer> arrayBySize = new LinkedHashMap<>();
         private final List<List<Picture>> arrays = new ArrayList<>();
 
-        Arrays(AssetSource assets) {
+        Arrays(AssetSource assets, List<PictureArray> before) {
             this.assets = assets;
+            this.before = before;
+        }
+
+        void know(String assetId, Slot slot) {
+            if (assetId != null) {
+                known.put(assetId, before.get(slot.array()).layers().get(slot.layer()));
+            }
         }
 
         Slot slot(String assetId) {
@@ -72,8 +115,8 @@ public record SceneMaterials(
         }
 
         private Slot add(String assetId) {
-            Picture picture =
-                    PictureDecoder.decode(assetId, assets.bytes(assetId)).toRgba8();
+            Picture picture = known.computeIfAbsent(
+                    assetId, id -> PictureDecoder.decode(id, assets.bytes(id)).toRgba8());
             int array = arrayBySize.computeIfAbsent(List.of(picture.width(), picture.height()), size -> {
                 arrays.add(new ArrayList<>());
                 return arrays.size() - 1;
@@ -83,10 +126,15 @@ public record SceneMaterials(
         }
 
         List<PictureArray> finished() {
-            return arrays.stream()
-                    .map(layers -> new PictureArray(
-                            layers.get(0).width(), layers.get(0).height(), List.copyOf(layers)))
-                    .toList();
+            return Kept.list(before, arrays.stream().map(this::finished).toList());
+        }
+
+        private PictureArray finished(List<Picture> layers) {
+            return before.stream()
+                    .filter(array -> Kept.list(array.layers(), layers) == array.layers())
+                    .findFirst()
+                    .orElseGet(() -> new PictureArray(
+                            layers.get(0).width(), layers.get(0).height(), List.copyOf(layers)));
         }
     }
 }

@@ -37,6 +37,11 @@ public record SolidBatch(Form form, Kind kind, Vec3 cellOrigin, int firstIndex, 
         }
     }
 
+    /** Index in the index buffer at which {@code slot} ends. */
+    int end(int slot) {
+        return firstIndex + indexEnds[slot];
+    }
+
     /** Index in the index buffer at which {@code slot} begins. */
     int start(int slot) {
         return firstIndex + (slot == 0 ? 0 : indexEnds[slot - 1]);

@@ -4,12 +4,16 @@ import java.nio.ByteBuffer;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import nephele.engine.level.Brush;
+import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
-import nephele.engine.scene.light.LightMapLayout;
+import nephele.engine.scene.light.FaceFragments;
+import nephele.engine.scene.light.FaceLight;
 import nephele.engine.scene.light.SkyVisibility;
 
 /**
@@ -34,12 +38,22 @@ public final class SolidGeometry {
     /** Materials per uniform block: 16 KiB, which every OpenGL allows, at 64 bytes a material. */
     public static final int MATERIALS_PER_BLOCK = 256;
 
+    private final StaticShapes statics;
+    private final StaticShapes drawn;
+    private final SceneMaterials materials;
+    private final SkyVisibility sky;
+    private final FaceLight light;
+    private final short[] skyOfModels;
+    /** How the vertices came about; {@code null} in a level without a light map until it is edited, to save memory. */
+    private final FaceFragments fragments;
+
+    private final MeshSpans solidSpans;
+    private final MeshSpans modelSpans;
     private final Triangles solids;
     private final Triangles models;
     private final List<SolidBatch> batches;
     private final SpatialIndex index;
     private final Vec3 origin;
-    private final boolean lightMapped;
 
     /**
      * What one vertex array is made of; both direct, native byte order.
@@ -52,40 +66,94 @@ public final class SolidGeometry {
         }
     }
 
-    private SolidGeometry(StaticShapes statics, SceneMaterials materials, SkyVisibility sky) {
-        List<StaticShape> shapes = statics.all();
+    private SolidGeometry(
+            StaticShapes statics,
+            SceneMaterials materials,
+            SkyVisibility sky,
+            FaceFragments cut,
+            SolidGeometry before) {
+        boolean isUnderOldSky = before != null && before.sky == sky;
+        boolean hasOldModels = isUnderOldSky && before.statics.models() == statics.models();
+        this.statics = statics;
+        this.materials = materials;
+        this.sky = sky;
+        FaceFragments parts = sky == null ? whole(statics, before) : cut;
+        drawn = hasOldModels ? statics.with(before.drawn.models()) : drawn(statics, sky);
+        skyOfModels = hasOldModels ? before.skyOfModels : sky == null ? null : sky.ofModels(drawn.models());
+        List<StaticShape> shapes = drawn.all();
         List<Aabb> boxes = shapes.stream().map(StaticShape::bounds).toList();
-        index = SpatialIndex.of(boxes);
+        index = before == null ? SpatialIndex.of(boxes) : before.index.edited(boxes);
         origin = boxes.stream().reduce(Aabb.EMPTY, Aabb::union).centre();
-        lightMapped = sky != null;
-        LightMapLayout lightMap = sky == null ? null : sky.layout();
         BatchBuilder solidBatches = new BatchBuilder(origin, index.size());
         BatchBuilder modelBatches = new BatchBuilder(origin, index.size());
-        SolidMesher solidMesher = new SolidMesher(statics.solids(), materials, lightMap, solidBatches);
-        ModelMesher modelMesher =
-                new ModelMesher(statics.models().all(), materials, sky == null ? null : sky.ofModels(), modelBatches);
-        StaticShape.Cases mesher = new StaticMesher(solidMesher, modelMesher);
+        boolean isAtOldPlace = isUnderOldSky && before.fragments != null && before.origin.equals(origin);
+        light = sky == null ? null : isUnderOldSky ? before.light.edited(drawn.solids()) : new FaceLight(sky, drawn.solids());
+        SolidMesher solidMesher = new SolidMesher(
+                drawn.solids(),
+                parts.byBrush(),
+                materials,
+                light,
+                solidBatches,
+                isAtOldPlace ? before.knownSolids(materials) : null);
+        ModelMesher modelMesher = new ModelMesher(
+                drawn.models().all(),
+                materials,
+                skyOfModels,
+                modelBatches,
+                isAtOldPlace && hasOldModels ? before.knownModels(materials) : null);
         for (int slot = 0; slot < index.size(); slot++) {
-            shapes.get(index.itemAt(slot)).select(mesher);
+            shapes.get(index.itemAt(slot)).select(new StaticMesher(solidMesher, modelMesher, slot));
             solidBatches.endSlot(slot);
             modelBatches.endSlot(slot);
         }
         List<SolidBatch> all = new ArrayList<>();
         solids = solidMesher.finished(solidBatches.finish(all));
         models = modelMesher.finished(modelBatches.finish(all));
+        solidSpans = solidMesher.spans();
+        modelSpans = modelMesher.spans();
+        fragments = before != null || sky != null ? parts : null;
         batches = List.copyOf(all);
     }
 
+    private SolidMesher.Before knownSolids(SceneMaterials now) {
+        MeshCopy copy = new MeshCopy(solidSpans, solids, batches(false));
+        return new SolidMesher.Before(drawn.solids(), fragments.byBrush(), now.changedSince(materials), copy);
+    }
+
+    /** {@code null} where one of them looks otherwise. */
+    private MeshCopy knownModels(SceneMaterials now) {
+        Set<String> changed = now.changedSince(materials);
+        boolean isOneChanged = drawn.models().all().stream()
+                .anyMatch(model -> changed.contains(model.said().material()));
+        return isOneChanged ? null : new MeshCopy(modelSpans, models, batches(true));
+    }
+
+    private List<SolidBatch> batches(boolean ofModels) {
+        return batches.stream()
+                .filter(batch -> batch.form().isModel() == ofModels)
+                .toList();
+    }
+
+    private static FaceFragments whole(StaticShapes statics, SolidGeometry before) {
+        return before == null || before.sky != null || before.fragments == null
+                ? FaceFragments.uncut(statics.solids())
+                : before.fragments.edited(statics.solids());
+    }
+
+    private static StaticShapes drawn(StaticShapes statics, SkyVisibility sky) {
+        return sky == null ? statics : statics.split(SkyVisibility.MODEL_EDGE_METRES);
+    }
+
     /** Adds each shape to the mesh of its kind. */
-    private record StaticMesher(SolidMesher solids, ModelMesher models) implements StaticShape.Cases {
+    private record StaticMesher(SolidMesher solids, ModelMesher models, int slot) implements StaticShape.Cases {
         @Override
         public void convexHull(StaticShape.ConvexHull hull) {
-            solids.add(hull.index());
+            solids.add(hull.index(), slot);
         }
 
         @Override
         public void triangleMesh(StaticShape.TriangleMesh mesh) {
-            models.add(mesh.model().index());
+            models.add(mesh.model().index(), slot);
         }
 
         @Override
@@ -94,9 +162,25 @@ public final class SolidGeometry {
         }
     }
 
-    /** @param sky how much of it is seen where, or {@code null} where its light falls on nothing */
-    public static SolidGeometry of(StaticShapes statics, SceneMaterials materials, SkyVisibility sky) {
-        return new SolidGeometry(statics, materials, sky);
+    /**
+     * Meshes what never moves.
+     *
+     * @param sky how much of it is seen where, or {@code null} where its light falls on nothing
+     * @param cut the solids' faces, read where {@code sky} falls on them
+     */
+    static SolidGeometry of(
+            StaticShapes statics, SceneMaterials materials, SkyVisibility sky, FaceFragments cut) {
+        return new SolidGeometry(statics, materials, sky, cut, null);
+    }
+
+    /** The same of an edited level, or this where nothing of it is drawn otherwise. */
+    SolidGeometry edited(
+            StaticShapes others, SceneMaterials otherMaterials, SkyVisibility otherSky, FaceFragments cut) {
+        boolean isSame = others == statics
+                && otherSky == sky
+                && (otherMaterials == materials
+                        || otherMaterials.changedSince(materials).isEmpty());
+        return isSame ? this : new SolidGeometry(others, otherMaterials, otherSky, cut, this);
     }
 
     /** Middle of everything, which every cell's origin is a whole number of cells away from. */
@@ -106,7 +190,7 @@ public final class SolidGeometry {
 
     /** Whether solids' vertices carry light map coordinates. */
     public boolean lightMapped() {
-        return lightMapped;
+        return sky != null;
     }
 
     public boolean isEmpty() {

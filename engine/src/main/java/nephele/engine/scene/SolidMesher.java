@@ -2,51 +2,105 @@ package nephele.engine.scene;
 
 import java.nio.IntBuffer;
 import java.util.List;
+import java.util.Set;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.appearance.FaceTexture;
+import nephele.engine.math.Kept;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.light.FaceFragment;
 import nephele.engine.scene.light.FaceFragment.Cover;
-import nephele.engine.scene.light.FaceFragments;
-import nephele.engine.scene.light.LightMapLayout;
+import nephele.engine.scene.light.FaceLight;
 
 /** Turns solids into triangles. */
 final class SolidMesher {
-    private final SceneMaterials materials;
-    private final LightMapLayout lightMap;
     private final List<Brush> brushes;
     private final List<List<List<FaceFragment>>> fragments;
+    private final SceneMaterials materials;
+    private final FaceLight light;
     private final BatchBuilder batches;
+    private final MeshSpans spans;
+    private final Before before;
+    /** For each solid its number in the mesh that is copied, {@link Kept#NEW} where it is meshed. */
+    private final int[] known;
+
     private final VertexBytes vertices;
 
-    SolidMesher(List<Brush> brushes, SceneMaterials materials, LightMapLayout lightMap, BatchBuilder batches) {
-        this.materials = materials;
-        this.lightMap = lightMap;
+    /**
+     * @param light {@code null} where vertices carry no light map coordinates
+     * @param before lies at the same place in the same light; {@code null} for none
+     */
+    SolidMesher(
+            List<Brush> brushes,
+            List<List<List<FaceFragment>>> fragments,
+            SceneMaterials materials,
+            FaceLight light,
+            BatchBuilder batches,
+            Before before) {
         this.brushes = brushes;
+        this.fragments = fragments;
+        this.materials = materials;
+        this.light = light;
         this.batches = batches;
-        fragments = lightMap == null ? FaceFragments.uncut(brushes) : lightMap.fragments();
-        int bytes = SolidGeometry.VERTEX_BYTES + (lightMap == null ? 0 : SolidGeometry.LIGHT_MAP_BYTES);
+        this.before = before;
+        known = before == null ? new int[brushes.size()] : Kept.places(before.brushes(), brushes);
+        for (int i = 0; i < known.length; i++) {
+            boolean isSame = before != null && known[i] != Kept.NEW && before.has(known[i], fragments.get(i));
+            known[i] = isSame ? known[i] : Kept.NEW;
+        }
+        int bytes = SolidGeometry.VERTEX_BYTES + (light == null ? 0 : SolidGeometry.LIGHT_MAP_BYTES);
         vertices = new VertexBytes(corners(), bytes);
+        spans = MeshSpans.of(brushes.size());
+    }
+
+    /**
+     * The mesh of a level before an edit.
+     *
+     * @param changed ids of materials that look otherwise now
+     */
+    record Before(
+            List<Brush> brushes, List<List<List<FaceFragment>>> fragments, Set<String> changed, MeshCopy copy) {
+        private boolean has(int number, List<List<FaceFragment>> now) {
+            return fragments.get(number) == now
+                    && (changed.isEmpty()
+                            || brushes.get(number).faces().stream()
+                                    .noneMatch(face -> changed.contains(face.material())));
+        }
     }
 
     private int corners() {
-        return fragments.stream()
+        int corners = 0;
+        for (int i = 0; i < known.length; i++) {
+            corners += known[i] != Kept.NEW ? before.copy().vertices(known[i]) : corners(fragments.get(i));
+        }
+        return corners;
+    }
+
+    private static int corners(List<List<FaceFragment>> faces) {
+        return faces.stream()
                 .flatMap(List::stream)
-                .flatMap(List::stream)
-                .filter(part -> part.cover() != Cover.TOUCHING)
+                .filter(SolidMesher::isDrawn)
                 .mapToInt(part -> part.corners().size())
                 .sum();
     }
 
-    void add(int brush) {
-        for (int face = 0; face < brushes.get(brush).faces().size(); face++) {
-            add(brush, face);
-        }
+    /** Nobody sees what touches, but where its edge is a wall's seam too its dark pixels would win at equal depth. */
+    private static boolean isDrawn(FaceFragment part) {
+        return part.cover() != Cover.TOUCHING;
     }
 
-    private void add(int brush, int faceIndex) {
+    void add(int number, int slot) {
+        spans.begin(number, slot, vertices.count());
+        if (known[number] == Kept.NEW || !before.copy().copy(known[number], vertices, batches)) {
+            for (int face = 0; face < brushes.get(number).faces().size(); face++) {
+                addFace(number, face);
+            }
+        }
+        spans.end(number, vertices.count());
+    }
+
+    private void addFace(int brush, int faceIndex) {
         BrushFace face = brushes.get(brush).faces().get(faceIndex);
         int material = materials.indexOf(face.material());
         Surface surface = materials.surfaces().get(material);
@@ -54,24 +108,27 @@ final class SolidMesher {
                 SolidBatch.Form.SOLID, surface, material, face.polygon().get(0));
         List<FaceFragment> parts = fragments.get(brush).get(faceIndex);
         FaceTexture texture = FaceTexture.of(face, surface.material().textureMetres());
+        Vec3 normal = face.plane().normal();
         for (int part = 0; part < parts.size(); part++) {
-            // Nobody sees it, but where its edge is a wall's seam too its dark pixels would win at equal depth.
-            if (parts.get(part).cover() == Cover.TOUCHING) {
+            if (!isDrawn(parts.get(part))) {
                 continue;
             }
+            FaceLight.Spot spot = light == null ? null : light.of(brush, faceIndex, part, parts.get(part));
             int first = vertices.count();
             for (Vec3 p : parts.get(part).corners()) {
                 vertices.position(p, batch.cell());
-                vertices.normal(face.plane().normal(), material % SolidGeometry.MATERIALS_PER_BLOCK);
+                vertices.normal(normal, material % SolidGeometry.MATERIALS_PER_BLOCK);
                 vertices.floats(texture.s(p), texture.t(p));
-                if (lightMap != null) {
-                    vertices.shorts(
-                            lightMap.column(brush, faceIndex, part, p) * 16,
-                            lightMap.row(brush, faceIndex, part, p) * 16);
+                if (spot != null) {
+                    vertices.shorts(spot.columnOf(p) * 16, spot.rowOf(p) * 16);
                 }
             }
             batch.triangles(first, parts.get(part).triangles());
         }
+    }
+
+    MeshSpans spans() {
+        return spans;
     }
 
     SolidGeometry.Triangles finished(IntBuffer indices) {

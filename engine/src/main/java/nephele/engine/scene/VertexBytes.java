@@ -19,6 +19,12 @@ final class VertexBytes {
         return bytes.position() / vertexBytes;
     }
 
+    /** Appends vertices of the same kind. */
+    void copy(ByteBuffer from, int first, int vertices) {
+        bytes.put(bytes.position(), from, first * vertexBytes, vertices * vertexBytes);
+        bytes.position(bytes.position() + vertices * vertexBytes);
+    }
+
     void position(Vec3 p, Vec3 cell) {
         bytes.putFloat((float) (p.x() - cell.x()));
         bytes.putFloat((float) (p.y() - cell.y()));

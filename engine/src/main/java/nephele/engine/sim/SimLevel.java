@@ -1,6 +1,7 @@
 package nephele.engine.sim;
 
 import java.util.List;
+import java.util.Objects;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.level.Level;
@@ -39,12 +40,30 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
     }
 
     private static SimLevel of(Level level, StaticShapes statics) {
-        return new SimLevel(
-                CollisionWorld.of(statics),
-                level.player(),
-                BodyTable.of(level),
-                Portals.of(level),
-                level.portalGun() == null ? null : new Placement(Surfaces.of(statics), Gun.of(level.portalGun())));
+        return of(level, CollisionWorld.of(statics), gun(level, statics));
+    }
+
+    private static SimLevel of(Level level, CollisionWorld world, Placement gun) {
+        return new SimLevel(world, level.player(), BodyTable.of(level), Portals.of(level), gun);
+    }
+
+    private static Placement gun(Level level, StaticShapes statics) {
+        return level.portalGun() == null ? null : new Placement(Surfaces.of(statics), Gun.of(level.portalGun()));
+    }
+
+    /**
+     * That of an edited level; what is solid is built anew only where it differs.
+     *
+     * @param before what this is of
+     */
+    public SimLevel edited(PlacedLevel before, PlacedLevel placed) {
+        boolean isGunSame = before.statics() == placed.statics()
+                && Objects.equals(
+                        before.level().portalGun(), placed.level().portalGun());
+        return of(
+                placed.level(),
+                statics.edited(placed.statics()),
+                isGunSame ? gun : gun(placed.level(), placed.statics()));
     }
 
     /** Solids alone. */

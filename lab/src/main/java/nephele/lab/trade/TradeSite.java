@@ -93,7 +93,7 @@ public final class TradeSite implements AutoCloseable {
 
     public Scene scene(Level level) {
         return AssetComplaint.named(opened, () -> {
-            var placed = opened.placed().as(level);
+            var placed = opened.placed().edited(level);
             return Scene.of(placed, BakedSky.of(placed, PrintedProgress.ofBake(tell)));
         });
     }

@@ -165,7 +165,7 @@ class PlacedModelsTest {
     }
 
     private static PlacedModel placed(Mesh mesh) {
-        return PlacedModel.of(0, model("m", "m", null), WorldTriangles.of(mesh, new Matrix4d()));
+        return PlacedModel.of(0, model("m", "m", null), mesh, new Matrix4d());
     }
 
     private static Mesh without(Mesh mesh, int firstTriangle, int count) {
@@ -319,7 +319,7 @@ class PlacedModelsTest {
         };
         PlacedLevel placed = new PlacedLevel(level, unread, statics);
         assertSame(
-                statics, placed.as(level.with(level.environment(), List.of())).statics());
+                statics, placed.edited(level.with(level.environment(), List.of())).statics());
         assertSame(statics, Scene.of(placed, BakedSky.of(placed, done -> {})).statics());
         assertEquals(1, SimLevel.of(placed).statics().size());
         TracedLevel traced = TracedLevel.of(placed, Decoding.SRGB);

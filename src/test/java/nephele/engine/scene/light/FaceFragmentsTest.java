@@ -1,6 +1,7 @@
 package nephele.engine.scene.light;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -8,7 +9,9 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
+import java.util.SplittableRandom;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -29,7 +32,8 @@ class FaceFragmentsTest {
 
     @Test
     void theHighWallsEdgeHasTheLowWallsCorner() {
-        for (List<List<List<FaceFragment>>> fragments : List.of(FaceFragments.uncut(WALLS), FaceFragments.of(WALLS))) {
+        for (List<List<List<FaceFragment>>> fragments : List.of(
+                FaceFragments.uncut(WALLS).byBrush(), FaceFragments.of(WALLS).byBrush())) {
             Set<Vec3> high = corners(fragments.get(0).get(PLUS_Z));
             Set<Vec3> low = corners(fragments.get(1).get(PLUS_Z));
             Vec3 junction = high.stream()
@@ -42,7 +46,7 @@ class FaceFragmentsTest {
 
     @Test
     void whatTheLowWallHidesOfTheHighOnesEndIsCovered() {
-        List<FaceFragment> end = FaceFragments.of(WALLS).get(0).get(PLUS_X);
+        List<FaceFragment> end = FaceFragments.of(WALLS).byBrush().get(0).get(PLUS_X);
         double hidden = end.stream()
                 .filter(FaceFragment::isCovered)
                 .mapToDouble(part -> FacePolygon.area(part.outline()))
@@ -54,7 +58,7 @@ class FaceFragmentsTest {
     @Test
     void aFaceThatStaysWholeIsHiddenWhereAnotherSolidsFaceHoldsAllOfIt() {
         List<Brush> abutting = List.of(ShadowTest.box(0, 0, 0, 1, 1, 1), ShadowTest.box(1, 0, 0, 1, 2, 2));
-        var fragments = FaceFragments.uncut(abutting);
+        var fragments = FaceFragments.uncut(abutting).byBrush();
         for (int solid = 0; solid < 2; solid++) {
             for (int face = 0; face < 6; face++) {
                 boolean hidden = solid == 0 && face == PLUS_X;
@@ -69,8 +73,8 @@ class FaceFragmentsTest {
         List<Brush> repeated = new ArrayList<>(WALLS);
         repeated.addAll(Collections.nCopies(2_000, WALLS.get(0)));
         repeated.addAll(Collections.nCopies(2_000, WALLS.get(1)));
-        var once = FaceFragments.of(WALLS);
-        var all = FaceFragments.of(repeated);
+        var once = FaceFragments.of(WALLS).byBrush();
+        var all = FaceFragments.of(repeated).byBrush();
         for (int i = 0; i < all.size(); i++) {
             int original = WALLS.indexOf(repeated.get(i));
             assertEquals(described(once.get(original)), described(all.get(i)));
@@ -93,16 +97,79 @@ class FaceFragmentsTest {
         }
         crowd.add(Aabb.around(new Vec3(-0.9, 0, 0), new Vec3(1, 1, 1)));
         Neighbours neighbours = Neighbours.of(crowd, 1e-4);
-        assertEquals(List.of(), neighbours.of(500));
-        assertEquals(101, neighbours.of(1_000).size());
+        assertEquals(0, neighbours.of(500).length);
+        assertEquals(101, neighbours.of(1_000).length);
         Neighbours few = Neighbours.of(crowd.subList(0, 500), 1e-4);
-        assertEquals(499, few.of(250).size());
+        assertEquals(499, few.of(250).length);
+    }
+
+    /** Boxes of a small grid, some of them off it by up to a micrometre: they touch, overlap and repeat. */
+    private static Brush any(SplittableRandom random) {
+        double off = random.nextInt(4) == 0 ? 1e-6 * random.nextDouble() : 0;
+        return ShadowTest.box(
+                0.5 * random.nextInt(8) + off,
+                0.5 * random.nextInt(3),
+                0.5 * random.nextInt(8) - off,
+                0.5 * (1 + random.nextInt(4)),
+                0.5 * (1 + random.nextInt(4)),
+                0.5 * (1 + random.nextInt(4)));
+    }
+
+    @Test
+    void whatIsCutAnewNearAnEditIsWhatAFreshCutGives() {
+        for (long seed = 0; seed < 40; seed++) {
+            SplittableRandom random = new SplittableRandom(seed);
+            List<Brush> brushes =
+                    new ArrayList<>(Stream.generate(() -> any(random)).limit(25).toList());
+            FaceFragments cut = FaceFragments.of(brushes);
+            FaceFragments whole = FaceFragments.uncut(brushes);
+            for (int edit = 0; edit < 8; edit++) {
+                edit(brushes, random);
+                cut = cut.edited(brushes);
+                whole = whole.edited(brushes);
+                assertEqual(FaceFragments.of(brushes), cut, "seed " + seed + ", edit " + edit);
+                assertEqual(FaceFragments.uncut(brushes), whole, "seed " + seed + ", edit " + edit);
+            }
+        }
+    }
+
+    private static void edit(List<Brush> brushes, SplittableRandom random) {
+        int at = random.nextInt(brushes.size());
+        switch (random.nextInt(4)) {
+            case 0 -> brushes.add(at, any(random));
+            case 1 -> brushes.remove(at);
+            case 2 -> brushes.add(random.nextInt(brushes.size()), brushes.remove(at));
+            default -> brushes.set(at, any(random));
+        }
+    }
+
+    private static void assertEqual(FaceFragments fresh, FaceFragments edited, String when) {
+        for (int i = 0; i < fresh.byBrush().size(); i++) {
+            assertEquals(
+                    described(fresh.byBrush().get(i)),
+                    described(edited.byBrush().get(i)),
+                    when + ", brush " + i);
+        }
+    }
+
+    @Test
+    void fragmentsFarFromAnEditAreTheSameObjects() {
+        List<Brush> brushes = new ArrayList<>(WALLS);
+        brushes.add(ShadowTest.box(9, 0, 0, 1, 1, 1));
+        var before = FaceFragments.of(brushes);
+        brushes.set(2, ShadowTest.box(9, 0, 1, 1, 1, 1));
+        brushes.add(0, ShadowTest.box(-9, 0, 1, 1, 1, 1));
+        var after = before.edited(brushes);
+        for (int i = 0; i < 2; i++) {
+            assertSame(before.byBrush().get(i), after.byBrush().get(i + 1));
+        }
     }
 
     @Test
     void aSolidThatTouchesNothingKeepsItsFaces() {
         List<Brush> apart = List.of(ShadowTest.box(0, 0, 0, 1, 1, 1), ShadowTest.box(5, 0, 0, 1, 1, 1));
         FaceFragments.of(apart)
+                .byBrush()
                 .forEach(faces -> faces.forEach(face -> {
                     assertEquals(1, face.size());
                     assertEquals(4, face.get(0).corners().size());

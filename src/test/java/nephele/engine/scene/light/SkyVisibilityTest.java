@@ -103,7 +103,7 @@ class SkyVisibilityTest {
         LightMapLayout layout = LightMapLayout.of(room);
         double area = 0;
         double covered = 0;
-        for (FaceFragment fragment : layout.fragments().get(0).get(TOP)) {
+        for (FaceFragment fragment : layout.fragments().byBrush().get(0).get(TOP)) {
             double a = area(fragment);
             area += a;
             covered += fragment.isCovered() ? a : 0;
@@ -133,10 +133,12 @@ class SkyVisibilityTest {
 
     private static double seen(SkyVisibility baked, int brush, int face, Vec3 p) {
         LightMapLayout layout = baked.layout();
-        List<FaceFragment> parts = layout.fragments().get(brush).get(face);
+        List<FaceFragment> parts = layout.fragments().byBrush().get(brush).get(face);
         for (int i = 0; i < parts.size(); i++) {
             if (!parts.get(i).isCovered() && contains(parts.get(i), p)) {
-                return baked.at(layout.column(brush, face, i, p), layout.row(brush, face, i, p));
+                FaceLight.Spot spot =
+                        new FaceLight(baked, baked.statics().solids()).of(brush, face, i, parts.get(i));
+                return baked.at(spot.columnOf(p), spot.rowOf(p));
             }
         }
         return 0;

@@ -14,11 +14,8 @@ public record PlacedLevel(Level level, AssetSource assets, StaticShapes statics)
         return new PlacedLevel(level, assets, StaticShapes.of(level, assets));
     }
 
-    /** The same place with something else about it; what never moves is derived anew only where it differs. */
-    public PlacedLevel as(Level other) {
-        boolean isSamePlace = other.solids().equals(level.solids())
-                && other.models().equals(level.models())
-                && other.materials().equals(level.materials());
-        return isSamePlace ? new PlacedLevel(other, assets, statics) : of(other, assets);
+    /** Derives an edited level: what does not differ stays the same object, solids and models by their records' identity. */
+    public PlacedLevel edited(Level other) {
+        return new PlacedLevel(other, assets, statics.edited(level, other, assets));
     }
 }

@@ -3,16 +3,37 @@ package nephele.engine.level.placed;
 import nephele.engine.level.Brush;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.math.Aabb;
+import nephele.engine.model.Mesh;
+import org.joml.Matrix4dc;
 
 /**
  * A model where the level has it.
  *
  * @param index in the level's list
+ * @param mesh what its file holds
  * @param solid its shape where it is convex and closed, so that it is solid all through; {@code null} for any other
  */
-public record PlacedModel(int index, ModelPlacement said, WorldTriangles triangles, Aabb bounds, Brush solid) {
-    static PlacedModel of(int index, ModelPlacement said, WorldTriangles triangles) {
-        return new PlacedModel(index, said, triangles, triangles.bounds(), ConvexModel.solid(said, triangles));
+public record PlacedModel(
+        int index,
+        ModelPlacement said,
+        Mesh mesh,
+        Matrix4dc worldFromModel,
+        WorldTriangles triangles,
+        Aabb bounds,
+        Brush solid) {
+    static PlacedModel of(int index, ModelPlacement said, Mesh mesh, Matrix4dc worldFromModel) {
+        WorldTriangles triangles = WorldTriangles.of(mesh, worldFromModel);
+        Brush solid = ConvexModel.solid(said, triangles);
+        return new PlacedModel(index, said, mesh, worldFromModel, triangles, triangles.bounds(), solid);
+    }
+
+    /** The same in a level where its number may be another. */
+    PlacedModel at(int otherIndex) {
+        return index == otherIndex ? this : with(otherIndex, triangles);
+    }
+
+    private PlacedModel with(int otherIndex, WorldTriangles others) {
+        return new PlacedModel(otherIndex, said, mesh, worldFromModel, others, bounds, solid);
     }
 
     /** Whether none of its triangles has an area, so that there is nothing to draw. */
@@ -23,7 +44,6 @@ public record PlacedModel(int index, ModelPlacement said, WorldTriangles triangl
     PlacedModel split(double edgeMetres, int mostTriangles) {
         double wanted = Math.ceil(triangles.longestEdge() / edgeMetres);
         double possible = Math.floor(Math.sqrt((double) mostTriangles / Math.max(1, triangles.count())));
-        WorldTriangles cut = SplitTriangles.of(triangles, (int) Math.min(wanted, possible));
-        return new PlacedModel(index, said, cut, bounds, solid);
+        return with(index, SplitTriangles.of(triangles, (int) Math.min(wanted, possible)));
     }
 }

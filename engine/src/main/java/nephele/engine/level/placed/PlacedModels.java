@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
@@ -13,6 +14,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
+import nephele.engine.math.Kept;
 import nephele.engine.model.Mesh;
 import org.joml.Matrix4dc;
 
@@ -36,11 +38,23 @@ public record PlacedModels(List<PlacedModel> all) {
 
     /** @param meshOf a file's mesh; asked once for each file */
     public static PlacedModels of(Level level, Function<String, Mesh> meshOf) {
-        if (level.models().isEmpty()) {
-            return NONE;
-        }
+        return level.models().isEmpty() ? NONE : NONE.edited(level, meshOf);
+    }
+
+    /** Those of an edited level: what is placed as before by the same file is the same object. */
+    PlacedModels edited(Level level, AssetSource assets) {
+        List<ModelPlacement> said = all.stream().map(PlacedModel::said).toList();
+        return Kept.list(said, level.models()) == said ? this : edited(level, new MeshAssets(assets)::mesh);
+    }
+
+    private PlacedModels edited(Level level, Function<String, Mesh> meshOf) {
         List<Matrix4dc> frames = ModelFrames.of(level.models());
         Map<String, Mesh> meshes = new HashMap<>();
+        Map<ModelPlacement, PlacedModel> known = new IdentityHashMap<>();
+        for (PlacedModel model : all) {
+            meshes.put(model.said().file(), model.mesh());
+            known.put(model.said(), model);
+        }
         List<PlacedModel> placed = new ArrayList<>();
         long triangles = 0;
         for (int i = 0; i < level.models().size(); i++) {
@@ -48,9 +62,12 @@ public record PlacedModels(List<PlacedModel> all) {
             Mesh mesh = meshes.computeIfAbsent(said.file(), meshOf);
             triangles += mesh.triangleCount();
             requireFew(said, triangles);
-            PlacedModel model = PlacedModel.of(i, said, WorldTriangles.of(mesh, frames.get(i)));
-            requireNear(model);
-            placed.add(model);
+            PlacedModel model = known.get(said);
+            if (model == null || !model.worldFromModel().equals(frames.get(i))) {
+                model = PlacedModel.of(i, said, mesh, frames.get(i));
+                requireNear(model);
+            }
+            placed.add(model.at(i));
         }
         requireSparse(placed);
         return new PlacedModels(List.copyOf(placed));

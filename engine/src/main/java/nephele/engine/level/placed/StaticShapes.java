@@ -7,7 +7,9 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.MirrorFaces;
+import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;
+import nephele.engine.math.Kept;
 
 /**
  * The shapes of a level that never move, in the world; immutable. Built once, they serve scene, simulation and oracle.
@@ -43,14 +45,38 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
 
     private static List<Brush> brushes(Level level) {
         Set<String> mirrors = MirrorFaces.materials(level.materials());
-        return level.solids().stream()
-                .map(solid -> Brush.of(solid).refusingPortalsOn(mirrors))
-                .toList();
+        return level.solids().stream().map(solid -> brush(solid, mirrors)).toList();
+    }
+
+    private static Brush brush(Solid solid, Set<String> mirrors) {
+        return Brush.of(solid).refusingPortalsOn(mirrors);
+    }
+
+    /** @param before the level that these are of */
+    StaticShapes edited(Level before, Level level, AssetSource assets) {
+        Set<String> mirrors = MirrorFaces.materials(level.materials());
+        boolean areMirrorsSame = MirrorFaces.materials(before.materials()).equals(mirrors);
+        int[] places = Kept.places(areMirrorsSame ? before.solids() : List.of(), level.solids());
+        List<Brush> brushes = new ArrayList<>(places.length);
+        for (int i = 0; i < places.length; i++) {
+            brushes.add(
+                    places[i] == Kept.NEW
+                            ? brush(level.solids().get(i), mirrors)
+                            : solids.get(places[i]));
+        }
+        List<Brush> others = Kept.list(solids, brushes);
+        PlacedModels placed = models.edited(level, assets);
+        return others == solids && placed == models ? this : new StaticShapes(others, placed, ground);
+    }
+
+    /** The same with other models. */
+    public StaticShapes with(PlacedModels others) {
+        return new StaticShapes(solids, others, ground);
     }
 
     /** As {@link PlacedModels#split}. */
     public StaticShapes split(double edgeMetres) {
-        return models.isEmpty() ? this : new StaticShapes(solids, models.split(edgeMetres), ground);
+        return models.isEmpty() ? this : with(models.split(edgeMetres));
     }
 
     /** Every shape: solids, models, ground. */

@@ -2,6 +2,7 @@ package nephele.engine.scene.light;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
 
 /**
@@ -25,6 +26,25 @@ public record FaceFragment(Cover cover, List<Vec3> outline, List<Vec3> corners, 
 
     public boolean isCovered() {
         return cover != Cover.NONE;
+    }
+
+    /** Whether two lists of fragments, by face, hold the same, bit by bit. */
+    static boolean areSame(List<List<FaceFragment>> faces, List<List<FaceFragment>> others) {
+        for (int face = 0; face < faces.size(); face++) {
+            List<FaceFragment> some = faces.get(face);
+            List<FaceFragment> same = others.get(face);
+            if (some.size() != same.size()
+                    || !IntStream.range(0, some.size())
+                            .allMatch(i -> some.get(i).isSame(same.get(i)))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The triangles follow from the corners. */
+    private boolean isSame(FaceFragment other) {
+        return cover == other.cover && outline.equals(other.outline) && corners.equals(other.corners);
     }
 
     /** A face that is not cut. */

@@ -1,223 +1,247 @@
 package nephele.engine.scene.light;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.BiFunction;
+import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.Plane;
-import nephele.engine.math.Vec3;
-import nephele.engine.scene.light.FaceFragment.Cover;
+import nephele.engine.math.Kept;
+import nephele.engine.scene.light.FaceCut.Piece;
 
 /**
- * Cuts faces along the footprints of the solids that stand on them. A wall on a floor separates the floor's light map
- * into inside and outside, so no interpolation carries light under the wall.
+ * Faces cut along the footprints of the solids that stand on them. A wall on a floor separates the floor's light map
+ * into inside and outside, so no interpolation carries light under the wall. Immutable; those of an edited level are
+ * cut anew only near what changed, with the result of a fresh cut, bit by bit.
+ *
+ * <p>A shape's fragments are found in three steps: its faces are divided by the shapes near it, the pieces' corners are
+ * welded to equal ones nearby, and the corners of the shapes near it are put on its pieces' edges. Each step is repeated
+ * for the shapes that a change of the step before can reach; all that is welded together lies within a micrometre, far
+ * within the reach of {@link Neighbours}.
  */
 public final class FaceFragments {
-    /** Another solid covers a face where it is found this far above the face. */
-    private static final double PROBE_METRES = 1e-4;
+    private static final int NEW = Kept.NEW;
 
-    /** Smaller cuts are not worth a fragment. */
-    private static final double MIN_AREA_SQUARE_METRES = 1e-6;
+    /** More new brushes than these are no edit. */
+    private static final int MOST_NEW = 32;
 
-    private record Piece(Cover cover, List<Vec3> outline) {
-        boolean isCovered() {
-            return cover != Cover.NONE;
-        }
-    }
-
+    private final BiFunction<ConvexPolyhedron.Face, List<ConvexPolyhedron>, List<Piece>> divide;
     private final List<Brush> brushes;
-    private final Neighbours neighbours;
-    private final CornerWeld weld = new CornerWeld();
+    /** Solids of the same shape at the same place have the same fragments: a face is never before its own copy. */
+    private final List<ConvexPolyhedron> shapes = new ArrayList<>();
 
-    private FaceFragments(List<Brush> brushes) {
-        this.brushes = brushes;
-        neighbours = Neighbours.of(brushes.stream().map(b -> b.shape().bounds()).toList(), PROBE_METRES);
+    private final int[] numberOf;
+    private final Neighbours neighbours;
+    private final List<List<List<Piece>>> divided = new ArrayList<>();
+    private final List<List<List<Piece>>> welded = new ArrayList<>();
+    private final List<List<List<FaceFragment>>> joined = new ArrayList<>();
+    private final List<List<List<FaceFragment>>> byBrush;
+
+    private FaceFragments(
+            BiFunction<ConvexPolyhedron.Face, List<ConvexPolyhedron>, List<Piece>> divide,
+            List<Brush> brushes,
+            FaceFragments known) {
+        this.divide = divide;
+        this.brushes = List.copyOf(brushes);
+        this.numberOf = new int[brushes.size()];
+        int[] places = known == null ? null : Kept.places(known.brushes, brushes);
+        boolean isEdit = known != null
+                && IntStream.of(places).filter(place -> place == NEW).count() <= MOST_NEW;
+        int[] before = isEdit ? numbered(places, known) : numbered();
+        boolean isKnown = isEdit && isAscending(before);
+        List<Aabb> boxes = shapes.stream().map(ConvexPolyhedron::bounds).toList();
+        if (isKnown) {
+            neighbours = known.neighbours.edited(boxes, before);
+        } else {
+            Arrays.fill(before, NEW);
+            neighbours = Neighbours.of(boxes, FaceCut.PROBE_METRES);
+        }
+        boolean[] hasOtherNeighbours = hasOtherNeighbours(before, known);
+        boolean[] changed = divide(before, known, hasOtherNeighbours);
+        changed = weld(before, known, reached(changed, hasOtherNeighbours));
+        join(before, known, reached(changed, hasOtherNeighbours));
+        byBrush = IntStream.of(numberOf).mapToObj(joined::get).toList();
     }
 
-    /** Fragments by brush, by face of its shape; together they cover each face exactly. */
-    public static List<List<List<FaceFragment>>> of(List<Brush> brushes) {
-        return ofDistinct(brushes, FaceFragments::cut);
+    public static FaceFragments of(List<Brush> brushes) {
+        return new FaceFragments(FaceCut::cut, brushes, null);
     }
 
     /** As {@link #of}, but every face stays whole: its neighbours' corners are put on its edges, or they hide all of it. */
-    public static List<List<List<FaceFragment>>> uncut(List<Brush> brushes) {
-        return ofDistinct(brushes, (face, near) -> List.of(new Piece(coverOfAll(face, near), face.polygon())));
+    public static FaceFragments uncut(List<Brush> brushes) {
+        return new FaceFragments(FaceCut::whole, brushes, null);
     }
 
-    /** Solids of the same shape at the same place have the same fragments: a face is never before its own copy. */
-    private static List<List<List<FaceFragment>>> ofDistinct(
-            List<Brush> brushes, BiFunction<ConvexPolyhedron.Face, List<Brush>, List<Piece>> divide) {
-        Map<ConvexPolyhedron, Integer> numbers = new HashMap<>();
-        List<Brush> distinct = new ArrayList<>();
-        for (Brush brush : brushes) {
-            if (numbers.putIfAbsent(brush.shape(), distinct.size()) == null) {
-                distinct.add(brush);
-            }
-        }
-        List<List<List<FaceFragment>>> fragments = new FaceFragments(distinct).fragments(divide);
-        return brushes.stream()
-                .map(brush -> fragments.get(numbers.get(brush.shape())))
-                .toList();
+    /** The same for other brushes; what is the same of a brush is the same object. */
+    public FaceFragments edited(List<Brush> brushes) {
+        return brushes == this.brushes ? this : new FaceFragments(divide, brushes, this);
     }
 
-    private static Cover coverOfAll(ConvexPolyhedron.Face face, List<Brush> near) {
-        boolean hidden = near.stream()
-                .anyMatch(other -> holds(other, face.polygon()) && coverBy(face.plane(), other) == Cover.TOUCHING);
-        return hidden ? Cover.TOUCHING : Cover.NONE;
-    }
-
-    private static boolean holds(Brush brush, List<Vec3> corners) {
-        return brush.shape().faces().stream().map(ConvexPolyhedron.Face::plane).allMatch(plane -> corners.stream()
-                .allMatch(corner -> plane.signedDistance(corner) <= 2 * CornerWeld.WELD_METRES));
-    }
-
-    private List<List<List<FaceFragment>>> fragments(
-            BiFunction<ConvexPolyhedron.Face, List<Brush>, List<Piece>> divide) {
-        List<List<Integer>> near = new ArrayList<>();
-        List<List<List<Piece>>> pieces = new ArrayList<>();
-        for (int brush = 0; brush < brushes.size(); brush++) {
-            List<Integer> around = neighbours.of(brush);
-            List<Brush> standing = around.stream().map(brushes::get).toList();
-            near.add(around);
-            pieces.add(brushes.get(brush).shape().faces().stream()
-                    .map(face -> divide.apply(face, standing))
-                    .map(parts -> around.isEmpty() ? parts : welded(parts))
-                    .toList());
-        }
-        List<List<List<FaceFragment>>> byBrush = new ArrayList<>();
-        for (int brush = 0; brush < brushes.size(); brush++) {
-            byBrush.add(joined(brush, pieces, near.get(brush)));
-        }
+    /** Fragments by brush, by face of its shape; together they cover each face exactly. */
+    public List<List<List<FaceFragment>>> byBrush() {
         return byBrush;
     }
 
-    private List<Piece> welded(List<Piece> parts) {
-        return parts.stream()
-                .map(part -> new Piece(
-                        part.cover(), part.outline().stream().map(weld::welded).toList()))
-                .toList();
-    }
-
-    private static List<Piece> cut(ConvexPolyhedron.Face face, List<Brush> near) {
-        List<Piece> pieces = List.of(new Piece(Cover.NONE, face.polygon()));
-        for (Brush other : near) {
-            List<Plane> footprint = footprint(face.plane(), other);
-            List<Piece> next = new ArrayList<>();
-            for (Piece piece : pieces) {
-                if (piece.isCovered() || !covers(footprint, piece.outline())) {
-                    next.add(piece);
-                } else {
-                    subtract(piece, coverBy(face.plane(), other), footprint, next);
-                }
+    /** Numbers the shapes as the brushes come; all of them are new. */
+    private int[] numbered() {
+        Map<ConvexPolyhedron, Integer> numbers = new HashMap<>();
+        for (int i = 0; i < numberOf.length; i++) {
+            ConvexPolyhedron shape = brushes.get(i).shape();
+            Integer number = numbers.putIfAbsent(shape, shapes.size());
+            numberOf[i] = number == null ? shapes.size() : number;
+            if (number == null) {
+                shapes.add(shape);
             }
-            pieces = next;
         }
-        return pieces;
+        int[] before = new int[shapes.size()];
+        Arrays.fill(before, NEW);
+        return before;
     }
 
-    private static Cover coverBy(Plane face, Brush other) {
-        boolean touches = other.shape().faces().stream()
-                .map(ConvexPolyhedron.Face::plane)
-                .anyMatch(p -> Math.abs(p.distance() + face.distance()) <= 2 * CornerWeld.WELD_METRES
-                        && p.nx() * face.nx() + p.ny() * face.ny() + p.nz() * face.nz() < -1 + 1e-12);
-        return touches ? Cover.TOUCHING : Cover.INSIDE;
-    }
-
-    /** The other solid's planes, moved so that they cut the face where the solid is just above it. */
-    private static List<Plane> footprint(Plane face, Brush other) {
-        List<Plane> planes = new ArrayList<>();
-        for (ConvexPolyhedron.Face side : other.shape().faces()) {
-            Plane p = side.plane();
-            double along = p.nx() * face.nx() + p.ny() * face.ny() + p.nz() * face.nz();
-            planes.add(new Plane(p.nx(), p.ny(), p.nz(), p.distance() - PROBE_METRES * along));
+    /**
+     * Numbers the shapes as the brushes come.
+     *
+     * @param places of the brushes among those known
+     * @return each shape's number among those known, {@link #NEW} where it is not there
+     */
+    private int[] numbered(int[] places, FaceFragments known) {
+        int[] now = new int[known.shapes.size()];
+        Arrays.fill(now, NEW);
+        int[] before = new int[places.length];
+        for (int i = 0; i < places.length; i++) {
+            ConvexPolyhedron shape = brushes.get(i).shape();
+            int old = places[i] == NEW ? known.shapes.indexOf(shape) : known.numberOf[places[i]];
+            int number = old == NEW ? numberAmongNew(shape, before) : now[old];
+            if (number == NEW) {
+                number = shapes.size();
+                shapes.add(shape);
+                before[number] = old;
+            }
+            if (old != NEW) {
+                now[old] = number;
+            }
+            numberOf[i] = number;
         }
-        return planes;
+        return Arrays.copyOf(before, shapes.size());
     }
 
-    private static boolean covers(List<Plane> footprint, List<Vec3> outline) {
-        List<Vec3> rest = outline;
-        for (Plane plane : footprint) {
-            rest = FacePolygon.behind(rest, plane);
-            if (rest.isEmpty()) {
+    private int numberAmongNew(ConvexPolyhedron shape, int[] before) {
+        for (int i = 0; i < shapes.size(); i++) {
+            if (before[i] == NEW && shapes.get(i).equals(shape)) {
+                return i;
+            }
+        }
+        return NEW;
+    }
+
+    private static boolean isAscending(int[] before) {
+        int last = NEW;
+        for (int number : before) {
+            if (number != NEW && number < last) {
                 return false;
             }
+            last = Math.max(last, number);
         }
-        return FacePolygon.area(rest) > MIN_AREA_SQUARE_METRES;
+        return true;
     }
 
-    private static void subtract(Piece piece, Cover cover, List<Plane> footprint, List<Piece> out) {
-        List<Vec3> rest = piece.outline();
-        for (Plane plane : footprint) {
-            List<Vec3> outside = FacePolygon.before(rest, plane);
-            if (FacePolygon.area(outside) > MIN_AREA_SQUARE_METRES) {
-                out.add(new Piece(Cover.NONE, outside));
-                rest = FacePolygon.behind(rest, plane);
+    private boolean[] hasOtherNeighbours(int[] before, FaceFragments known) {
+        boolean[] differs = new boolean[before.length];
+        for (int shape = 0; shape < before.length; shape++) {
+            int[] now = neighbours.of(shape);
+            int[] then = before[shape] == NEW ? null : known.neighbours.of(before[shape]);
+            differs[shape] = then == null || now.length != then.length;
+            for (int i = 0; i < now.length && !differs[shape]; i++) {
+                differs[shape] = before[now[i]] != then[i];
             }
         }
-        out.add(new Piece(cover, rest));
+        return differs;
     }
 
-    /** Gives every fragment the corners that its neighbours, on any face, have on its edges: bit by bit the same. */
-    private List<List<FaceFragment>> joined(int brush, List<List<List<Piece>>> pieces, List<Integer> near) {
-        List<ConvexPolyhedron.Face> faces = brushes.get(brush).shape().faces();
-        if (near.isEmpty()) {
-            return faces.stream()
+    /** Whether a shape or one near it is among those that changed. */
+    private boolean[] reached(boolean[] changed, boolean[] also) {
+        boolean[] reached = new boolean[changed.length];
+        for (int shape = 0; shape < changed.length; shape++) {
+            reached[shape] = changed[shape] || also[shape];
+            for (int other : neighbours.of(shape)) {
+                reached[shape] |= changed[other];
+            }
+        }
+        return reached;
+    }
+
+    /** Fills {@link #divided} and answers which differ from those before. */
+    private boolean[] divide(int[] before, FaceFragments known, boolean[] isDue) {
+        boolean[] changed = new boolean[before.length];
+        for (int shape = 0; shape < before.length; shape++) {
+            List<List<Piece>> then = before[shape] == NEW ? null : known.divided.get(before[shape]);
+            List<List<Piece>> now = then;
+            if (isDue[shape]) {
+                List<ConvexPolyhedron> near = Arrays.stream(neighbours.of(shape))
+                        .mapToObj(shapes::get)
+                        .toList();
+                now = shapes.get(shape).faces().stream()
+                        .map(face -> divide.apply(face, near))
+                        .toList();
+            }
+            changed[shape] = now != then && !now.equals(then);
+            divided.add(changed[shape] ? now : then);
+        }
+        return changed;
+    }
+
+    /** Fills {@link #welded} and answers which differ from those before. */
+    private boolean[] weld(int[] before, FaceFragments known, boolean[] isDue) {
+        CornerWeld weld = new CornerWeld();
+        boolean[] isFollowed = reached(isDue, isDue);
+        boolean[] changed = new boolean[before.length];
+        for (int shape = 0; shape < before.length; shape++) {
+            List<List<Piece>> then = before[shape] == NEW ? null : known.welded.get(before[shape]);
+            List<List<Piece>> now = isFollowed[shape] ? welded(shape, weld) : then;
+            changed[shape] = isDue[shape] && !now.equals(then);
+            welded.add(changed[shape] ? now : then);
+        }
+        return changed;
+    }
+
+    private List<List<Piece>> welded(int shape, CornerWeld weld) {
+        List<List<Piece>> pieces = divided.get(shape);
+        return neighbours.of(shape).length == 0
+                ? pieces
+                : pieces.stream()
+                        .map(face -> face.stream()
+                                .map(piece -> new Piece(
+                                        piece.cover(),
+                                        piece.outline().stream()
+                                                .map(weld::welded)
+                                                .toList()))
+                                .toList())
+                        .toList();
+    }
+
+    private void join(int[] before, FaceFragments known, boolean[] isDue) {
+        for (int shape = 0; shape < before.length; shape++) {
+            List<List<FaceFragment>> then = before[shape] == NEW ? null : known.joined.get(before[shape]);
+            List<List<FaceFragment>> now = isDue[shape] ? joined(shape) : then;
+            joined.add(then != null && now != then && FaceFragment.areSame(now, then) ? then : now);
+        }
+    }
+
+    private List<List<FaceFragment>> joined(int shape) {
+        int[] near = neighbours.of(shape);
+        if (near.length == 0) {
+            return shapes.get(shape).faces().stream()
                     .map(face -> List.of(FaceFragment.whole(face.polygon())))
                     .toList();
         }
-        Set<Vec3> corners = new LinkedHashSet<>();
-        addCorners(pieces.get(brush), corners);
-        near.forEach(other -> addCorners(pieces.get(other), corners));
-        List<List<FaceFragment>> byFace = new ArrayList<>();
-        for (int face = 0; face < faces.size(); face++) {
-            List<Vec3> onPlane = onPlane(faces.get(face).plane(), corners);
-            byFace.add(pieces.get(brush).get(face).stream()
-                    .map(p -> FaceFragment.of(p.cover(), p.outline(), withNeighbours(p.outline(), onPlane)))
-                    .toList());
+        CornerJoin join = new CornerJoin(shapes.get(shape), welded.get(shape));
+        for (int other : near) {
+            join.add(welded.get(other));
         }
-        return byFace;
-    }
-
-    private static void addCorners(List<List<Piece>> ofBrush, Set<Vec3> corners) {
-        ofBrush.forEach(face -> face.forEach(piece -> corners.addAll(piece.outline())));
-    }
-
-    private static List<Vec3> onPlane(Plane plane, Set<Vec3> corners) {
-        return corners.stream()
-                .filter(p -> Math.abs(plane.signedDistance(p)) <= 2 * CornerWeld.WELD_METRES)
-                .toList();
-    }
-
-    private static List<Vec3> withNeighbours(List<Vec3> outline, List<Vec3> corners) {
-        List<Vec3> joined = new ArrayList<>();
-        for (int i = 0; i < outline.size(); i++) {
-            Vec3 a = outline.get(i);
-            Vec3 b = outline.get((i + 1) % outline.size());
-            joined.add(a);
-            corners.stream()
-                    .filter(p -> !p.equals(a) && !p.equals(b) && liesBetween(a, b, p))
-                    .sorted((p, q) -> Double.compare(squareDistance(a, p), squareDistance(a, q)))
-                    .forEach(joined::add);
-        }
-        return joined;
-    }
-
-    private static boolean liesBetween(Vec3 a, Vec3 b, Vec3 p) {
-        double whole = Math.sqrt(squareDistance(a, b));
-        if (whole <= 2 * CornerWeld.WELD_METRES) {
-            return false;
-        }
-        double parts = Math.sqrt(squareDistance(a, p)) + Math.sqrt(squareDistance(p, b));
-        // A corner h beside an edge of length L makes the way about 2h²/L longer.
-        return parts - whole <= 2 * CornerWeld.WELD_METRES * CornerWeld.WELD_METRES / whole + 1e-12 * whole;
-    }
-
-    private static double squareDistance(Vec3 a, Vec3 b) {
-        return a.toVector().distanceSquared(b.x(), b.y(), b.z());
+        return join.joined(welded.get(shape));
     }
 }

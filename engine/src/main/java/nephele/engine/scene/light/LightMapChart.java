@@ -96,6 +96,13 @@ public record LightMapChart(
         return Math.min(Math.max(t, 0), 1) * (rows - 1);
     }
 
+    /** How far a point of the plane lies outside the rectangle. */
+    double metresTo(Vec3 p) {
+        double s = across.dot(p.x(), p.y(), p.z()) - minAcross;
+        double t = up.dot(p.x(), p.y(), p.z()) - minUp;
+        return Math.hypot(Math.max(0, Math.max(-s, s - widthMetres)), Math.max(0, Math.max(-t, t - heightMetres)));
+    }
+
     /** Nearest point of the fragment, drawn in by {@code inset} from its border. */
     private Vector3d clampedIntoOutline(Vector3d p, double inset) {
         Vector3d q = new Vector3d(p);

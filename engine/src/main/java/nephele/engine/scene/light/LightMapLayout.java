@@ -10,12 +10,11 @@ import nephele.engine.math.Vec3;
 /**
  * Where each face fragment of a level lies in one light map. Depends on the solids alone, so a baked map fits every run.
  *
- * @param fragments by brush, by face of its shape
  * @param chartOf same order as the flattened fragments: index into {@code charts}, −1 for a covered fragment
  * @param columnOf left texel of each chart in the map, {@code rowOf} its lowest
  */
 public record LightMapLayout(
-        List<List<List<FaceFragment>>> fragments,
+        FaceFragments fragments,
         List<LightMapChart> charts,
         List<List<int[]>> chartOf,
         int[] columnOf,
@@ -33,7 +32,7 @@ public record LightMapLayout(
     static final int MAX_SIDE = 1024;
 
     public static LightMapLayout of(List<Brush> brushes) {
-        List<List<List<FaceFragment>>> fragments = FaceFragments.of(brushes);
+        FaceFragments fragments = FaceFragments.of(brushes);
         for (double texel = TEXEL_METRES; ; texel *= 1.25) {
             LightMapLayout layout = tryAt(brushes, fragments, texel);
             if (layout.height <= MAX_SIDE && layout.width <= MAX_SIDE || texel > 1e6) {
@@ -42,16 +41,16 @@ public record LightMapLayout(
         }
     }
 
-    private static LightMapLayout tryAt(
-            List<Brush> brushes, List<List<List<FaceFragment>>> fragments, double texelMetres) {
+    private static LightMapLayout tryAt(List<Brush> brushes, FaceFragments fragments, double texelMetres) {
         List<LightMapChart> charts = new ArrayList<>();
         List<Integer> brushOf = new ArrayList<>();
         List<List<int[]>> chartOf = new ArrayList<>();
         for (int b = 0; b < brushes.size(); b++) {
             List<int[]> ofBrush = new ArrayList<>();
-            for (int f = 0; f < fragments.get(b).size(); f++) {
+            List<List<FaceFragment>> faces = fragments.byBrush().get(b);
+            for (int f = 0; f < faces.size(); f++) {
                 Plane plane = brushes.get(b).shape().faces().get(f).plane();
-                List<FaceFragment> parts = fragments.get(b).get(f);
+                List<FaceFragment> parts = faces.get(f);
                 int[] ofFace = new int[parts.size()];
                 for (int i = 0; i < ofFace.length; i++) {
                     ofFace[i] = parts.get(i).isCovered() ? -1 : charts.size();
@@ -70,7 +69,7 @@ public record LightMapLayout(
 
     /** Shelves: charts by falling height, side by side until a row is full. */
     private static LightMapLayout packed(
-            List<List<List<FaceFragment>>> fragments,
+            FaceFragments fragments,
             List<LightMapChart> charts,
             List<List<int[]>> chartOf,
             int[] brushOf,
@@ -117,16 +116,5 @@ public record LightMapLayout(
             shelf = Math.max(shelf, chart.rows());
         }
         return y + shelf;
-    }
-
-    /** Texels from the map's left border to a point of a fragment; 0 under another solid. */
-    public double column(int brush, int face, int fragment, Vec3 p) {
-        int chart = chartOf.get(brush).get(face)[fragment];
-        return chart < 0 ? 0.5 : columnOf[chart] + 0.5 + charts.get(chart).columnOf(p);
-    }
-
-    public double row(int brush, int face, int fragment, Vec3 p) {
-        int chart = chartOf.get(brush).get(face)[fragment];
-        return chart < 0 ? 0.5 : rowOf[chart] + 0.5 + charts.get(chart).rowOf(p);
     }
 }

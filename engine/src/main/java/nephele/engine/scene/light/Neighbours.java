@@ -1,7 +1,8 @@
 package nephele.engine.scene.light;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemList;
 import nephele.engine.math.SpatialIndex;
@@ -14,54 +15,114 @@ final class Neighbours {
     /** Limit for all boxes together: a second's work for those that ask for them. */
     private static final int MOST_PAIRS = 300_000;
 
-    private final List<Aabb> boxes;
-    private final SpatialIndex index;
-    private final double reachMetres;
-    private final int mostOfOne;
-    private final ItemList found = new ItemList();
+    /** More new boxes than these are found by an index. */
+    private static final int MOST_SCANNED = 32;
 
-    private Neighbours(List<Aabb> boxes, SpatialIndex index, double reachMetres, int mostOfOne) {
+    private static final int[] NONE = {};
+
+    private final List<Aabb> boxes;
+    private final double reachMetres;
+    private final int[][] near;
+    private final boolean isCrowded;
+    private int pairs;
+
+    private Neighbours(List<Aabb> boxes, double reachMetres, boolean isCrowded) {
         this.boxes = boxes;
-        this.index = index;
         this.reachMetres = reachMetres;
-        this.mostOfOne = mostOfOne;
+        this.isCrowded = isCrowded;
+        near = new int[boxes.size()][];
+        Arrays.fill(near, NONE);
     }
 
     /** @param reachMetres boxes with a wider gap between them are no neighbours */
     static Neighbours of(List<Aabb> boxes, double reachMetres) {
         SpatialIndex index = SpatialIndex.of(boxes);
-        var all = new Neighbours(boxes, index, reachMetres, MOST_PAIRS);
-        return all.areFew() ? all : new Neighbours(boxes, index, reachMetres, MOST_PAIRS / boxes.size());
+        Neighbours all = new Neighbours(boxes, reachMetres, false);
+        all.find(index, MOST_PAIRS);
+        if (all.pairs > MOST_PAIRS) {
+            all = new Neighbours(boxes, reachMetres, true);
+            all.find(index, MOST_PAIRS / boxes.size());
+        }
+        return all;
     }
 
-    private boolean areFew() {
-        int pairs = 0;
-        for (int box = 0; box < boxes.size() && pairs <= MOST_PAIRS; box++) {
-            find(box, MOST_PAIRS);
+    /** Those with more neighbours than {@code mostOfOne} get none; ends when there are too many of all. */
+    private void find(SpatialIndex index, int mostOfOne) {
+        ItemList found = new ItemList();
+        for (int box = 0; box < near.length && (isCrowded || pairs <= MOST_PAIRS); box++) {
+            Aabb around = boxes.get(box).grown(reachMetres);
+            found.clear();
+            index.passing((bounds, at) -> found.size() <= mostOfOne + 1 && around.overlaps(bounds, at), found);
             pairs += found.size() - 1;
+            if (found.size() - 1 <= mostOfOne) {
+                near[box] = others(box, found);
+            }
         }
-        return pairs <= MOST_PAIRS;
+    }
+
+    /** The box itself is among those found. */
+    private static int[] others(int box, ItemList found) {
+        found.sort();
+        int[] others = new int[found.size() - 1];
+        int count = 0;
+        for (int i = 0; i < found.size(); i++) {
+            if (found.get(i) != box) {
+                others[count++] = found.get(i);
+            }
+        }
+        return others;
+    }
+
+    /**
+     * What {@link #of} finds, from these boxes with others in place of some.
+     *
+     * @param before for each box its number among these, −1 for a new one; ascending but for them
+     */
+    Neighbours edited(List<Aabb> edited, int[] before) {
+        int[] added =
+                IntStream.range(0, before.length).filter(i -> before[i] < 0).toArray();
+        if (isCrowded || added.length > MOST_SCANNED) {
+            return of(edited, reachMetres);
+        }
+        Neighbours result = new Neighbours(edited, reachMetres, false);
+        int[] now = new int[boxes.size()];
+        Arrays.fill(now, -1);
+        for (int box = 0; box < before.length; box++) {
+            if (before[box] >= 0) {
+                now[before[box]] = box;
+            }
+        }
+        ItemList found = new ItemList();
+        for (int box = 0; box < before.length; box++) {
+            found.clear();
+            found.item(box);
+            if (before[box] < 0) {
+                result.scan(box, IntStream.range(0, before.length).toArray(), found);
+            } else {
+                for (int other : near[before[box]]) {
+                    if (now[other] >= 0) {
+                        found.item(now[other]);
+                    }
+                }
+                result.scan(box, added, found);
+            }
+            result.near[box] = others(box, found);
+            result.pairs += found.size() - 1;
+        }
+        return result.pairs <= MOST_PAIRS ? result : of(edited, reachMetres);
+    }
+
+    private void scan(int box, int[] candidates, ItemList found) {
+        Aabb around = boxes.get(box).grown(reachMetres);
+        for (int other : candidates) {
+            if (other != box && around.overlaps(boxes.get(other))) {
+                found.item(other);
+            }
+        }
     }
 
     /** In ascending order; none for a box that has more than its share of a crowd. */
-    List<Integer> of(int box) {
-        find(box, mostOfOne);
-        List<Integer> neighbours = new ArrayList<>();
-        if (found.size() - 1 <= mostOfOne) {
-            found.sort();
-            for (int i = 0; i < found.size(); i++) {
-                if (found.get(i) != box) {
-                    neighbours.add(found.get(i));
-                }
-            }
-        }
-        return neighbours;
-    }
-
-    /** The box itself is among them; ends when there are more than {@code most} others. */
-    private void find(int box, int most) {
-        Aabb around = boxes.get(box).grown(reachMetres);
-        found.clear();
-        index.passing((bounds, at) -> found.size() <= most + 1 && around.overlaps(bounds, at), found);
+    int[] of(int box) {
+        return near[box];
     }
 }

@@ -1,18 +1,37 @@
 package nephele.engine.scene.light;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.function.DoubleConsumer;
+import java.util.stream.IntStream;
+import nephele.engine.level.Brush;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Kept;
 
 /**
  * How much of the sky each place on what never moves sees: the cosine-weighted fraction of the hemisphere over it that
  * meets nothing. 1 on an open plane, ½ at the foot of an endless wall, 0 in a closed room.
  *
+ * @param statics what it was baked for, models split
  * @param texels of the solids' faces, row by row from the lowest, 0–65535 for 0–1
  * @param ofModels likewise for every vertex of every model in turn
  */
-public record SkyVisibility(LightMapLayout layout, short[] texels, short[] ofModels) {
+public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[] texels, short[] ofModels) {
     /** How far vertices of flat models may be apart for it: a texel of 0.25 m costs less than a vertex. */
     public static final double MODEL_EDGE_METRES = 0.5;
+
+    /** The value 1. */
+    private static final short ALL = (short) 0xffff;
+
+    /** Before any bake: everything sees all of the sky. */
+    public static SkyVisibility open() {
+        LightMapLayout layout = LightMapLayout.of(List.of());
+        short[] texels = new short[layout.width() * layout.height()];
+        Arrays.fill(texels, ALL);
+        return new SkyVisibility(layout, StaticShapes.of(List.of()), texels, new short[0]);
+    }
 
     /** @param progress receives the done fraction, 0–1, from any thread */
     public static SkyVisibility bake(StaticShapes statics, DoubleConsumer progress) {
@@ -25,7 +44,50 @@ public record SkyVisibility(LightMapLayout layout, short[] texels, short[] ofMod
                 SkyVisibilityBake.texels(layout, statics, effort, done -> progress.accept(done * (1 - ofModels)));
         short[] values =
                 ModelVisibility.values(statics, effort, done -> progress.accept(1 - ofModels + done * ofModels));
-        return new SkyVisibility(layout, texels, values);
+        return new SkyVisibility(layout, statics, texels, values);
+    }
+
+    /** Whether it was baked for solids of these shapes, so that each has its own charts at its place in the list. */
+    boolean isOf(List<Brush> solids) {
+        List<Brush> baked = statics.solids();
+        return solids == baked
+                || solids.size() == baked.size()
+                        && IntStream.range(0, solids.size())
+                                .allMatch(i -> solids.get(i).shape().equals(baked.get(i).shape()));
+    }
+
+    /** The values of models for a level edited since: a mesh keeps its own, another one sees all of the sky. */
+    public short[] ofModels(PlacedModels models) {
+        List<PlacedModel> baked = statics.models().all();
+        if (Kept.list(baked, models.all()) == baked) {
+            return ofModels;
+        }
+        short[] values = new short[models.vertexCount()];
+        Arrays.fill(values, ALL);
+        int at = 0;
+        for (PlacedModel model : models.all()) {
+            int from = 0;
+            for (PlacedModel old : baked) {
+                int count = old.triangles().positions().length / 3;
+                boolean isSame = old.said().id().equals(model.said().id())
+                        && old.triangles().positions().length == model.triangles().positions().length;
+                if (isSame) {
+                    System.arraycopy(ofModels, from, values, at, count);
+                }
+                from += count;
+            }
+            at += model.triangles().positions().length / 3;
+        }
+        return values;
+    }
+
+    /** The column and the row of the texel that sees most of the sky. */
+    int[] brightest() {
+        int best = 0;
+        for (int i = 1; i < texels.length; i++) {
+            best = (texels[i] & 0xffff) > (texels[best] & 0xffff) ? i : best;
+        }
+        return new int[] {best % layout.width(), best / layout.width()};
     }
 
     /** As the shader sees it: bilinear between the four nearest texels; texels from the map's lower left corner. */

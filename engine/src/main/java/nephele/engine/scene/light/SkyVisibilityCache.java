@@ -44,9 +44,8 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
     public SkyVisibility of(StaticShapes statics, DoubleConsumer progress) {
         LightMapLayout layout = LightMapLayout.of(statics.solids());
         String name = SkyVisibilityFile.nameFor(statics);
-        int vertices = statics.models().vertexCount();
         Optional<SkyVisibility> known =
-                stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, vertices, bytes));
+                stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, statics, bytes));
         if (known.isPresent()) {
             return known.get();
         }

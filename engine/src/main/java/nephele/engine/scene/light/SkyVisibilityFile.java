@@ -122,9 +122,9 @@ public final class SkyVisibilityFile {
     /**
      * Empty when the bytes are no visibility for this layout: it is then baked anew.
      *
-     * @param vertices of models
+     * @param statics what it was baked for
      */
-    public static Optional<SkyVisibility> decode(LightMapLayout layout, int vertices, byte[] bytes) {
+    public static Optional<SkyVisibility> decode(LightMapLayout layout, StaticShapes statics, byte[] bytes) {
         try (DataInputStream head = new DataInputStream(new ByteArrayInputStream(bytes))) {
             byte[] magic = head.readNBytes(MAGIC.length);
             boolean fits = MessageDigest.isEqual(magic, MAGIC)
@@ -136,7 +136,8 @@ public final class SkyVisibilityFile {
             }
             InflaterInputStream body = new InflaterInputStream(head);
             short[] texels = values(body, layout.width() * layout.height());
-            return Optional.of(new SkyVisibility(layout, texels, values(body, vertices)));
+            short[] ofModels = values(body, statics.models().vertexCount());
+            return Optional.of(new SkyVisibility(layout, statics, texels, ofModels));
         } catch (IOException e) {
             return Optional.empty();
         }

@@ -1,0 +1,48 @@
+package nephele.engine.scene;
+
+import java.util.List;
+
+/** Copies the vertices and triangles of shapes from the mesh of a level before an edit. */
+final class MeshCopy {
+    private final MeshSpans spans;
+    private final SolidGeometry.Triangles triangles;
+    private final List<SolidBatch> batches;
+    private final BatchBuilder.Growing[] grown;
+
+    /**
+     * @param spans of the shapes
+     * @param batches of the mesh
+     */
+    MeshCopy(MeshSpans spans, SolidGeometry.Triangles triangles, List<SolidBatch> batches) {
+        this.spans = spans;
+        this.triangles = triangles;
+        this.batches = batches;
+        grown = new BatchBuilder.Growing[batches.size()];
+    }
+
+    int vertices(int number) {
+        return spans.ends()[number] - spans.firsts()[number];
+    }
+
+    /** False, and nothing copied, where no batch of a kind is there yet: its place among the others is the shape's to find. */
+    boolean copy(int number, VertexBytes vertices, BatchBuilder builder) {
+        int slot = spans.slots()[number];
+        for (int i = 0; i < grown.length; i++) {
+            if (grown[i] == null && batches.get(i).start(slot) < batches.get(i).end(slot)) {
+                grown[i] = builder.known(batches.get(i));
+                if (grown[i] == null) {
+                    return false;
+                }
+            }
+        }
+        int shift = vertices.count() - spans.firsts()[number];
+        vertices.copy(triangles.vertices(), spans.firsts()[number], vertices(number));
+        for (int i = 0; i < grown.length; i++) {
+            SolidBatch batch = batches.get(i);
+            if (batch.start(slot) < batch.end(slot)) {
+                grown[i].indices(triangles.indices(), batch.start(slot), batch.end(slot), shift);
+            }
+        }
+        return true;
+    }
+}

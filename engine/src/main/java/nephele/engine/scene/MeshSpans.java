@@ -1,0 +1,23 @@
+package nephele.engine.scene;
+
+/**
+ * Which vertices of a mesh are whose.
+ *
+ * @param firsts first vertex of each shape
+ * @param ends one past the last vertex of each
+ * @param slots where each is in the spatial index
+ */
+record MeshSpans(int[] firsts, int[] ends, int[] slots) {
+    static MeshSpans of(int shapes) {
+        return new MeshSpans(new int[shapes], new int[shapes], new int[shapes]);
+    }
+
+    void begin(int shape, int slot, int vertex) {
+        firsts[shape] = vertex;
+        slots[shape] = slot;
+    }
+
+    void end(int shape, int vertex) {
+        ends[shape] = vertex;
+    }
+}

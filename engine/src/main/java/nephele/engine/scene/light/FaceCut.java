@@ -1,0 +1,134 @@
+package nephele.engine.scene.light;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Vec3;
+import nephele.engine.scene.light.FaceFragment.Cover;
+
+/** Divides a face by the shapes that stand on it. */
+final class FaceCut {
+    /** Another shape covers a face where it is found this far above the face. */
+    static final double PROBE_METRES = 1e-4;
+
+    /** Smaller cuts are not worth a fragment. */
+    private static final double MIN_AREA_SQUARE_METRES = 1e-6;
+
+    /** Corners this far behind a plane are not behind it: half of what {@link FacePolygon} asks for, above all rounding. */
+    private static final double CLEAR_METRES = 5e-7;
+
+    private FaceCut() {}
+
+    /** A part of a face and what covers it. */
+    record Piece(Cover cover, List<Vec3> outline) {
+        boolean isCovered() {
+            return cover != Cover.NONE;
+        }
+    }
+
+    /** One piece: the whole face, hidden where a face of another shape holds all of it. */
+    static List<Piece> whole(ConvexPolyhedron.Face face, List<ConvexPolyhedron> near) {
+        for (ConvexPolyhedron other : near) {
+            if (holds(other, face.polygon()) && coverBy(face.plane(), other) == Cover.TOUCHING) {
+                return List.of(new Piece(Cover.TOUCHING, face.polygon()));
+            }
+        }
+        return List.of(new Piece(Cover.NONE, face.polygon()));
+    }
+
+    private static boolean holds(ConvexPolyhedron shape, List<Vec3> corners) {
+        for (ConvexPolyhedron.Face side : shape.faces()) {
+            for (Vec3 corner : corners) {
+                if (!(side.plane().signedDistance(corner) <= 2 * CornerWeld.WELD_METRES)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** The pieces under the shapes' footprints and those beside them. */
+    static List<Piece> cut(ConvexPolyhedron.Face face, List<ConvexPolyhedron> near) {
+        List<Piece> pieces = List.of(new Piece(Cover.NONE, face.polygon()));
+        for (ConvexPolyhedron other : near) {
+            if (isClear(face, other)) {
+                continue;
+            }
+            List<Plane> footprint = footprint(face.plane(), other);
+            List<Piece> next = new ArrayList<>();
+            for (Piece piece : pieces) {
+                if (piece.isCovered() || !covers(footprint, piece.outline())) {
+                    next.add(piece);
+                } else {
+                    subtract(piece, coverBy(face.plane(), other), footprint, next);
+                }
+            }
+            pieces = next;
+        }
+        return pieces;
+    }
+
+    /** Whether the whole face lies before one plane of the footprint; most shapes near a face do not stand on it. */
+    private static boolean isClear(ConvexPolyhedron.Face face, ConvexPolyhedron other) {
+        for (ConvexPolyhedron.Face side : other.faces()) {
+            Plane plane = side.plane();
+            double distance = lowered(plane, face.plane()) - CLEAR_METRES;
+            boolean isBefore = true;
+            for (int i = 0; i < face.polygon().size() && isBefore; i++) {
+                Vec3 p = face.polygon().get(i);
+                isBefore = plane.nx() * p.x() + plane.ny() * p.y() + plane.nz() * p.z() >= distance;
+            }
+            if (isBefore) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static double lowered(Plane p, Plane face) {
+        double along = p.nx() * face.nx() + p.ny() * face.ny() + p.nz() * face.nz();
+        return p.distance() - PROBE_METRES * along;
+    }
+
+    private static Cover coverBy(Plane face, ConvexPolyhedron other) {
+        boolean touches = other.faces().stream()
+                .map(ConvexPolyhedron.Face::plane)
+                .anyMatch(p -> Math.abs(p.distance() + face.distance()) <= 2 * CornerWeld.WELD_METRES
+                        && p.nx() * face.nx() + p.ny() * face.ny() + p.nz() * face.nz() < -1 + 1e-12);
+        return touches ? Cover.TOUCHING : Cover.INSIDE;
+    }
+
+    /** The other shape's planes, moved so that they cut the face where the shape is just above it. */
+    private static List<Plane> footprint(Plane face, ConvexPolyhedron other) {
+        List<Plane> planes = new ArrayList<>();
+        for (ConvexPolyhedron.Face side : other.faces()) {
+            Plane p = side.plane();
+            planes.add(new Plane(p.nx(), p.ny(), p.nz(), lowered(p, face)));
+        }
+        return planes;
+    }
+
+    private static boolean covers(List<Plane> footprint, List<Vec3> outline) {
+        List<Vec3> rest = outline;
+        for (Plane plane : footprint) {
+            rest = FacePolygon.behind(rest, plane);
+            if (rest.isEmpty()) {
+                return false;
+            }
+        }
+        return FacePolygon.area(rest) > MIN_AREA_SQUARE_METRES;
+    }
+
+    private static void subtract(Piece piece, Cover cover, List<Plane> footprint, List<Piece> out) {
+        List<Vec3> rest = piece.outline();
+        for (Plane plane : footprint) {
+            List<Vec3> outside = FacePolygon.before(rest, plane);
+            if (FacePolygon.area(outside) > MIN_AREA_SQUARE_METRES) {
+                out.add(new Piece(Cover.NONE, outside));
+                rest = FacePolygon.behind(rest, plane);
+            }
+        }
+        out.add(new Piece(cover, rest));
+    }
+}
