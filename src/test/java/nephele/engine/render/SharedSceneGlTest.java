@@ -16,12 +16,14 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.ToneCurve;
+import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlKind;
 import nephele.engine.scene.Moment;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
+import nephele.engine.scene.light.BakedSky;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -101,10 +103,13 @@ class SharedSceneGlTest {
         List<int[]> fresh = edits.stream().map(SharedSceneGlTest::fresh).toList();
         try (Offscreen offscreen = new Offscreen(64, 48)) {
             var before = offscreen.gl.live().counts();
-            Renderer renderer = Renderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), DIRECT);
+            PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
+            Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
+            Renderer renderer = Renderer.load(offscreen.gl, scene, DIRECT);
             for (int i = 0; i < fresh.size(); i++) {
                 drawn(offscreen, renderer, Moment.atStart(renderer.scene().level()));
-                renderer = renderer.edited(Scene.of(edits.get(i), TestAssets.NONE));
+                placed = placed.edited(edits.get(i));
+                renderer = renderer.edited(renderer.scene().edited(placed, BakedSky.of(placed, done -> {})));
                 assertArrayEquals(fresh.get(i), drawn(offscreen, renderer, Moment.atStart(edits.get(i))), "edit " + i);
             }
             renderer.close();

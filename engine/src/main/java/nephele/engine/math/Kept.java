@@ -1,8 +1,9 @@
 package nephele.engine.math;
 
-import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** What an edit leaves the same: objects that are in the list before it and in the list after it. */
 public final class Kept {
@@ -29,14 +30,28 @@ public final class Kept {
             end--;
             places[end] = end - shift;
         }
-        Map<Object, Integer> between = new IdentityHashMap<>();
+        Map<Itself, Integer> between = new LinkedHashMap<>();
         for (int i = first; i < end - shift; i++) {
-            between.put(before.get(i), i);
+            between.put(new Itself(before.get(i)), i);
         }
         for (int i = first; i < end; i++) {
-            places[i] = between.getOrDefault(now.get(i), NEW);
+            places[i] = between.getOrDefault(new Itself(now.get(i)), NEW);
         }
         return places;
+    }
+
+    /** An object that equals no other. */
+    private record Itself(Object object) {
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Itself itself && itself.object == object;
+        }
+
+        @Override
+        public int hashCode() {
+            // Decides how quickly an object is found, no order.
+            return Objects.hashCode(object);
+        }
     }
 
     /** The list before where the other one has the same objects in the same order, else the other one. */

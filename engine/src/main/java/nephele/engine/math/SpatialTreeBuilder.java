@@ -116,7 +116,8 @@ final class SpatialTreeBuilder {
     private int node(int from, int to, int depth, int like) {
         int node = nodes;
         if (like != KnownTree.NONE && known.isOver(like, items, from, to)) {
-            nodes += known.copy(like, items, from, node, new SpatialTree(nodeBounds, first, end, right, null, null, 0, 0));
+            nodes += known.copy(
+                    like, items, from, node, new SpatialTree(nodeBounds, first, end, right, null, null, 0, 0));
             return node;
         }
         nodes++;

@@ -67,10 +67,8 @@ public record Scene(
         FaceFragments otherCut = cut(placed, light, cut);
         SolidGeometry geometry = solids.edited(others, otherMaterials, light, otherCut);
         boolean areMirrorsSame = others.solids() == statics.solids() && otherMaterials == materials;
-        List<Opening> otherMirrors =
-                areMirrorsSame ? mirrors : Mirrors.of(edited, others, otherMaterials, otherCut);
-        return new Scene(
-                edited, placed.assets(), others, otherMaterials, geometry, otherCut, light, otherMirrors);
+        List<Opening> otherMirrors = areMirrorsSame ? mirrors : Mirrors.of(edited, others, otherMaterials, otherCut);
+        return new Scene(edited, placed.assets(), others, otherMaterials, geometry, otherCut, light, otherMirrors);
     }
 
     private SkyVisibility light(Level edited, SkyVisibility baked) {
@@ -85,7 +83,8 @@ public record Scene(
         if (visibility == null && !MirrorFaces.any(placed.level())) {
             return null;
         }
-        FaceFragments known = before == null && visibility != null ? visibility.layout().fragments() : before;
+        FaceFragments known =
+                before == null && visibility != null ? visibility.layout().fragments() : before;
         List<Brush> solids = placed.statics().solids();
         return known == null ? FaceFragments.of(solids) : known.edited(solids);
     }

@@ -67,8 +67,7 @@ public record SceneMaterials(
         all.add(new Surface(Material.DEFAULT_GREY, Slot.NONE, Slot.NONE));
         for (Material material : materials) {
             indexById.put(material.id(), all.size());
-            all.add(
-                    new Surface(material, colours.slot(material.texture()), normals.slot(material.normalTexture())));
+            all.add(new Surface(material, colours.slot(material.texture()), normals.slot(material.normalTexture())));
         }
         return new SceneMaterials(List.copyOf(all), colours.finished(), normals.finished(), Map.copyOf(indexById));
     }

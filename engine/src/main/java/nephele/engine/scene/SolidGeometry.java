@@ -5,8 +5,6 @@ import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import nephele.engine.level.Brush;
-import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -87,7 +85,9 @@ public final class SolidGeometry {
         BatchBuilder solidBatches = new BatchBuilder(origin, index.size());
         BatchBuilder modelBatches = new BatchBuilder(origin, index.size());
         boolean isAtOldPlace = isUnderOldSky && before.fragments != null && before.origin.equals(origin);
-        light = sky == null ? null : isUnderOldSky ? before.light.edited(drawn.solids()) : new FaceLight(sky, drawn.solids());
+        light = sky == null
+                ? null
+                : isUnderOldSky ? before.light.edited(drawn.solids()) : new FaceLight(sky, drawn.solids());
         SolidMesher solidMesher = new SolidMesher(
                 drawn.solids(),
                 parts.byBrush(),
@@ -168,8 +168,7 @@ public final class SolidGeometry {
      * @param sky how much of it is seen where, or {@code null} where its light falls on nothing
      * @param cut the solids' faces, read where {@code sky} falls on them
      */
-    static SolidGeometry of(
-            StaticShapes statics, SceneMaterials materials, SkyVisibility sky, FaceFragments cut) {
+    static SolidGeometry of(StaticShapes statics, SceneMaterials materials, SkyVisibility sky, FaceFragments cut) {
         return new SolidGeometry(statics, materials, sky, cut, null);
     }
 

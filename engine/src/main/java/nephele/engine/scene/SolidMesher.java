@@ -59,8 +59,7 @@ final class SolidMesher {
      *
      * @param changed ids of materials that look otherwise now
      */
-    record Before(
-            List<Brush> brushes, List<List<List<FaceFragment>>> fragments, Set<String> changed, MeshCopy copy) {
+    record Before(List<Brush> brushes, List<List<List<FaceFragment>>> fragments, Set<String> changed, MeshCopy copy) {
         private boolean has(int number, List<List<FaceFragment>> now) {
             return fragments.get(number) == now
                     && (changed.isEmpty()

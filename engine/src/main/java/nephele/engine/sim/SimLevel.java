@@ -58,8 +58,7 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
      */
     public SimLevel edited(PlacedLevel before, PlacedLevel placed) {
         boolean isGunSame = before.statics() == placed.statics()
-                && Objects.equals(
-                        before.level().portalGun(), placed.level().portalGun());
+                && Objects.equals(before.level().portalGun(), placed.level().portalGun());
         return of(
                 placed.level(),
                 statics.edited(placed.statics()),

@@ -319,7 +319,8 @@ class PlacedModelsTest {
         };
         PlacedLevel placed = new PlacedLevel(level, unread, statics);
         assertSame(
-                statics, placed.edited(level.with(level.environment(), List.of())).statics());
+                statics,
+                placed.edited(level.with(level.environment(), List.of())).statics());
         assertSame(statics, Scene.of(placed, BakedSky.of(placed, done -> {})).statics());
         assertEquals(1, SimLevel.of(placed).statics().size());
         TracedLevel traced = TracedLevel.of(placed, Decoding.SRGB);

@@ -136,8 +136,7 @@ class SkyVisibilityTest {
         List<FaceFragment> parts = layout.fragments().byBrush().get(brush).get(face);
         for (int i = 0; i < parts.size(); i++) {
             if (!parts.get(i).isCovered() && contains(parts.get(i), p)) {
-                FaceLight.Spot spot =
-                        new FaceLight(baked, baked.statics().solids()).of(brush, face, i, parts.get(i));
+                FaceLight.Spot spot = new FaceLight(baked, baked.statics().solids()).of(brush, face, i, parts.get(i));
                 return baked.at(spot.columnOf(p), spot.rowOf(p));
             }
         }

@@ -59,10 +59,7 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         int[] places = Kept.places(areMirrorsSame ? before.solids() : List.of(), level.solids());
         List<Brush> brushes = new ArrayList<>(places.length);
         for (int i = 0; i < places.length; i++) {
-            brushes.add(
-                    places[i] == Kept.NEW
-                            ? brush(level.solids().get(i), mirrors)
-                            : solids.get(places[i]));
+            brushes.add(places[i] == Kept.NEW ? brush(level.solids().get(i), mirrors) : solids.get(places[i]));
         }
         List<Brush> others = Kept.list(solids, brushes);
         PlacedModels placed = models.edited(level, assets);

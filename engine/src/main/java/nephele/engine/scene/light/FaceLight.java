@@ -80,7 +80,9 @@ public final class FaceLight {
         Integer old = bakedById.get(brush.solidId());
         int oldFace = old == null
                 ? -1
-                : faceNamed(baked.statics().solids().get(old), brush.faces().get(face).name());
+                : faceNamed(
+                        baked.statics().solids().get(old),
+                        brush.faces().get(face).name());
         if (oldFace < 0) {
             return brightest();
         }
@@ -129,8 +131,7 @@ public final class FaceLight {
 
     private Spot spot(int chart, Vec3 moved) {
         LightMapLayout layout = baked.layout();
-        return new Spot(
-                layout.charts().get(chart), layout.columnOf()[chart] + 0.5, layout.rowOf()[chart] + 0.5, moved);
+        return new Spot(layout.charts().get(chart), layout.columnOf()[chart] + 0.5, layout.rowOf()[chart] + 0.5, moved);
     }
 
     private Spot brightest() {

@@ -5,7 +5,6 @@ import java.util.Comparator;
 import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.math.Plane;
-import nephele.engine.math.Vec3;
 
 /**
  * Where each face fragment of a level lies in one light map. Depends on the solids alone, so a baked map fits every run.

@@ -52,8 +52,9 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
         List<Brush> baked = statics.solids();
         return solids == baked
                 || solids.size() == baked.size()
-                        && IntStream.range(0, solids.size())
-                                .allMatch(i -> solids.get(i).shape().equals(baked.get(i).shape()));
+                        && IntStream.range(0, solids.size()).allMatch(i -> solids.get(i)
+                                .shape()
+                                .equals(baked.get(i).shape()));
     }
 
     /** The values of models for a level edited since: a mesh keeps its own, another one sees all of the sky. */
@@ -70,7 +71,8 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
             for (PlacedModel old : baked) {
                 int count = old.triangles().positions().length / 3;
                 boolean isSame = old.said().id().equals(model.said().id())
-                        && old.triangles().positions().length == model.triangles().positions().length;
+                        && old.triangles().positions().length
+                                == model.triangles().positions().length;
                 if (isSame) {
                     System.arraycopy(ofModels, from, values, at, count);
                 }

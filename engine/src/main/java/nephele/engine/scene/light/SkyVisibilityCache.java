@@ -44,8 +44,7 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
     public SkyVisibility of(StaticShapes statics, DoubleConsumer progress) {
         LightMapLayout layout = LightMapLayout.of(statics.solids());
         String name = SkyVisibilityFile.nameFor(statics);
-        Optional<SkyVisibility> known =
-                stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, statics, bytes));
+        Optional<SkyVisibility> known = stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, statics, bytes));
         if (known.isPresent()) {
             return known.get();
         }
