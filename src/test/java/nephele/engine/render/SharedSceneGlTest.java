@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.AssetException;
@@ -14,6 +15,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.Solid;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.level.placed.PlacedLevel;
@@ -115,6 +117,58 @@ class SharedSceneGlTest {
             renderer.close();
             assertEquals(before, offscreen.gl.live().counts());
         }
+    }
+
+    /** A solid moves under one of two lamps: six layers are drawn again, and the sun's map; under none, the sun's alone. */
+    @Test
+    void onlyMapsOfLampsNearAnEditAreDrawnAgain() {
+        Level level = new TestLevel()
+                .castingSun(MORNING, 2)
+                .material("grey", TestLevel.grey(0.5))
+                .light(new Light.Point("near", new Vec3(0, 2, 0), TestLevel.grey(4), 4, true))
+                .light(new Light.Point("far", new Vec3(60, 2, 0), TestLevel.grey(4), 4, true))
+                .box("grey", new Vec3(30, -1, 0), new Vec3(100, 1, 9))
+                .box("grey", new Vec3(0, 0, -2), new Vec3(1, 1, 1))
+                .box("grey", new Vec3(30, 0, -2), new Vec3(1, 1, 1))
+                .level();
+        try (Offscreen offscreen = new Offscreen(64, 48)) {
+            PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
+            Renderer renderer = Renderer.load(offscreen.gl, Scene.of(placed, null), DIRECT);
+            Moment start = Moment.atStart(level);
+            long first = draws(offscreen, renderer, start);
+            long steady = draws(offscreen, renderer, start);
+            assertTrue(first >= steady + 3, first + " calls, then " + steady);
+            long[] more = new long[2];
+            for (int moved = 1; moved <= 2; moved++) {
+                PlacedLevel other = placed.edited(level.with(level.materials(), movedBy(level.solids(), moved)));
+                renderer = renderer.edited(renderer.scene().edited(other, null));
+                more[moved - 1] = draws(offscreen, renderer, start) - steady;
+                assertEquals(steady, draws(offscreen, renderer, start));
+                renderer = renderer.edited(renderer.scene().edited(placed, null));
+                draws(offscreen, renderer, start);
+            }
+            renderer.close();
+            assertEquals(1, more[1], "the sun's map");
+            assertTrue(more[0] > 1 && more[0] < first - steady, more[0] + " of " + (first - steady));
+        }
+    }
+
+    private static List<Solid> movedBy(List<Solid> solids, int place) {
+        List<Solid> moved = new ArrayList<>(solids);
+        Solid.Box box = (Solid.Box) solids.get(place);
+        Vec3 centre =
+                new Vec3(box.centre().x() + 0.5, box.centre().y(), box.centre().z());
+        moved.set(
+                place,
+                new Solid.Box(
+                        box.id(),
+                        box.material(),
+                        box.portalable(),
+                        box.textureMapping(),
+                        centre,
+                        box.size(),
+                        box.faces()));
+        return moved;
     }
 
     private static int[] fresh(Level level) {

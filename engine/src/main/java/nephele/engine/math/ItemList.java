@@ -27,6 +27,10 @@ public final class ItemList implements ItemVisitor {
         return items[index];
     }
 
+    public int[] toArray() {
+        return Arrays.copyOf(items, size);
+    }
+
     /** Ascending order, so that what follows depends on no tree shape. */
     public void sort() {
         Arrays.sort(items, 0, size);

@@ -14,6 +14,11 @@ public final class Stopwatch {
         return process.getProcessCpuTime();
     }
 
+    /** CPU time of the calling thread. */
+    public long threadCpuNanos() {
+        return threads.getCurrentThreadCpuTime();
+    }
+
     /** Bytes that the calling thread has allocated since it began. */
     public long allocatedBytes() {
         return threads.getCurrentThreadAllocatedBytes();

@@ -9,6 +9,7 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.scene.light.FaceFragments;
+import nephele.engine.scene.light.LampTable;
 import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.SkyVisibility;
 
@@ -20,6 +21,7 @@ import nephele.engine.scene.light.SkyVisibility;
  * @param cut the faces of the level's solids; {@code null} where neither sky visibility nor mirrors ask for them
  * @param skyVisibility {@code null} where no light of the sky falls on them
  * @param mirrors openings that never change, in the order of their ids
+ * @param lamps {@code null} where none lights anything
  */
 public record Scene(
         Level level,
@@ -29,7 +31,8 @@ public record Scene(
         SolidGeometry solids,
         FaceFragments cut,
         SkyVisibility skyVisibility,
-        List<Opening> mirrors) {
+        List<Opening> mirrors,
+        LampTable lamps) {
     /** As {@link #of(PlacedLevel, SkyVisibility)}, for a level that nobody else derives anything from. */
     public static Scene of(Level level, AssetSource assets) {
         PlacedLevel placed = PlacedLevel.of(level, assets);
@@ -49,7 +52,8 @@ public record Scene(
         FaceFragments cut = cut(placed, visibility, null);
         SolidGeometry geometry = SolidGeometry.of(statics, materials, visibility, cut);
         List<Opening> mirrors = Mirrors.of(level, statics, materials, cut);
-        return new Scene(level, placed.assets(), statics, materials, geometry, cut, visibility, mirrors);
+        LampTable lamps = LampTable.of(level, statics);
+        return new Scene(level, placed.assets(), statics, materials, geometry, cut, visibility, mirrors, lamps);
     }
 
     /**
@@ -68,7 +72,9 @@ public record Scene(
         SolidGeometry geometry = solids.edited(others, otherMaterials, light, otherCut);
         boolean areMirrorsSame = others.solids() == statics.solids() && otherMaterials == materials;
         List<Opening> otherMirrors = areMirrorsSame ? mirrors : Mirrors.of(edited, others, otherMaterials, otherCut);
-        return new Scene(edited, placed.assets(), others, otherMaterials, geometry, otherCut, light, otherMirrors);
+        LampTable otherLamps = LampTable.edited(lamps, edited, others);
+        return new Scene(
+                edited, placed.assets(), others, otherMaterials, geometry, otherCut, light, otherMirrors, otherLamps);
     }
 
     private SkyVisibility light(Level edited, SkyVisibility baked) {

@@ -30,6 +30,7 @@ public final class Proofs {
             new MassRatiosProof(10),
             new DoorwayWalkProof(320, 180),
             new EyeCrossingsProof(),
+            new EditsProof(10, 8, EditedTown::baked),
             new SoakProof());
 
     private Proofs() {}

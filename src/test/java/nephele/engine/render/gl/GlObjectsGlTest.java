@@ -15,7 +15,7 @@ class GlObjectsGlTest {
     private static final String VERTEX = "uniform vec3 offset;\nvoid main() { gl_Position = vec4(offset, 1.0); }\n";
 
     private static ShaderSource source(String name, String text) {
-        return ShaderSource.assemble("/" + name, Map.of(), path -> text);
+        return new ShaderSource("/" + name, Map.of(), path -> text);
     }
 
     @Test
@@ -40,7 +40,7 @@ class GlObjectsGlTest {
                 "/nephele/engine/render/include/one.glsl",
                 "void one() {}\n");
         try (GlContext gl = GlContext.offscreen()) {
-            ShaderSource fragment = ShaderSource.assemble("/two.frag", Map.of(), files::get);
+            ShaderSource fragment = new ShaderSource("/two.frag", Map.of(), files::get);
             GlException e = assertThrows(
                     GlException.class, () -> new GlProgram<>(gl, source("a.vert", VERTEX), fragment, u -> u));
             assertTrue(e.getMessage().contains("two.frag:6"), e.getMessage());

@@ -33,7 +33,7 @@ class LayersGlTest {
     }
 
     private static ShaderSource source(String name, String text) {
-        return ShaderSource.assemble("/" + name, Map.of(), path -> text);
+        return new ShaderSource("/" + name, Map.of(), path -> text);
     }
 
     /** Covers the bound target with what the fragment shader's {@code main} writes to {@code shown}. */

@@ -176,7 +176,7 @@ class LampTest {
                 new Light.Point("a", new Vec3(-2, 2, 1), WHITE, 30, true),
                 new Light.Point("b", new Vec3(3, 2, -1), WHITE, 30, true),
                 new Light.Point("through", new Vec3(3, 2, -1), WHITE, 30, false));
-        LampTable table = LampTable.of(lights, StaticShapes.of(walls));
+        LampTable table = LampTable.of(lights, StaticShapes.of(walls).bounds(), StaticShapes.of(walls));
         SplittableRandom random = new SplittableRandom(9);
         Occluders solids = new Occluders(walls);
         int leftOut = 0;

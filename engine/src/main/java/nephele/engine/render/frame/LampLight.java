@@ -1,7 +1,5 @@
 package nephele.engine.render.frame;
 
-import nephele.engine.level.Level;
-import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
@@ -9,7 +7,6 @@ import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import nephele.engine.scene.light.LampTable;
-import nephele.engine.scene.light.LightNeeds;
 
 /** The lamps' part of {@code surface-light.glsl}, with the shadows of what never moves. */
 final class LampLight implements GlObject {
@@ -20,14 +17,13 @@ final class LampLight implements GlObject {
     private final BufferTexture grid;
 
     /**
-     * @param statics of the level
+     * @param table of the level's lamps, or {@code null}
      * @param anchor what positions in shaders are relative to
      */
-    LampLight(GlContext gl, FrameRequest request, StaticShapes statics, Vec3 anchor) {
+    LampLight(GlContext gl, FrameRequest request, LampTable table, Vec3 anchor) {
         this.anchor = anchor;
-        Level level = request.level();
+        this.table = table;
         shadow = request.lightMaps().has(Target.LAMP_SHADOW);
-        table = LightNeeds.lamps(level) ? LampTable.of(level.lights(), statics) : null;
         texels = table == null ? null : BufferTexture.ofFloats(gl, "lamps", table.packed(anchor));
         grid = table == null ? null : grid(gl);
     }

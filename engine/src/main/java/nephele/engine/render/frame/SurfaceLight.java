@@ -39,7 +39,7 @@ public final class SurfaceLight implements GlObject {
         maps = request.lightMaps();
         block = shared.own(new LightBlock(gl));
         sun = new SunLight(request, scene.statics(), anchor());
-        lamps = new LampLight(gl, request, scene.statics(), anchor());
+        lamps = new LampLight(gl, request, scene.lamps(), anchor());
         thingShade = new ThingShade(gl, maps);
     }
 

@@ -9,7 +9,7 @@ import java.util.Map;
 final class LinkedPrograms {
     private final Map<Sources, Integer> linked = new HashMap<>();
 
-    private record Sources(String vertex, String fragment) {}
+    private record Sources(ShaderSource vertex, ShaderSource fragment) {}
 
     static String name(ShaderSource vertex, ShaderSource fragment) {
         return vertex.name() + "+" + fragment.name();
@@ -17,7 +17,7 @@ final class LinkedPrograms {
 
     /** @throws GlException with file and line where the sources do not compile */
     int linked(ShaderSource vertex, ShaderSource fragment) {
-        Sources sources = new Sources(vertex.text(), fragment.text());
+        Sources sources = new Sources(vertex, fragment);
         Integer known = linked.get(sources);
         if (known == null) {
             known = link(vertex, fragment);
@@ -50,11 +50,12 @@ final class LinkedPrograms {
     }
 
     private static int compile(int stage, ShaderSource source) {
+        AssembledShader assembled = new AssembledShader(source);
         int shader = glCreateShader(stage);
-        glShaderSource(shader, source.text());
+        glShaderSource(shader, assembled.text());
         glCompileShader(shader);
         if (glGetShaderi(shader, GL_COMPILE_STATUS) == GL_FALSE) {
-            String log = source.withFileNames(glGetShaderInfoLog(shader));
+            String log = assembled.withFileNames(glGetShaderInfoLog(shader));
             glDeleteShader(shader);
             throw new GlException(source.name() + " does not compile:\n" + log);
         }

@@ -42,7 +42,6 @@ final class BakeRation implements SkySight {
         }
         double dearer = 1 + occluders.items() / CACHED_ITEMS;
         double all = dearer * boxTests * places / Math.max(samples, 1);
-        if (System.getProperty("dbg") != null) System.err.println("BOXTESTS " + all / 1e6 + "M");
         int divisor = 1;
         while (all > (double) divisor * MOST_BOX_TESTS) {
             divisor *= 2;

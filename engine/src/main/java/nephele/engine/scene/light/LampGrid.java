@@ -21,35 +21,33 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
 
     private static final int MAX_CELLS = 1 << 13;
     private static final int MAX_ENTRIES = 1 << 17;
+
+    /** Lamps in cells, all together, that are too many: each is in four lists of its cell or more. */
+    static final int MOST_LIT = MAX_ENTRIES / 4;
+
     private static final double FINEST_CELL_METRES = 1;
 
     /** Float coordinates in the shader may fall into the neighbouring cell. */
     private static final double OVERLAP = 1e-3;
 
-    /** @param hiding solids whose shadow the lamps respect, and which lamps have one */
-    public static LampGrid of(List<Lamp> lamps, Aabb bounds, LampOcclusion hiding) {
-        Aabb box = bounds.isEmpty() ? new Aabb(0, 0, 0, 1, 1, 1) : bounds;
+    /** The smallest cells that so large a level may have. */
+    static double finestMetres(Aabb bounds) {
         double side = FINEST_CELL_METRES;
-        while (cells(box.maxX() - box.minX(), side)
-                        * cells(box.maxY() - box.minY(), side)
-                        * cells(box.maxZ() - box.minZ(), side)
+        while (cells(bounds.maxX() - bounds.minX(), side)
+                        * cells(bounds.maxY() - bounds.minY(), side)
+                        * cells(bounds.maxZ() - bounds.minZ(), side)
                 > MAX_CELLS) {
             side *= 1.25;
         }
-        while (true) {
-            LampGrid grid = tryAt(lamps, box, side, hiding);
-            if (grid.lamps.length <= MAX_ENTRIES || grid.firstOfList.length == FACINGS + 1) {
-                return grid;
-            }
-            side *= 2;
-        }
+        return side;
     }
 
     private static double cells(double extent, double side) {
         return Math.max(1, Math.ceil(extent / side));
     }
 
-    private static LampGrid tryAt(List<Lamp> lamps, Aabb box, double side, LampOcclusion hiding) {
+    /** Cells that list no lamp. */
+    static LampGrid over(Aabb box, double side) {
         int nx = (int) cells(box.maxX() - box.minX(), side);
         int ny = (int) cells(box.maxY() - box.minY(), side);
         int nz = (int) cells(box.maxZ() - box.minZ(), side);
@@ -58,22 +56,49 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
                 cellSide(box.maxX() - box.minX(), nx),
                 cellSide(box.maxY() - box.minY(), ny),
                 cellSide(box.maxZ() - box.minZ(), nz));
-        LampGrid empty = new LampGrid(min, cell, nx, ny, nz, new int[FACINGS * nx * ny * nz + 1], new int[0]);
-        return empty.filled(lamps, hiding);
+        return new LampGrid(min, cell, nx, ny, nz, new int[FACINGS * nx * ny * nz + 1], new int[0]);
+    }
+
+    boolean hasSameCells(LampGrid other) {
+        return min.equals(other.min)
+                && cellMetres.equals(other.cellMetres)
+                && columns == other.columns
+                && floors == other.floors
+                && rows == other.rows;
+    }
+
+    int cells() {
+        return columns * floors * rows;
+    }
+
+    Aabb bounds() {
+        return new Aabb(
+                min.x(),
+                min.y(),
+                min.z(),
+                min.x() + columns * cellMetres.x(),
+                min.y() + floors * cellMetres.y(),
+                min.z() + rows * cellMetres.z());
     }
 
     private static double cellSide(double extent, int cells) {
         return Math.max(extent, 1e-3) / cells;
     }
 
-    private LampGrid filled(List<Lamp> all, LampOcclusion hiding) {
+    /**
+     * The same cells with their lists.
+     *
+     * @return {@code null} where the lists are too long and the cells can be larger
+     */
+    LampGrid listing(List<Lamp> all, LampCells lit) {
+        int most = cells() == 1 ? Integer.MAX_VALUE : MAX_ENTRIES;
         int[] first = new int[firstOfList.length];
         int[] entries = new int[64];
         int[] near = new int[all.size()];
         int count = 0;
-        for (int cell = 0; cell < columns * floors * rows && count <= MAX_ENTRIES; cell++) {
-            int nearCount = near(all, cell, hiding, near);
-            Aabb box = reachOf(cell);
+        for (int cell = 0; cell < cells(); cell++) {
+            int nearCount = near(cell, lit, near);
+            Aabb box = nearCount == 0 ? Aabb.EMPTY : reachOf(cell);
             for (int facing = 0; facing < FACINGS; facing++) {
                 first[FACINGS * cell + facing] = count;
                 entries = count + nearCount > entries.length ? Arrays.copyOf(entries, 2 * count + nearCount) : entries;
@@ -83,17 +108,18 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
                     }
                 }
             }
+            if (count > most) {
+                return null;
+            }
         }
         first[first.length - 1] = count;
         return new LampGrid(min, cellMetres, columns, floors, rows, first, Arrays.copyOf(entries, count));
     }
 
-    private int near(List<Lamp> all, int cell, LampOcclusion hiding, int[] near) {
-        Aabb reach = reachOf(cell);
-        Aabb inside = boxOf(cell);
+    private static int near(int cell, LampCells lit, int[] near) {
         int count = 0;
-        for (int lamp = 0; lamp < all.size(); lamp++) {
-            if (LampReach.touches(all.get(lamp), reach) && !hiding.hides(lamp, inside)) {
+        for (int lamp = 0; lamp < near.length; lamp++) {
+            if (lit.mayLight(lamp, cell)) {
                 near[count++] = lamp;
             }
         }
@@ -125,7 +151,7 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
         return FACINGS - 1;
     }
 
-    private Aabb boxOf(int cell) {
+    Aabb boxOf(int cell) {
         int x = cell % columns;
         int y = cell / columns % floors;
         int z = cell / columns / floors;
@@ -141,7 +167,7 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
     }
 
     /** The cell's box, a little grown; unbounded on the grid's outside. */
-    private Aabb reachOf(int cell) {
+    Aabb reachOf(int cell) {
         int x = cell % columns;
         int y = cell / columns % floors;
         int z = cell / columns / floors;

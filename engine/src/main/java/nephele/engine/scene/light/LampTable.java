@@ -1,6 +1,7 @@
 package nephele.engine.scene.light;
 
 import java.util.List;
+import nephele.engine.level.Level;
 import nephele.engine.level.Light;
 import nephele.engine.level.appearance.Lamp;
 import nephele.engine.level.placed.StaticShapes;
@@ -13,23 +14,68 @@ import org.joml.Vector3d;
  * Everything about a level's lamps that shaders read.
  *
  * @param shadows layers of the depth texture; none when nothing casts
+ * @param cells what the grid's lists were made from
  */
-public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows) {
+public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows, LampCells cells) {
     /** Texels of four floats that one lamp takes in {@link #packed}. */
     public static final int TEXELS_PER_LAMP = 4;
 
-    /** @param statics what may be lit and what hides */
-    public static LampTable of(List<Light> lights, StaticShapes statics) {
-        return of(lights, statics.bounds(), statics);
+    private static final Aabb NOTHING_LIT = new Aabb(0, 0, 0, 1, 1, 1);
+
+    /**
+     * @param statics what may be lit and what hides
+     * @return {@code null} where no lamp lights anything
+     */
+    public static LampTable of(Level level, StaticShapes statics) {
+        return edited(null, level, statics);
+    }
+
+    /**
+     * The table of an edited level, the same where nothing in it differs; what no change can reach is not looked for
+     * again.
+     *
+     * @param before {@code null} where there was none
+     * @return {@code null} where no lamp lights anything
+     */
+    public static LampTable edited(LampTable before, Level level, StaticShapes statics) {
+        if (!LightNeeds.lamps(level)) {
+            return null;
+        }
+        List<Lamp> lamps = lamps(level.lights());
+        if (before == null) {
+            return of(lamps, statics.bounds(), statics, null);
+        }
+        return before.cells.areOf(lamps, statics) ? before : of(lamps, statics.bounds(), statics, before.cells);
     }
 
     /** @param bounds of what may be lit */
     static LampTable of(List<Light> lights, Aabb bounds, StaticShapes statics) {
-        List<Lamp> lamps =
-                lights.stream().flatMap(light -> Lamp.of(light).stream()).toList();
+        return of(lamps(lights), bounds, statics, null);
+    }
+
+    private static List<Lamp> lamps(List<Light> lights) {
+        return lights.stream().flatMap(light -> Lamp.of(light).stream()).toList();
+    }
+
+    private static LampTable of(List<Lamp> lamps, Aabb bounds, StaticShapes statics, LampCells before) {
         LampShadows shadows = LampShadows.of(lamps);
-        LampOcclusion hiding = new LampOcclusion(statics, lamps, shadows.firstLayer());
-        return new LampTable(lamps, LampGrid.of(lamps, bounds, hiding), shadows);
+        Aabb box = bounds.isEmpty() ? NOTHING_LIT : bounds;
+        for (double side = LampGrid.finestMetres(box); ; side *= 2) {
+            LampGrid empty = LampGrid.over(box, side);
+            LampCells cells = new LampCells(empty, lamps, shadows.firstLayer(), statics, before);
+            LampGrid grid = empty.listing(lamps, cells);
+            if (grid != null) {
+                return new LampTable(lamps, grid, shadows, cells);
+            }
+        }
+    }
+
+    /**
+     * What stands for all that a lamp may be shaded by: the same object in the table of an edited level while neither the
+     * lamp nor anything in its reach is another.
+     */
+    public Object shade(int lamp) {
+        return cells.lit(lamp);
     }
 
     /**

@@ -1,6 +1,7 @@
 package nephele.engine.scene.light;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
@@ -8,6 +9,7 @@ import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.SpatialIndex;
@@ -22,12 +24,38 @@ public final class ShadowCasters {
 
     private final List<Brush> brushes;
     private final List<StaticShape> shapes;
-    private final SpatialIndex index;
+    /** The two outermost shapes in each direction of an axis: one of them reaches below most planes. */
+    private final int[] outermost;
+    /** Made when none of them does. */
+    private SpatialIndex index;
 
     private ShadowCasters(StaticShapes statics) {
         brushes = statics.solids();
         shapes = statics.all();
-        index = SpatialIndex.of(shapes.stream().map(StaticShape::bounds).toList());
+        outermost = outermost();
+    }
+
+    private int[] outermost() {
+        double[] farthest = new double[12];
+        int[] found = new int[12];
+        Arrays.fill(farthest, Double.NEGATIVE_INFINITY);
+        for (int shape = 0; shape < shapes.size(); shape++) {
+            Aabb box = shapes.get(shape).bounds();
+            double[] reach = {-box.minY(), box.maxY(), -box.minX(), box.maxX(), -box.minZ(), box.maxZ()};
+            for (int side = 0; side < 6; side++) {
+                int at = 2 * side;
+                if (reach[side] > farthest[at]) {
+                    farthest[at + 1] = farthest[at];
+                    found[at + 1] = found[at];
+                }
+                int place = reach[side] > farthest[at] ? at : at + 1;
+                if (reach[side] > farthest[place]) {
+                    farthest[place] = reach[side];
+                    found[place] = shape;
+                }
+            }
+        }
+        return found;
     }
 
     /** The corners of all that can throw a shadow. */
@@ -79,6 +107,15 @@ public final class ShadowCasters {
 
     private boolean isAnyOtherBelow(int brush, Plane plane) {
         OtherBelow search = new OtherBelow(brush, plane);
+        for (int i = 0; i < outermost.length && !search.isFound; i++) {
+            shapes.get(outermost[i]).select(search);
+        }
+        if (search.isFound) {
+            return true;
+        }
+        if (index == null) {
+            index = SpatialIndex.of(shapes.stream().map(StaticShape::bounds).toList());
+        }
         index.passing((boxes, at) -> !search.isFound && mayReachBelow(boxes, at, plane), other -> shapes.get(other)
                 .select(search));
         return search.isFound;

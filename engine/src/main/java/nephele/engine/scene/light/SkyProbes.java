@@ -21,7 +21,10 @@ public final class SkyProbes {
     private static final int DIRECTIONS = 96;
     private static final float INSIDE = -1;
 
-    private final Occluders occluders;
+    private final StaticShapes statics;
+    /** Made when a thing is first seen. */
+    private Occluders occluders;
+
     private final double[][] directions = new double[DIRECTIONS][];
     private final double[] from = new double[3];
     private final double[] way = new double[3];
@@ -34,7 +37,7 @@ public final class SkyProbes {
     private int size;
 
     public SkyProbes(StaticShapes statics) {
-        occluders = new Occluders(statics);
+        this.statics = statics;
         meets = (sight, item, limit) -> occluders.hit(item, from, way, limit);
         for (int i = 0; i < DIRECTIONS; i++) {
             // Evenly over the sphere (Vogel 1979).
@@ -48,6 +51,7 @@ public final class SkyProbes {
 
     /** Writes the shares of the sky around a place, each 0 to 1, from {@code out[at]} on. */
     public void at(double x, double y, double z, float[] out, int at) {
+        occluders = occluders == null ? new Occluders(statics) : occluders;
         // A place in a solid sees no point of the lattice; the nearest that are free have to do.
         if (!mix(x, y, z, Sight.CLEAR, out, at)) {
             mix(x, y, z, Sight.ANY, out, at);

@@ -1,5 +1,7 @@
 package nephele.engine.render.pass.shadow;
 
+import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
@@ -16,7 +18,8 @@ final class DepthLayers implements GlObject {
     private final String name;
     private Texture texture;
     private Texture.Extent extent;
-    private Object shown;
+    private final List<RenderTarget> targets = new ArrayList<>();
+    private final List<Object> shown = new ArrayList<>();
 
     DepthLayers(GlContext gl, String name) {
         this.gl = gl;
@@ -30,20 +33,19 @@ final class DepthLayers implements GlObject {
     }
 
     /**
-     * The texture, each layer drawn again if they show anything else.
+     * The texture; a layer is drawn again if it shows anything else.
      *
-     * @param content a value: where it is equal, so are the pictures
+     * @param contents a value for each layer: where it is equal, so is the picture
      */
-    Texture showing(Object content, Texture.Extent size, LayerDrawing drawing) {
-        if (!content.equals(shown)) {
-            shown = null;
-            fit(size);
-            for (int layer = 0; layer < size.layers(); layer++) {
-                try (RenderTarget target = RenderTarget.depthLayer(gl, name, texture, layer)) {
-                    drawing.draw(layer, target);
-                }
+    Texture showing(List<?> contents, Texture.Extent size, LayerDrawing drawing) {
+        fit(size);
+        for (int layer = 0; layer < size.layers(); layer++) {
+            Object content = contents.get(layer);
+            if (!content.equals(shown.get(layer))) {
+                shown.set(layer, null);
+                drawing.draw(layer, targets.get(layer));
+                shown.set(layer, content);
             }
-            shown = content;
         }
         return texture;
     }
@@ -53,11 +55,18 @@ final class DepthLayers implements GlObject {
             close();
             texture = new Texture(gl, name, Texture.Shape.ARRAY, PixelFormat.DEPTH32F, size, Sampling.NEAREST_CLAMP);
             extent = size;
+            for (int layer = 0; layer < size.layers(); layer++) {
+                targets.add(RenderTarget.depthLayer(gl, name, texture, layer));
+                shown.add(null);
+            }
         }
     }
 
     @Override
     public void close() {
+        targets.forEach(RenderTarget::close);
+        targets.clear();
+        shown.clear();
         if (texture != null) {
             texture.close();
             texture = null;

@@ -18,9 +18,10 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.light.LampShadows;
+import nephele.engine.scene.light.LampTable;
 import nephele.engine.scene.light.LightNeeds;
 
-/** The lamps' depth pictures: layers of one texture, drawn again when a lamp or a solid is another. */
+/** The lamps' depth pictures: layers of one texture, drawn again when their lamp, or a solid near it, is another. */
 public final class LampShadowPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("shadow.lamps", Stage.ONCE_A_FRAME, LampShadowPass::requiredBy);
@@ -31,20 +32,24 @@ public final class LampShadowPass implements Pass {
     private final Vec3 anchor;
     private final DepthDraw depth;
     private final DepthLayers maps;
-    private final Content content;
+    private final List<Content> contents;
     private final Texture.Extent extent;
 
-    /** What the pictures follow from. */
-    private record Content(Same solids, List<Lamp> lamps) {}
+    /** What a picture follows from. */
+    private record Content(Lamp lamp, int axis, Same shade, Vec3 anchor) {}
 
     private LampShadowPass(LoadContext context) {
         shared = context.shared();
-        lamps = shared.surfaceLight().lamps().lamps();
-        shadows = shared.surfaceLight().lamps().shadows();
+        LampTable table = shared.surfaceLight().lamps();
+        lamps = table.lamps();
+        shadows = table.shadows();
         anchor = shared.surfaceLight().anchor();
         depth = new DepthDraw(context);
         maps = DepthDraw.layers(context, "lamp shadows");
-        content = new Content(new Same(context.scene().solids()), lamps);
+        contents = shadows.layers().stream()
+                .map(layer ->
+                        new Content(lamps.get(layer.lamp()), layer.axis(), new Same(table.shade(layer.lamp())), anchor))
+                .toList();
         extent = new Texture.Extent(
                 shadows.side(), shadows.side(), shadows.layers().size());
     }
@@ -71,7 +76,7 @@ public final class LampShadowPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        shared.publish(Target.LAMP_SHADOW, maps.showing(content, extent, this::draw));
+        shared.publish(Target.LAMP_SHADOW, maps.showing(contents, extent, this::draw));
     }
 
     private void draw(int layer, RenderTarget target) {

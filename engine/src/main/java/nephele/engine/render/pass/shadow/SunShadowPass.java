@@ -56,7 +56,7 @@ public final class SunShadowPass implements Pass {
     public void draw(FrameContext context) {
         ShadowFrame frame = light.sunFrame();
         Texture texture = map.showing(
-                new Content(solids, frame),
+                List.of(new Content(solids, frame)),
                 new Texture.Extent(frame.width(), frame.height(), 1),
                 (layer, target) -> depth.drawAll(target, frame.clipFromAnchor(), frame.anchor()));
         shared.publish(Target.SUN_SHADOW, texture);

@@ -35,7 +35,7 @@ public final class ThingShadowPass implements Pass {
         depth = new ThingDepthDraw(context, meshes);
         shade = context.shared().surfaceLight().thingShade();
         sun = shade.sun() ? new ThingSunShadow(context, meshes) : null;
-        lamps = shade.lamps() ? new ThingLampShadow(context, meshes) : null;
+        lamps = shade.lamps() ? new ThingLampShadow(context, meshes, depth) : null;
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
@@ -59,8 +59,8 @@ public final class ThingShadowPass implements Pass {
         long now = meshes.update(frame.moment());
         boolean haveMoved = now != drawn;
         drawn = now;
-        if (lamps != null && haveMoved) {
-            lamps.draw(depth);
+        if (lamps != null) {
+            lamps.follow(now);
         }
         boolean isSunDrawn = sun != null && sun.follow(depth, frame, haveMoved);
         if (haveMoved || isSunDrawn) {

@@ -6,9 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 
-class ShaderSourceTest {
+class AssembledShaderTest {
     private static final String FOLDER = "/nephele/engine/render/include/";
     private static final Map<String, String> FILES = Map.of(
             "/main.frag",
@@ -18,9 +19,13 @@ class ShaderSourceTest {
             FOLDER + "b.glsl",
             "#include \"a.glsl\"\nfloat b;\n");
 
+    private static AssembledShader assembled(String path, Map<String, String> defines, UnaryOperator<String> read) {
+        return new AssembledShader(new ShaderSource(path, defines, read));
+    }
+
     @Test
     void includesComeInTheirPlace() {
-        String text = ShaderSource.assemble("/main.frag", Map.of(), FILES::get).text();
+        String text = assembled("/main.frag", Map.of(), FILES::get).text();
         assertTrue(text.indexOf("float a;") < text.indexOf("float b;"));
         assertTrue(text.indexOf("float b;") < text.indexOf("void main"));
         assertFalse(text.contains("#include"));
@@ -29,21 +34,20 @@ class ShaderSourceTest {
     @Test
     void aCircleOfIncludesIsRefused() {
         GlException e = assertThrows(
-                GlException.class,
-                () -> ShaderSource.assemble(FOLDER + "c.glsl", Map.of(), path -> "#include \"c.glsl\"\n"));
+                GlException.class, () -> assembled(FOLDER + "c.glsl", Map.of(), path -> "#include \"c.glsl\"\n"));
         assertTrue(e.getMessage().contains("c.glsl"), e.getMessage());
     }
 
     @Test
     void definesComeFirstInTheOrderOfTheirNames() {
-        String text = ShaderSource.assemble("/main.frag", Map.of("B", "2", "A", "1"), FILES::get)
-                .text();
+        String text =
+                assembled("/main.frag", Map.of("B", "2", "A", "1"), FILES::get).text();
         assertTrue(text.startsWith("#version 410 core\n#define A 1\n#define B 2\n"), text);
     }
 
     @Test
     void aCompilersPlacesBecomeFilesAndLines() {
-        ShaderSource source = ShaderSource.assemble("/main.frag", Map.of(), FILES::get);
+        AssembledShader source = assembled("/main.frag", Map.of(), FILES::get);
         assertEquals("main.frag:4(15): error: x", source.withFileNames("0:4(15): error: x"));
         assertEquals("b.glsl:2: error", source.withFileNames("ERROR: 2:2: error"));
         assertEquals("a.glsl:1 : error", source.withFileNames("1(1) : error"));

@@ -1,0 +1,31 @@
+package nephele.lab.prove;
+
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.SkyVisibility;
+import nephele.engine.scene.light.SkyVisibilityCache;
+import nephele.engine.sim.SimLevel;
+
+/** Everything without OpenGL that follows from a level, as an editor keeps it. */
+record EditedTown(PlacedLevel placed, Scene scene, SimLevel simulated) {
+    /** Bakes the sky's light; nothing is kept on disk. */
+    static SkyVisibility baked(PlacedLevel placed) {
+        return new SkyVisibilityCache(placed.assets(), List.of())
+                .of(placed.statics().split(SkyVisibility.MODEL_EDGE_METRES), done -> {});
+    }
+
+    /** As a level is loaded. @param baked for this level or an earlier one, read where the sky's light falls on it */
+    static EditedTown of(PlacedLevel placed, SkyVisibility baked) {
+        SkyVisibility light = LightNeeds.skyVisibility(placed.level()) ? baked : null;
+        return new EditedTown(placed, Scene.of(placed, light), SimLevel.of(placed));
+    }
+
+    /** As an edit is shown: what does not differ is kept. */
+    EditedTown edited(Level level, SkyVisibility baked) {
+        PlacedLevel other = placed.edited(level);
+        return new EditedTown(other, scene.edited(other, baked), simulated.edited(placed, other));
+    }
+}
