@@ -182,9 +182,8 @@ public final class DrawState {
         boolean isOpening = newDepthOf == DepthOf.OPENING || newDepthOf == DepthOf.WHOLE_FACE;
         toggle(GL_POLYGON_OFFSET_FILL, isOpening);
         if (isOpening) {
-            // One pixel's slope and four steps of the buffer: more than two rasterisations of one plane differ by. A
-            // pixel's
-            // slope along a whole face would reach before its frame; corners lie on the grid to 1/256 pixel.
+            // One pixel's slope and four steps of the buffer: more than two rasterisations of one plane differ by.
+            // Along a whole face that slope would reach before its frame; corners lie on the grid to 1/256 pixel.
             glPolygonOffset(newDepthOf == DepthOf.OPENING ? -1 : -1f / 32, -4);
         }
         glDepthRange(newDepthOf == DepthOf.FARTHEST ? 1 : 0, 1);
