@@ -39,10 +39,10 @@ final class CollisionMutants {
             new Mutant(
                     COLLISION,
                     "the caves of portals side by side meet at the second one's edge",
-                    ENGINE + "collision/CavePartition.java",
+                    ENGINE + "collision/Cave.java",
                     "edge.distance() + nearest / 2",
                     "edge.distance() + nearest",
-                    "CavePartitionTest"),
+                    "CaveTest"),
             new Mutant(
                     COLLISION,
                     "the momentum of a tumbling body turns the wrong way",
@@ -60,10 +60,10 @@ final class CollisionMutants {
             new Mutant(
                     COLLISION,
                     "the way through an aperture is taken at the wrong share",
-                    ENGINE + "collision/rigid/ThroughPortals.java",
+                    ENGINE + "portal/Portals.java",
                     "before / (before - behind)",
                     "before / (before + behind)",
-                    "ThroughPortalsTest"));
+                    "PortalsTest"));
 
     private CollisionMutants() {}
 }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.math.Basis;
-import nephele.engine.math.Directions;
 import nephele.engine.math.SeededNoise;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -83,8 +82,8 @@ class ThirdPersonTest {
                 var basis = heading.turned(5, -5)
                         .turned(Double.NaN, Double.POSITIVE_INFINITY)
                         .basis();
-                assertEquals(1, Directions.length(basis.back()), 1e-12);
-                assertEquals(0, Directions.dot(basis.back(), basis.up()), 1e-12);
+                assertEquals(1, basis.back().length(), 1e-12);
+                assertEquals(0, basis.back().dot(basis.up()), 1e-12);
                 if (!target.equals(Vec3.ZERO)) {
                     assertNear(target, Vec3.of(heading.basis().back().toVector().negate()));
                 }

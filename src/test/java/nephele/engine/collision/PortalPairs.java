@@ -5,6 +5,7 @@ import java.util.List;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
@@ -123,15 +124,11 @@ record PortalPairs(CollisionWorld statics, Portals portals) {
         Vec3 r = portal.frame().right();
         Vec3 u = portal.frame().up();
         return ConvexPolyhedron.fromPlanes(List.of(
-                Cave.through(portal.normal(), portal.centre()),
-                Cave.through(opposite(portal.normal()), portal.world(0, 0, -depth)),
-                Cave.through(r, portal.world(x, 0, 0)),
-                Cave.through(opposite(r), portal.world(-x, 0, 0)),
-                Cave.through(u, portal.world(0, y, 0)),
-                Cave.through(opposite(u), portal.world(0, -y, 0))));
-    }
-
-    private static Vec3 opposite(Vec3 v) {
-        return new Vec3(-v.x(), -v.y(), -v.z());
+                Plane.through(portal.normal(), portal.centre()),
+                Plane.through(portal.normal().negated(), portal.world(0, 0, -depth)),
+                Plane.through(r, portal.world(x, 0, 0)),
+                Plane.through(r.negated(), portal.world(-x, 0, 0)),
+                Plane.through(u, portal.world(0, y, 0)),
+                Plane.through(u.negated(), portal.world(0, -y, 0))));
     }
 }

@@ -9,13 +9,13 @@ import org.junit.jupiter.api.Test;
 
 class BasisTest {
     static void assertOrthonormal(Basis b, double tolerance) {
-        assertEquals(1, Directions.length(b.right()), tolerance, b::toString);
-        assertEquals(1, Directions.length(b.up()), tolerance, b::toString);
-        assertEquals(1, Directions.length(b.back()), tolerance, b::toString);
-        assertEquals(0, Directions.dot(b.right(), b.up()), tolerance, b::toString);
-        assertEquals(0, Directions.dot(b.right(), b.back()), tolerance, b::toString);
-        assertEquals(0, Directions.dot(b.up(), b.back()), tolerance, b::toString);
-        assertEquals(1, Directions.dot(b.right(), Directions.cross(b.up(), b.back())), tolerance, b::toString);
+        assertEquals(1, b.right().length(), tolerance, b::toString);
+        assertEquals(1, b.up().length(), tolerance, b::toString);
+        assertEquals(1, b.back().length(), tolerance, b::toString);
+        assertEquals(0, b.right().dot(b.up()), tolerance, b::toString);
+        assertEquals(0, b.right().dot(b.back()), tolerance, b::toString);
+        assertEquals(0, b.up().dot(b.back()), tolerance, b::toString);
+        assertEquals(1, b.right().dot(b.up().cross(b.back())), tolerance, b::toString);
     }
 
     static Vec3 axisMovedByUlps(SplittableRandom random) {
@@ -38,12 +38,12 @@ class BasisTest {
         for (int i = 0; i < 100_000; i++) {
             Vec3 direction = i % 2 == 0 ? axisMovedByUlps(random) : randomDirection(random);
             double scale = i % 5 == 0 ? 1e-200 : i % 7 == 0 ? 1e200 : 1;
-            Vec3 target = new Vec3(direction.x() * scale, direction.y() * scale, direction.z() * scale);
+            Vec3 target = direction.scaled(scale);
             Vec3 up = i % 3 == 0 ? axisMovedByUlps(random) : i % 11 == 0 ? target : new Vec3(0, 1, 0);
             Basis basis = Basis.lookAt(Vec3.ZERO, target, up, Basis.WORLD);
             assertOrthonormal(basis, 1e-6);
-            assertTrue(Directions.dot(basis.back(), Directions.unit(target.x(), target.y(), target.z())) < -1 + 1e-12);
-            assertTrue(Directions.dot(basis.up(), Directions.unit(up.x(), up.y(), up.z())) >= -1e-6);
+            assertTrue(basis.back().dot(Directions.unit(target.x(), target.y(), target.z())) < -1 + 1e-12);
+            assertTrue(basis.up().dot(Directions.unit(up.x(), up.y(), up.z())) >= -1e-6);
         }
     }
 

@@ -14,7 +14,7 @@ final class PolyhedronCutTest {
     private static Plane plane(SplittableRandom random, Vec3 centre) {
         while (true) {
             Vec3 n = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-            if (Directions.length(n) > 0.1) {
+            if (n.length() > 0.1) {
                 Plane unit = Plane.of(n, 0);
                 double along = unit.signedDistance(centre);
                 return new Plane(unit.nx(), unit.ny(), unit.nz(), along + random.nextDouble(-0.6, 0.6));
@@ -31,18 +31,14 @@ final class PolyhedronCutTest {
             for (int i = 2; i < face.polygon().size(); i++) {
                 Vec3 b = face.polygon().get(i - 1);
                 Vec3 c = face.polygon().get(i);
-                sixfold += determinant(minus(a, o), minus(b, o), minus(c, o));
+                sixfold += determinant(a.minus(o), b.minus(o), c.minus(o));
             }
         }
         return sixfold / 6;
     }
 
-    private static Vec3 minus(Vec3 a, Vec3 b) {
-        return new Vec3(a.x() - b.x(), a.y() - b.y(), a.z() - b.z());
-    }
-
     private static double determinant(Vec3 a, Vec3 b, Vec3 c) {
-        return Directions.dot(a, Directions.cross(b, c));
+        return a.dot(b.cross(c));
     }
 
     /** Every edge belongs to two faces that run along it in opposite directions. */

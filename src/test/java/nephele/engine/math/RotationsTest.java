@@ -57,10 +57,10 @@ class RotationsTest {
         var random = new SplittableRandom(14);
         for (int i = 0; i < 100_000; i++) {
             Vec3 a = unit(i % 3 == 0 ? BasisTest.axisMovedByUlps(random) : BasisTest.randomDirection(random));
-            Vec3 b = i % 4 == 0 ? new Vec3(-a.x(), -a.y(), -a.z()) : unit(BasisTest.randomDirection(random));
+            Vec3 b = i % 4 == 0 ? a.negated() : unit(BasisTest.randomDirection(random));
             double share = random.nextDouble();
             Vec3 turned = Directions.turned(a, b, share);
-            assertEquals(1, Directions.length(turned), 1e-9);
+            assertEquals(1, turned.length(), 1e-9);
             assertEquals(share * Directions.angle(a, b), Directions.angle(a, turned), 1e-6);
             assertTrue(Directions.angle(b, Directions.turned(a, b, 1)) < 1e-8);
         }

@@ -52,7 +52,7 @@ class ModelGlTest {
                 Scale[] scales = {
                     new Scale(SIZE_OF_BOX),
                     new Scale(new Vec3(-SIZE_OF_BOX.x(), SIZE_OF_BOX.y(), SIZE_OF_BOX.z())),
-                    new Scale(new Vec3(-SIZE_OF_BOX.x(), -SIZE_OF_BOX.y(), -SIZE_OF_BOX.z()))
+                    new Scale(SIZE_OF_BOX.negated())
                 };
                 for (Scale scale : scales) {
                     for (String file : new String[] {"box_1_1.3d", "box_1_4.3d"}) {

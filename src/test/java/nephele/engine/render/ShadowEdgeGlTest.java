@@ -128,7 +128,7 @@ class ShadowEdgeGlTest {
                 float[] rgb = offscreen.radiance(level, TestAssets.NONE, view);
                 for (int i = 0; i < SIZE * SIZE; i++) {
                     Seen seen = seen(pixelRay(view, i % SIZE, i / SIZE));
-                    double cosine = seen == null ? 0 : Directions.dot(seen.normal, sun);
+                    double cosine = seen == null ? 0 : seen.normal.dot(sun);
                     double lit = cosine <= 0 ? 0 : lit(seen, SUN, INF, 1.5 * ShadowFrame.FINEST_TEXEL_METRES);
                     if (seen != null && !Double.isNaN(lit)) {
                         String where = "seen from " + eye + " at " + seen.point;
@@ -209,7 +209,7 @@ class ShadowEdgeGlTest {
                 double side = look % 2 == 0 ? 1 : -1;
                 Vec3 ahead = new Vec3(look / 2 == 0 ? side : 0, look / 2 == 1 ? side : 0, look / 2 == 2 ? side : 0);
                 Vec3 eye = new Vec3(-0.5 - 1.5 * ahead.x(), 0.6 - 1.5 * ahead.y(), 0.5 - 1.5 * ahead.z());
-                Vec3 target = new Vec3(eye.x() + ahead.x(), eye.y() + ahead.y(), eye.z() + ahead.z());
+                Vec3 target = eye.plus(ahead);
                 View view = offscreen.view(eye, target);
                 float[] rgb = offscreen.radiance(level, TestAssets.NONE, view);
                 for (int i = 0; i < SIZE * SIZE; i++) {
@@ -225,10 +225,10 @@ class ShadowEdgeGlTest {
 
     private void judgeLamp(Seen seen, Vec3 lamp, float radiance, int[] counts) {
         Vec3 toLamp = new Vec3(lamp.x() - seen.point.x(), lamp.y() - seen.point.y(), lamp.z() - seen.point.z());
-        double cosine = Directions.dot(seen.normal, toLamp) / Directions.length(toLamp);
+        double cosine = seen.normal.dot(toLamp) / toLamp.length();
         double lit = lit(seen, toLamp, 1, 0.03);
         if (cosine > 0.05 && !Double.isNaN(lit)) {
-            double square = Directions.dot(toLamp, toLamp);
+            double square = toLamp.dot(toLamp);
             double window = 1 - square * square / 160_000;
             double unshaded = 20 / Math.PI * cosine / square * window * window;
             assertEquals(AMBIENT + lit * unshaded, radiance, 0.01 * unshaded, () -> seen + "");

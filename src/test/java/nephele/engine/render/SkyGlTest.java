@@ -62,7 +62,7 @@ class SkyGlTest {
         TestAssets assets = faces();
         try (Offscreen offscreen = new Offscreen(9, 9)) {
             for (int face = 0; face < 6; face++) {
-                View view = offscreen.view(new Vec3(5, 6, 7), add(new Vec3(5, 6, 7), AXES.get(face)));
+                View view = offscreen.view(new Vec3(5, 6, 7), new Vec3(5, 6, 7).plus(AXES.get(face)));
                 int[] pixels = offscreen.pixels(skybox().level(), assets, view, RenderSettings.of(Output.PLAIN));
                 assertEquals(COLOURS[face], pixels[40], "face " + face);
             }
@@ -109,7 +109,7 @@ class SkyGlTest {
                 .level();
         try (Offscreen offscreen = new Offscreen(48, 48)) {
             for (Vec3 axis : AXES) {
-                View view = offscreen.view(Vec3.ZERO, add(axis, new Vec3(0.2, 0.1, 0.3)));
+                View view = offscreen.view(Vec3.ZERO, axis.plus(new Vec3(0.2, 0.1, 0.3)));
                 RenderSettings direct = RenderSettings.of(Output.DIRECT);
                 assertArrayEquals(
                         offscreen.pixels(skybox().level(), assets, view, direct),
@@ -193,9 +193,5 @@ class SkyGlTest {
     /** The face's colour, white in the upper left quarter without the middle. */
     private static int faceColour(int face, int x, int y) {
         return x < 6 && y < 6 ? 0xffffff : COLOURS[face];
-    }
-
-    private static Vec3 add(Vec3 a, Vec3 b) {
-        return new Vec3(a.x() + b.x(), a.y() + b.y(), a.z() + b.z());
     }
 }

@@ -3,6 +3,7 @@ package nephele.engine.sim;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.Sweep;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
@@ -23,8 +24,8 @@ final class OccupantsPushTest {
         SimState inPortal = withCubeAt(lab.state(), new Vec3(0, EDGE / 2 + 0.002, -8 + before));
         Lab moved = lab.turn(90, 0).press(Action.FIRE_FIRST);
         SimLevel level = SimLevel.of(lab.level());
-        PortalSpace from = new PortalSpace(level.statics(), inPortal.around().portals());
-        PortalSpace to = new PortalSpace(level.statics(), moved.state().around().portals());
+        SeamedWorld from = SeamedWorld.of(level.statics(), inPortal.around().portals());
+        SeamedWorld to = SeamedWorld.of(level.statics(), moved.state().around().portals());
         var occupants = new Occupants(level.bodies());
 
         Vec3 centre =

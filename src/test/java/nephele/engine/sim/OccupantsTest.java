@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.SplittableRandom;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.Separation;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
@@ -146,7 +147,7 @@ final class OccupantsTest {
             level = SimLevel.of(lab.level());
             spaces = new Spaces(level.statics());
         }
-        PortalSpace space = spaces.of(around.portals());
+        SeamedWorld space = spaces.of(around.portals());
         PlayerState player = lab.player();
         double depth = depth(
                 space,
@@ -162,8 +163,8 @@ final class OccupantsTest {
         return depth;
     }
 
-    private static double depth(PortalSpace space, RoundedHull shape, Vector3d at) {
-        CollisionWorld world = space.seamed().around(space.seamed().active(shape, at, new Vector3d()));
+    private static double depth(SeamedWorld space, RoundedHull shape, Vector3d at) {
+        CollisionWorld world = space.around(space.active(shape, at, new Vector3d()));
         var near = new ItemList();
         world.overlapping(
                 new Aabb(

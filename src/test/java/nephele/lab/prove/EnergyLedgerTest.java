@@ -39,8 +39,7 @@ class EnergyLedgerTest {
                 List.of(BodyState.resting(new Vec3(.3, 1.7, .1)).moving(new Vec3(.4, 0, .2), new Vec3(1, 2, 3))));
         double first = ledger.joules(bodies);
         for (int tick = 0; tick < rate; tick++) {
-            Bodies next = step.step(
-                    bodies, nephele.engine.collision.rigid.Surroundings.of(world), Influences.none(), 1.0 / rate);
+            Bodies next = step.step(bodies, world, Influences.none(), 1.0 / rate);
             ledger.book(bodies, next);
             assertEquals(first, ledger.joules(next), 1e-9 * first, "tick " + tick);
             bodies = next;

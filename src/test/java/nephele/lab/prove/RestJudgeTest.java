@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
-import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.level.Body;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
@@ -67,7 +67,7 @@ class RestJudgeTest {
             now = now.with(i, BodyState.resting(states.get(i).centre()));
         }
         for (int tick = 0; tick < 120; tick++) {
-            now = step.step(now, Surroundings.of(WORLD), Influences.none(), 1 / 120.0);
+            now = step.step(now, SeamedWorld.of(WORLD), Influences.none(), 1 / 120.0);
         }
         return now;
     }

@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
-import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
@@ -31,7 +31,7 @@ class ThinBodiesTest {
                 body("plate", new Vec3(-.1215, 1.6, -.0196), new Vec3(.05, 2.5, 2.5)),
                 body("rod", new Vec3(-.1195, 3.95, .0594), new Vec3(.001, 1.5, .001))));
         RigidStep step = new RigidStep(table, new Vec3(0, -PlayerBody.GRAVITY, 0));
-        Surroundings room = Surroundings.of(BoxPile.closedRoom(6, 12, 1));
+        SeamedWorld room = SeamedWorld.of(BoxPile.closedRoom(6, 12, 1));
         EnergyLedger ledger = new EnergyLedger(table, Portals.NONE, 1.0 / RATE);
         EnergyBars bars = new EnergyBars(table);
         double most = Math.sqrt(2 * PlayerBody.GRAVITY * FALL_METRES);

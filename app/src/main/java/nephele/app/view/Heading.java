@@ -36,9 +36,9 @@ record Heading(Basis level, double yawDegrees, double pitchDegrees) {
             looking = Basis.lookAt(Vec3.ZERO, level, pole, null);
         }
         double slope = Directions.angle(pole, looking.back()) - Math.PI / 2;
-        Vec3 levelBack = Directions.cross(looking.right(), pole);
+        Vec3 levelBack = looking.right().cross(pole);
         levelBack = Directions.unit(levelBack);
-        Basis level = new Basis(Directions.cross(pole, levelBack), pole, levelBack);
+        Basis level = new Basis(pole.cross(levelBack), pole, levelBack);
         return new Heading(level, 0, StrictMath.toDegrees(slope));
     }
 

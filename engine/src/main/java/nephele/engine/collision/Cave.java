@@ -19,6 +19,9 @@ final class Cave {
     /** Thickness of the frame that is left of the host. */
     static final double FRAME_METRES = 5e-4;
 
+    /** Portals whose unit normals differ by less face the same way. */
+    private static final double SAME_DIRECTION_SINE = 0.05;
+
     private final Plane front;
     private final Plane frameEnd;
     private final List<Plane> throat;
@@ -38,8 +41,7 @@ final class Cave {
         chamber.add(lateral(portal, -1, 0, x));
         chamber.add(lateral(portal, 0, 1, y));
         chamber.add(lateral(portal, 0, -1, y));
-        Plane back = behind(portal, reachMetres);
-        chamber.add(new Plane(-back.nx(), -back.ny(), -back.nz(), -back.distance()));
+        chamber.add(behind(portal, reachMetres).opposite());
         bounds = bounds(portal, x, y, reachMetres);
     }
 
@@ -50,12 +52,7 @@ final class Cave {
 
     /** The plane so far behind the portal, looking as it does. */
     private static Plane behind(Portal portal, double metres) {
-        return through(portal.normal(), portal.world(0, 0, -metres));
-    }
-
-    static Plane through(Vec3 normal, Vec3 point) {
-        double distance = normal.x() * point.x() + normal.y() * point.y() + normal.z() * point.z();
-        return new Plane(normal.x(), normal.y(), normal.z(), distance);
+        return Plane.through(portal.normal(), portal.world(0, 0, -metres));
     }
 
     private static List<Plane> edges(Portal portal) {
@@ -72,7 +69,7 @@ final class Cave {
         Vec3 right = portal.frame().right();
         Vec3 up = portal.frame().up();
         Vec3 normal = new Vec3(x * right.x() + y * up.x(), x * right.y() + y * up.y(), x * right.z() + y * up.z());
-        return through(normal, portal.world(x * metres, y * metres, 0));
+        return Plane.through(normal, portal.world(x * metres, y * metres, 0));
     }
 
     private static Aabb bounds(Portal portal, double x, double y, double reach) {
@@ -134,5 +131,67 @@ final class Cave {
             rest = PolyhedronCut.of(rest, planes.get(i)).behind();
         }
         return rest;
+    }
+
+    /**
+     * Returns the plane behind which the first portal's volume lies, where both volumes would overlap: points beyond it are
+     * deeper behind the second portal. Between portals side by side in one wall it is the middle between them.
+     *
+     * @return {@code null} if one aperture covers the other
+     */
+    static Plane dividing(Portal a, Portal b) {
+        Vec3 difference = a.normal().minus(b.normal());
+        double length = difference.length();
+        if (length < SAME_DIRECTION_SINE) {
+            return sideBySide(a, b);
+        }
+        Vec3 unit = new Vec3(difference.x() / length, difference.y() / length, difference.z() / length);
+        // n · (p − a) = m · (p − b), taken at a's centre, where the numbers are small.
+        double atCentre = b.inFront(a.centre().x(), a.centre().y(), a.centre().z()) / length;
+        Vec3 point = a.centre().addScaled(atCentre, unit);
+        return Plane.through(unit, point);
+    }
+
+    /** Two convex polygons that do not overlap are separated along the normal of an edge. */
+    private static Plane sideBySide(Portal a, Portal b) {
+        Plane fromA = widestGap(a, b);
+        Plane fromB = widestGap(b, a);
+        if (fromA == null || fromB == null) {
+            return fromA != null || fromB == null ? fromA : fromB.opposite();
+        }
+        return gap(fromA, a, b) >= gap(fromB.opposite(), a, b) ? fromA : fromB.opposite();
+    }
+
+    private static Plane widestGap(Portal a, Portal b) {
+        Plane best = null;
+        double widest = -1e-9;
+        for (int i = 0; i < a.aperture().corners(); i++) {
+            Vec3 on = a.world(a.aperture().cornerX(i), a.aperture().cornerY(i), 0);
+            Plane edge = Plane.through(edgeNormal(a, i), on);
+            double nearest = least(edge, b);
+            if (nearest > widest) {
+                widest = nearest;
+                best = new Plane(edge.nx(), edge.ny(), edge.nz(), edge.distance() + nearest / 2);
+            }
+        }
+        return best;
+    }
+
+    private static Vec3 edgeNormal(Portal portal, int edge) {
+        Vec3 origin = portal.centre();
+        Vec3 end = portal.world(
+                portal.aperture().edgeNormalX(edge), portal.aperture().edgeNormalY(edge), 0);
+        return end.minus(origin);
+    }
+
+    private static double gap(Plane plane, Portal a, Portal b) {
+        return least(plane, b) + least(plane.opposite(), a);
+    }
+
+    private static double least(Plane plane, Portal portal) {
+        return portal.corners().stream()
+                .mapToDouble(plane::signedDistance)
+                .min()
+                .orElse(0);
     }
 }

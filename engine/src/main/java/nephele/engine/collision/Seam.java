@@ -90,9 +90,7 @@ final class Seam {
                 double reach = reachMetres - (from < portals.size() ? distance(from, i) : 0);
                 List<Plane> shared = new ArrayList<>();
                 for (int j = 0; j < portals.size(); j++) {
-                    Plane plane = j != i && isIn(mask, j)
-                            ? CavePartition.between(portals.portal(i), portals.portal(j))
-                            : null;
+                    Plane plane = j != i && isIn(mask, j) ? Cave.dividing(portals.portal(i), portals.portal(j)) : null;
                     if (plane != null) {
                         shared.add(plane);
                     }
@@ -146,7 +144,7 @@ final class Seam {
         for (Piece piece : there) {
             List<ConvexPolyhedron> shapes = new ArrayList<>();
             if (reachesBefore(partner, piece.shape())) {
-                opening.cave().fill(MovedPolyhedron.through(back, piece.shape()), shapes);
+                opening.cave().fill(back.polyhedron(piece.shape()), shapes);
             }
             shapes.forEach(shape -> here.add(new Piece(piece.solidId(), shape)));
         }
@@ -177,14 +175,14 @@ final class Seam {
 
     private boolean isBefore(int exit, int other) {
         Portal plane = portals.portal(exit);
-        return CavePartition.corners(portals.portal(other)).stream()
+        return portals.portal(other).corners().stream()
                 .anyMatch(corner -> plane.inFront(corner.x(), corner.y(), corner.z()) > 1e-6);
     }
 
     /** Metres between two apertures, or less. */
     private double distance(int a, int b) {
-        Aabb first = Aabb.of(CavePartition.corners(portals.portal(a)));
-        Aabb second = Aabb.of(CavePartition.corners(portals.portal(b)));
+        Aabb first = Aabb.of(portals.portal(a).corners());
+        Aabb second = Aabb.of(portals.portal(b).corners());
         double x = apart(first.minX(), first.maxX(), second.minX(), second.maxX());
         double y = apart(first.minY(), first.maxY(), second.minY(), second.maxY());
         double z = apart(first.minZ(), first.maxZ(), second.minZ(), second.maxZ());

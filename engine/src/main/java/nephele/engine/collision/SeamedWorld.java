@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ItemList;
+import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
@@ -29,6 +30,7 @@ public final class SeamedWorld {
     private final Seam seam;
     private final long open;
     private final Neighbourhood neighbourhood = new Neighbourhood();
+    private final RayCast cast = new RayCast();
     private final Map<Long, CollisionWorld> worlds = new TreeMap<>();
 
     private SeamedWorld(CollisionWorld statics, Portals portals) {
@@ -42,6 +44,12 @@ public final class SeamedWorld {
         open = mask;
     }
 
+    /** Returns a world without portals. */
+    public static SeamedWorld of(CollisionWorld statics) {
+        return new SeamedWorld(statics, Portals.NONE);
+    }
+
+    /** Returns the world with these portals; closed are those where the exit is obstructed. */
     public static SeamedWorld of(CollisionWorld statics, Portals portals) {
         return new SeamedWorld(statics, withValidExits(statics, portals));
     }
@@ -77,6 +85,12 @@ public final class SeamedWorld {
     /** The world without openings. */
     public CollisionWorld statics() {
         return statics;
+    }
+
+    /** Returns the part of a motion before the first solid, 0 to 1; portals count as wall. */
+    public double free(Vector3dc from, Vector3dc way) {
+        var ray = new Ray(from.x(), from.y(), from.z(), way.x(), way.y(), way.z());
+        return cast.cast(statics, ray, 1) ? cast.distance() : 1;
     }
 
     /** Those given, but closed where the exit is no place to come out: who crosses has to ask these. */

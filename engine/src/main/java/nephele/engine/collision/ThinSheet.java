@@ -38,24 +38,16 @@ final class ThinSheet {
 
     /** Below the middle of the circle within the triangle: the three sides are equally steep there. */
     private static Vec3 apex(Vec3[] p, Vec3 normal) {
-        double a = length(p[1], p[2]);
-        double b = length(p[2], p[0]);
-        double c = length(p[0], p[1]);
+        double a = p[2].minus(p[1]).length();
+        double b = p[0].minus(p[2]).length();
+        double c = p[1].minus(p[0]).length();
         double around = a + b + c;
-        Vec3 doubled = Directions.cross(between(p[0], p[1]), between(p[0], p[2]));
-        double depth = Math.min(DEPTH_METRES, DEPTH_SHARE * Directions.length(doubled) / around);
+        Vec3 doubled = p[1].minus(p[0]).cross(p[2].minus(p[0]));
+        double depth = Math.min(DEPTH_METRES, DEPTH_SHARE * doubled.length() / around);
         return new Vec3(
                 (a * p[0].x() + b * p[1].x() + c * p[2].x()) / around - depth * normal.x(),
                 (a * p[0].y() + b * p[1].y() + c * p[2].y()) / around - depth * normal.y(),
                 (a * p[0].z() + b * p[1].z() + c * p[2].z()) / around - depth * normal.z());
-    }
-
-    private static Vec3 between(Vec3 from, Vec3 to) {
-        return new Vec3(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
-    }
-
-    private static double length(Vec3 from, Vec3 to) {
-        return Directions.length(between(from, to));
     }
 
     /** Four faces, the triangle first. */
@@ -64,10 +56,9 @@ final class ThinSheet {
         List<ConvexPolyhedron.Face> made = new ArrayList<>();
         for (int i = 0; i < faces.length; i++) {
             List<Vec3> ring = List.of(p[faces[i][0]], p[faces[i][1]], p[faces[i][2]]);
-            Vec3 n = Directions.cross(between(ring.get(0), ring.get(1)), between(ring.get(0), ring.get(2)));
+            Vec3 n = ring.get(1).minus(ring.get(0)).cross(ring.get(2).minus(ring.get(0)));
             Vec3 unit = Directions.unit(n.x(), n.y(), n.z());
-            made.add(new ConvexPolyhedron.Face(
-                    i, new Plane(unit.x(), unit.y(), unit.z(), Directions.dot(unit, ring.get(0))), ring));
+            made.add(new ConvexPolyhedron.Face(i, Plane.through(unit, ring.get(0)), ring));
         }
         List<Vec3> vertices = List.of(p);
         return new ConvexPolyhedron(List.copyOf(made), vertices, Aabb.of(vertices));

@@ -32,10 +32,6 @@ final class IdRules {
 
     private IdRules() {}
 
-    static String noMaterial(String id) {
-        return "there is no material '" + id + "': add it to materials";
-    }
-
     private static <T> void unique(String section, List<T> records, Function<T, String> id, Consumer<Problem> report) {
         Map<String, Integer> first = new HashMap<>();
         for (int i = 0; i < records.size(); i++) {
@@ -52,7 +48,7 @@ final class IdRules {
     private record References(Set<String> known, Consumer<Problem> report) {
         void material(String path, String material) {
             if (material != null && !known.contains(material)) {
-                report.accept(Problem.error(path + ".material", noMaterial(material)));
+                report.accept(Problem.error(path + ".material", WrittenMaterials.noMaterial(material)));
             }
         }
 

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.function.Consumer;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.WorldTriangles;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Ray;
 import nephele.engine.math.TriangleMeeting;
@@ -68,12 +67,12 @@ final class PortalRules {
         Vec3 p = portal.centre();
         double[] corners = mesh.corners();
         // Along the normal from a millimetre before the surface to one behind it.
-        Vec3 from = Directions.moved(p, ON_FACE_METRES, normal);
+        Vec3 from = p.addScaled(ON_FACE_METRES, normal);
         Ray ray = new Ray(from.x(), from.y(), from.z(), -normal.x(), -normal.y(), -normal.z());
         for (int triangle = 0; triangle < mesh.count(); triangle++) {
             double way = TriangleMeeting.parameter(ray, corners, 9 * triangle);
             boolean isMet = way >= 0 && way <= 2 * ON_FACE_METRES;
-            if (isMet && Directions.dot(mesh.faceNormal(triangle), normal) >= ALONG_FACE) {
+            if (isMet && mesh.faceNormal(triangle).dot(normal) >= ALONG_FACE) {
                 return true;
             }
         }

@@ -20,6 +20,11 @@ final class WrittenMaterials {
         this.problems = problems;
     }
 
+    /** Returns the message about a reference to a material that the level does not have. */
+    static String noMaterial(String id) {
+        return "there is no material '" + id + "': add it to materials";
+    }
+
     void tellUnknown() {
         JsonValue materials = level.ask("materials");
         if (materials != null && !(materials instanceof JsonValue.Array)) {
@@ -56,7 +61,7 @@ final class WrittenMaterials {
     private void tell(JsonValue.Members record) {
         if (record.ask("material") instanceof JsonValue.Text material && !known.contains(material.value())) {
             int mark = problems.enter("material");
-            problems.error(IdRules.noMaterial(JsonTree.shortened(material.value())));
+            problems.error(noMaterial(JsonTree.shortened(material.value())));
             problems.leave(mark);
         }
     }

@@ -64,6 +64,16 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
                 && minZ <= bounds[at + 5];
     }
 
+    /** Returns true if one of the six numbers from {@code at} on is infinite: three minima, three maxima. */
+    public static boolean isUnbounded(double[] bounds, int at) {
+        for (int i = at; i < at + 6; i++) {
+            if (Double.isInfinite(bounds[i])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     public Vec3 centre() {
         return new Vec3((minX + maxX) / 2, (minY + maxY) / 2, (minZ + maxZ) / 2);
     }

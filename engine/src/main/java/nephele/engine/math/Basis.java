@@ -13,20 +13,20 @@ public record Basis(Vec3 right, Vec3 up, Vec3 back) {
      * farthest from the direction takes its place; where the direction is, {@code last} stays.
      */
     public static Basis lookAt(Vec3 eye, Vec3 target, Vec3 up, Basis last) {
-        Vec3 back = Directions.unit(Directions.between(target, eye));
+        Vec3 back = Directions.unit(eye.minus(target));
         if (back == null) {
             return last;
         }
         Vec3 unitUp = Directions.unit(up);
-        Vec3 right = unitUp == null ? null : Directions.cross(unitUp, back);
-        if (right == null || Directions.length(right) < PARALLEL) {
-            right = Directions.cross(Directions.farthestAxis(back), back);
+        Vec3 right = unitUp == null ? null : unitUp.cross(back);
+        if (right == null || right.length() < PARALLEL) {
+            right = Directions.farthestAxis(back).cross(back);
         }
         right = Directions.unit(right);
         // A short cross product is off the perpendicular by rounding; one Gram-Schmidt step mends it.
-        double along = Directions.dot(right, back);
-        right = Directions.unit(Directions.moved(right, -along, back));
-        return new Basis(right, Directions.cross(back, right), back);
+        double along = right.dot(back);
+        right = Directions.unit(right.addScaled(-along, back));
+        return new Basis(right, back.cross(right), back);
     }
 
     /**

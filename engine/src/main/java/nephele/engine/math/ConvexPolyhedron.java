@@ -63,9 +63,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
                     centre.y() + x * halfX.y() + y * halfY.y() + z * halfZ.y(),
                     centre.z() + x * halfX.z() + y * halfY.z() + z * halfZ.z());
         }
-        Vec3[] outward = {
-            halfX, Directions.opposite(halfX), halfY, Directions.opposite(halfY), halfZ, Directions.opposite(halfZ)
-        };
+        Vec3[] outward = {halfX, halfX.negated(), halfY, halfY.negated(), halfZ, halfZ.negated()};
         List<Face> faces = new ArrayList<>();
         for (int face = 0; face < 6; face++) {
             Plane flat = Plane.of(outward[face], 0);

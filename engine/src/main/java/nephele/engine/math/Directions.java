@@ -27,49 +27,14 @@ public final class Directions {
         return unit(v.x(), v.y(), v.z());
     }
 
-    public static Vec3 opposite(Vec3 v) {
-        return new Vec3(-v.x(), -v.y(), -v.z());
-    }
-
-    public static Vec3 scaled(Vec3 v, double by) {
-        return new Vec3(v.x() * by, v.y() * by, v.z() * by);
-    }
-
-    public static Vec3 between(Vec3 from, Vec3 to) {
-        return new Vec3(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
-    }
-
-    /** {@code from} + {@code times} · {@code way}. */
-    public static Vec3 moved(Vec3 from, double times, Vec3 way) {
-        return new Vec3(from.x() + times * way.x(), from.y() + times * way.y(), from.z() + times * way.z());
-    }
-
-    /** The point at a share of the way from {@code a} to {@code b}. */
-    public static Vec3 mixed(Vec3 a, Vec3 b, double share) {
-        return new Vec3(
-                a.x() + (b.x() - a.x()) * share, a.y() + (b.y() - a.y()) * share, a.z() + (b.z() - a.z()) * share);
-    }
-
     /** {@code ofA} · {@code a} + {@code ofB} · {@code b}. */
     public static Vec3 combined(Vec3 a, double ofA, Vec3 b, double ofB) {
         return new Vec3(ofA * a.x() + ofB * b.x(), ofA * a.y() + ofB * b.y(), ofA * a.z() + ofB * b.z());
     }
 
-    public static double dot(Vec3 a, Vec3 b) {
-        return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
-    }
-
-    public static Vec3 cross(Vec3 a, Vec3 b) {
-        return new Vec3(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x());
-    }
-
-    public static double length(Vec3 v) {
-        return Math.sqrt(dot(v, v));
-    }
-
     /** The angle between two directions in radians, exact for small ones: atan2 of sine and cosine, never acos. */
     public static double angle(Vec3 a, Vec3 b) {
-        return StrictMath.atan2(length(cross(a, b)), dot(a, b));
+        return StrictMath.atan2(a.cross(b).length(), a.dot(b));
     }
 
     /** The axis of the world that a unit vector is farthest from; z before y before x among equals, y up being usual. */
@@ -85,7 +50,7 @@ public final class Directions {
 
     /** A unit vector perpendicular to a unit vector, always the same one. */
     public static Vec3 perpendicular(Vec3 direction) {
-        Vec3 side = cross(farthestAxis(direction), direction);
+        Vec3 side = farthestAxis(direction).cross(direction);
         return unit(side);
     }
 
@@ -99,11 +64,11 @@ public final class Directions {
         double t = Double.isNaN(share) ? 0 : Math.max(0, Math.min(1, share));
         double angle = angle(from, to);
         if (angle < 1e-3) {
-            return unit(mixed(from, to, t));
+            return unit(from.lerp(to, t));
         }
-        Vec3 axis = cross(from, to);
-        Vec3 unitAxis = length(axis) < 1e-9 ? perpendicular(from) : unit(axis);
-        Vec3 side = cross(unitAxis, from);
+        Vec3 axis = from.cross(to);
+        Vec3 unitAxis = axis.length() < 1e-9 ? perpendicular(from) : unit(axis);
+        Vec3 side = unitAxis.cross(from);
         double cos = StrictMath.cos(t * angle);
         double sin = StrictMath.sin(t * angle);
         return unit(combined(from, cos, side, sin));

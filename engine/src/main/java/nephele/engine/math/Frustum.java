@@ -117,7 +117,7 @@ public final class Frustum {
             return false;
         }
         double[] bounds = {box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()};
-        return SpatialIndex.isUnbounded(bounds, 0) || classify(bounds, 0, allPlanes()) != OUTSIDE;
+        return Aabb.isUnbounded(bounds, 0) || classify(bounds, 0, allPlanes()) != OUTSIDE;
     }
 
     /** False only when no part of the sphere around a box can be visible. */

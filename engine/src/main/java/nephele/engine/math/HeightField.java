@@ -180,8 +180,8 @@ public final class HeightField {
         if (parameter >= 0) {
             return isNear(ray, parameter, triangle, 0) ? parameter : Double.POSITIVE_INFINITY;
         }
-        boolean startedOnIt = parameter * rate <= ON_SURFACE_METRES * Directions.length(up)
-                && isNear(ray, 0, triangle, ON_SURFACE_METRES);
+        boolean startedOnIt =
+                parameter * rate <= ON_SURFACE_METRES * up.length() && isNear(ray, 0, triangle, ON_SURFACE_METRES);
         return startedOnIt ? 0 : Double.POSITIVE_INFINITY;
     }
 

@@ -16,7 +16,7 @@ public final class Normals {
         Vec3 x = Directions.unit(m.m00(), m.m01(), m.m02());
         Vec3 y = Directions.unit(m.m10(), m.m11(), m.m12());
         Vec3 z = Directions.unit(m.m20(), m.m21(), m.m22());
-        return x == null || y == null || z == null ? 0 : Directions.dot(x, Directions.cross(y, z));
+        return x == null || y == null || z == null ? 0 : x.dot(y.cross(z));
     }
 
     /**
@@ -29,11 +29,11 @@ public final class Normals {
         Vec3 x = new Vec3(linear.m00(), linear.m01(), linear.m02());
         Vec3 y = new Vec3(linear.m10(), linear.m11(), linear.m12());
         Vec3 z = new Vec3(linear.m20(), linear.m21(), linear.m22());
-        Vec3 unit = combined(Directions.cross(y, z), Directions.cross(z, x), Directions.cross(x, y), normal);
+        Vec3 unit = combined(y.cross(z), z.cross(x), x.cross(y), normal);
         if (unit == null) {
             return flattened(linear, normal);
         }
-        return flipsWinding(linear) ? Directions.opposite(unit) : unit;
+        return flipsWinding(linear) ? unit.negated() : unit;
     }
 
     private static Vec3 combined(Vec3 a, Vec3 b, Vec3 c, Vec3 weight) {
@@ -50,8 +50,8 @@ public final class Normals {
         }
         Vec3 tangent = Directions.perpendicular(old);
         Vec3 first = image(linear, tangent);
-        Vec3 second = image(linear, Directions.cross(old, tangent));
-        Vec3 longer = Directions.length(first) >= Directions.length(second) ? first : second;
+        Vec3 second = image(linear, old.cross(tangent));
+        Vec3 longer = first.length() >= second.length() ? first : second;
         Vec3 line = Directions.unit(longer);
         Vec3 inside = image(linear, old);
         Vec3 side = Directions.unit(inside);
@@ -63,9 +63,9 @@ public final class Normals {
         if (line == null) {
             return side;
         }
-        double along = Directions.dot(side, line);
-        Vec3 rest = Directions.moved(side, -along, line);
-        boolean parallel = Directions.length(rest) < 1e-6;
+        double along = side.dot(line);
+        Vec3 rest = side.addScaled(-along, line);
+        boolean parallel = rest.length() < 1e-6;
         return parallel ? Directions.perpendicular(line) : Directions.unit(rest);
     }
 

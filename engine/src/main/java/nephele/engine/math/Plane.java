@@ -20,6 +20,15 @@ public record Plane(double nx, double ny, double nz, double distance) {
         return new Plane(x / length, y / length, z / length, distanceAlongUnitNormal);
     }
 
+    /** Returns the plane through a point with this unit normal. */
+    public static Plane through(Vec3 unitNormal, Vec3 point) {
+        return new Plane(unitNormal.x(), unitNormal.y(), unitNormal.z(), unitNormal.dot(point));
+    }
+
+    public Plane opposite() {
+        return new Plane(-nx, -ny, -nz, -distance);
+    }
+
     /** Metres in front of the plane, negative behind it. */
     public double signedDistance(double x, double y, double z) {
         return nx * x + ny * y + nz * z - distance;

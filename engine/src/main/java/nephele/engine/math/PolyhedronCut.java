@@ -38,7 +38,7 @@ public record PolyhedronCut(ConvexPolyhedron behind, ConvexPolyhedron inFront) {
         if (section.size() < 3) {
             return -least > most ? new PolyhedronCut(solid, null) : new PolyhedronCut(null, solid);
         }
-        Plane opposite = new Plane(-plane.nx(), -plane.ny(), -plane.nz(), -plane.distance());
+        Plane opposite = plane.opposite();
         return new PolyhedronCut(part(solid, plane, section), part(solid, opposite, section));
     }
 
@@ -109,7 +109,7 @@ public record PolyhedronCut(ConvexPolyhedron behind, ConvexPolyhedron inFront) {
         Vec3 from = forward ? a : b;
         Vec3 to = forward ? b : a;
         double t = Math.abs(forward ? atA : atB) / (Math.abs(atA) + Math.abs(atB));
-        return Directions.mixed(from, to, t);
+        return from.lerp(to, t);
     }
 
     private static boolean isFirst(Vec3 a, Vec3 b) {

@@ -233,13 +233,4 @@ public final class SpatialIndex {
             }
         }
     }
-
-    static boolean isUnbounded(double[] bounds, int at) {
-        for (int i = at; i < at + 6; i++) {
-            if (Double.isInfinite(bounds[i])) {
-                return true;
-            }
-        }
-        return false;
-    }
 }

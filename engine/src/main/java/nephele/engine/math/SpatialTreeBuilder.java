@@ -49,7 +49,7 @@ final class SpatialTreeBuilder {
             }
             if (box.isEmpty()) {
                 empty++;
-            } else if (SpatialIndex.isUnbounded(boxes, 6 * i)) {
+            } else if (Aabb.isUnbounded(boxes, 6 * i)) {
                 infinite++;
             }
         }
@@ -79,7 +79,7 @@ final class SpatialTreeBuilder {
         for (int i = 0; i < given.size(); i++) {
             if (given.get(i).isEmpty()) {
                 items[empty++] = i;
-            } else if (SpatialIndex.isUnbounded(boxes, 6 * i)) {
+            } else if (Aabb.isUnbounded(boxes, 6 * i)) {
                 items[infinite++] = i;
             } else {
                 items[finite++] = i;

@@ -63,7 +63,7 @@ public final class TriangleHit {
         double reach = Math.abs(normal.x()) * error(corners, at)
                 + Math.abs(normal.y()) * error(corners, at + 1)
                 + Math.abs(normal.z()) * error(corners, at + 2);
-        double offset = Directions.dot(normal, direction) < 0 ? -reach : reach;
+        double offset = normal.dot(direction) < 0 ? -reach : reach;
         return new Vec3(
                 away(mixed(corners, at), offset * normal.x()),
                 away(mixed(corners, at + 1), offset * normal.y()),

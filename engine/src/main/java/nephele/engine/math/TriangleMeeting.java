@@ -56,13 +56,13 @@ public final class TriangleMeeting {
         Vec3 a = new Vec3(corners[at] - p.x(), corners[at + 1] - p.y(), corners[at + 2] - p.z());
         Vec3 b = new Vec3(corners[at + 3] - p.x(), corners[at + 4] - p.y(), corners[at + 5] - p.z());
         Vec3 c = new Vec3(corners[at + 6] - p.x(), corners[at + 7] - p.y(), corners[at + 8] - p.z());
-        Vec3 ofA = Directions.cross(b, c);
-        Vec3 ofB = Directions.cross(c, a);
-        Vec3 ofC = Directions.cross(a, b);
+        Vec3 ofA = b.cross(c);
+        Vec3 ofB = c.cross(a);
+        Vec3 ofC = a.cross(b);
         Vec3 all = new Vec3(ofA.x() + ofB.x() + ofC.x(), ofA.y() + ofB.y() + ofC.y(), ofA.z() + ofB.z() + ofC.z());
-        double square = Directions.dot(all, all);
-        weights[0] = Directions.dot(ofA, all) / square;
-        weights[1] = Directions.dot(ofB, all) / square;
-        weights[2] = Directions.dot(ofC, all) / square;
+        double square = all.dot(all);
+        weights[0] = ofA.dot(all) / square;
+        weights[1] = ofB.dot(all) / square;
+        weights[2] = ofC.dot(all) / square;
     }
 }

@@ -3,12 +3,54 @@ package nephele.engine.math;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Three doubles as a value: what immutable records hold. Arithmetic belongs to JOML's mutable {@link Vector3d}. */
+/**
+ * An immutable vector of three doubles with the arithmetic of values. Loops that must not allocate use JOML's mutable
+ * {@link Vector3d}; {@link Directions} holds what needs care near zero, overflow and parallel vectors.
+ */
 public record Vec3(double x, double y, double z) {
     public static final Vec3 ZERO = new Vec3(0, 0, 0);
 
     public static Vec3 of(Vector3dc v) {
         return new Vec3(v.x(), v.y(), v.z());
+    }
+
+    public Vec3 negated() {
+        return new Vec3(-x, -y, -z);
+    }
+
+    public Vec3 plus(Vec3 v) {
+        return new Vec3(x + v.x, y + v.y, z + v.z);
+    }
+
+    /** Returns this − {@code v}: the vector from {@code v} to this point. */
+    public Vec3 minus(Vec3 v) {
+        return new Vec3(x - v.x, y - v.y, z - v.z);
+    }
+
+    public Vec3 scaled(double factor) {
+        return new Vec3(x * factor, y * factor, z * factor);
+    }
+
+    /** Returns this + {@code factor} · {@code v}. */
+    public Vec3 addScaled(double factor, Vec3 v) {
+        return new Vec3(x + factor * v.x, y + factor * v.y, z + factor * v.z);
+    }
+
+    /** Returns this + {@code share} · ({@code to} − this): the linear interpolation from this to {@code to}. */
+    public Vec3 lerp(Vec3 to, double share) {
+        return new Vec3(x + (to.x - x) * share, y + (to.y - y) * share, z + (to.z - z) * share);
+    }
+
+    public double dot(Vec3 v) {
+        return x * v.x + y * v.y + z * v.z;
+    }
+
+    public Vec3 cross(Vec3 v) {
+        return new Vec3(y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x);
+    }
+
+    public double length() {
+        return Math.sqrt(dot(this));
     }
 
     /** Writes a row as shaders read it: three floats from {@code at} on, and a fourth number. */

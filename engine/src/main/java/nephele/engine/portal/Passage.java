@@ -1,8 +1,12 @@
 package nephele.engine.portal;
 
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
-import nephele.engine.math.Directions;
+import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Isometry;
+import nephele.engine.math.Plane;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import org.joml.Matrix3d;
@@ -34,7 +38,7 @@ public final class Passage implements Isometry {
     public static Passage between(Portal entry, Portal exit) {
         Basis a = entry.frame();
         Basis b = exit.frame();
-        Matrix3d toWorld = columns(Directions.opposite(b.right()), b.up(), Directions.opposite(b.back()));
+        Matrix3d toWorld = columns(b.right().negated(), b.up(), b.back().negated());
         return new Passage(
                 entry.centre(),
                 exit.centre(),
@@ -71,6 +75,18 @@ public final class Passage implements Isometry {
     public Vec3 direction(Vec3 v) {
         Vector3d turned = direction(v.toVector());
         return new Vec3(turned.x, turned.y, turned.z);
+    }
+
+    /** Returns a convex solid before the entry as the congruent solid before the exit. */
+    public ConvexPolyhedron polyhedron(ConvexPolyhedron solid) {
+        List<ConvexPolyhedron.Face> faces = new ArrayList<>();
+        for (ConvexPolyhedron.Face face : solid.faces()) {
+            List<Vec3> polygon = face.polygon().stream().map(this::point).toList();
+            Plane plane = Plane.through(direction(face.plane().normal()), polygon.get(0));
+            faces.add(new ConvexPolyhedron.Face(face.planeIndex(), plane, polygon));
+        }
+        List<Vec3> corners = solid.vertices().stream().map(this::point).toList();
+        return new ConvexPolyhedron(List.copyOf(faces), corners, Aabb.of(corners));
     }
 
     /** Turns how one looks. */

@@ -1,8 +1,9 @@
 package nephele.engine.portal;
 
+import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.math.Basis;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -22,12 +23,21 @@ public record Portal(String id, Vec3 centre, Basis frame, Aperture aperture) {
 
     /** The frame that looks along {@code normal}, with its up as near to {@code up} as can be. */
     public static Basis facing(Vec3 normal, Vec3 up) {
-        Vec3 behind = Directions.opposite(normal);
+        Vec3 behind = normal.negated();
         return Basis.lookAt(Vec3.ZERO, behind, up, Basis.WORLD);
     }
 
     public Vec3 normal() {
         return frame.back();
+    }
+
+    /** Returns the aperture's corners in the world, counter-clockwise seen from the front. */
+    public List<Vec3> corners() {
+        List<Vec3> corners = new ArrayList<>();
+        for (int i = 0; i < aperture.corners(); i++) {
+            corners.add(world(aperture.cornerX(i), aperture.cornerY(i), 0));
+        }
+        return corners;
     }
 
     /** Metres in front of the portal's plane, negative behind it. */

@@ -5,7 +5,7 @@ import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.math.Plane;
-import nephele.engine.math.Vec3;
+import org.joml.Vector3dc;
 
 /**
  * The portals that exist at a time, and which leads where. A value: whoever shoots makes another. Portals are named by
@@ -15,6 +15,8 @@ public final class Portals {
     public static final Portals NONE = new Portals(List.of(), List.of());
     /** The partner of a portal that leads nowhere. */
     public static final int CLOSED = -1;
+
+    private static final double EDGE_METRES = 2e-3;
 
     private final List<Portal> portals;
     private final List<Integer> partners;
@@ -34,9 +36,7 @@ public final class Portals {
     }
 
     private static Plane planeOf(Portal portal) {
-        Vec3 n = portal.normal();
-        Vec3 c = portal.centre();
-        return new Plane(n.x(), n.y(), n.z(), n.x() * c.x() + n.y() * c.y() + n.z() * c.z());
+        return Plane.through(portal.normal(), portal.centre());
     }
 
     /** Those that a level starts with, in its order. */
@@ -67,6 +67,38 @@ public final class Portals {
     /** In which a portal lies, its front outside. */
     public Plane plane(int index) {
         return planes[index];
+    }
+
+    /**
+     * Finds behind which portals a point of a shape is: the straight line to it from the shape's centre crosses the plane
+     * within the aperture. A point may be outside the aperture by {@link #EDGE_METRES}, as a part that touches its edge is.
+     *
+     * @param mask the portals to look at, bit i for index i
+     * @return those of them that the point is behind
+     */
+    public long behind(long mask, Vector3dc centre, Vector3dc point) {
+        long behind = 0;
+        for (long left = mask; left != 0; left &= left - 1) {
+            int i = Long.numberOfTrailingZeros(left);
+            if (isThrough(portals.get(i), centre, point)) {
+                behind |= 1L << i;
+            }
+        }
+        return behind;
+    }
+
+    private static boolean isThrough(Portal portal, Vector3dc centre, Vector3dc point) {
+        double behind = portal.inFront(point.x(), point.y(), point.z());
+        if (behind >= 0) {
+            return false;
+        }
+        double before = Math.max(0, portal.inFront(centre.x(), centre.y(), centre.z()));
+        double share = before / (before - behind);
+        double across = portal.across(centre.x(), centre.y(), centre.z()) * (1 - share)
+                + portal.across(point.x(), point.y(), point.z()) * share;
+        double upward = portal.upward(centre.x(), centre.y(), centre.z()) * (1 - share)
+                + portal.upward(point.x(), point.y(), point.z()) * share;
+        return portal.aperture().outside(across, upward) <= EDGE_METRES;
     }
 
     public boolean isOpen(int index) {

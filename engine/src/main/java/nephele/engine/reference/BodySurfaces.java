@@ -8,7 +8,6 @@ import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.appearance.FaceTexture;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.Skins.Bare;
 import nephele.engine.reference.Skins.Skin;
@@ -78,6 +77,6 @@ final class BodySurfaces {
                 (longitude < 0 ? longitude + 1 : longitude) * repeats,
                 0.5 - (latitude * form.radius() + onAxis) / metres,
                 piece.worldFromBody().transform(across.toVector()),
-                piece.worldFromBody().transform(Directions.cross(n, across).toVector()));
+                piece.worldFromBody().transform(n.cross(across).toVector()));
     }
 }

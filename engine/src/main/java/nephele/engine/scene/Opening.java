@@ -92,11 +92,7 @@ public final class Opening {
             corners[2 * i] = p.dot(frame.right().toVector());
             corners[2 * i + 1] = p.dot(frame.up().toVector());
         }
-        Plane plane = new Plane(
-                normal.x(),
-                normal.y(),
-                normal.z(),
-                normal.x() * centre.x() + normal.y() * centre.y() + normal.z() * centre.z());
+        Plane plane = new Plane(normal.x(), normal.y(), normal.z(), normal.dot(centre));
         return new Opening(id, id, NO_PORTAL, centre, frame, corners, new Reflection(centre, normal), plane, tint);
     }
 

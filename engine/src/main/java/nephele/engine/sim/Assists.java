@@ -66,7 +66,7 @@ final class Assists {
         Vec3 v = player.velocity();
         Vec3 c = player.centre();
         double height = portal.inFront(c.x(), c.y(), c.z());
-        double approach = -(n.x() * v.x() + n.y() * v.y() + n.z() * v.z());
+        double approach = -(n.dot(v));
         if (n.y() < FLOOR_UP || height <= 0 || approach < FUNNEL_LEAST_SPEED || !looksAt(portal, player)) {
             return false;
         }
@@ -129,7 +129,7 @@ final class Assists {
     private PlayerState liftedOut(PlayerState player, Portal exit) {
         Vec3 n = exit.normal();
         Vec3 v = player.velocity();
-        double speed = n.x() * v.x() + n.y() * v.y() + n.z() * v.z();
+        double speed = n.dot(v);
         if (n.y() < FLOOR_UP || speed >= LEAST_FLOOR_EXIT_SPEED) {
             return player;
         }

@@ -62,7 +62,7 @@ final class BodiesTick {
             influences.drive(around.holding().body(), drive.velocity(), drive.spin());
         }
         Influences.Character player = meet(walked.player(), shoves);
-        Bodies moved = step.step(around.bodies(), spaces.of(around.portals()).surroundings(), influences, seconds);
+        Bodies moved = step.step(around.bodies(), spaces.of(around.portals()), influences, seconds);
         int faulty = moved.frozen() - around.bodies().frozen() + step.cutShort();
         if (faulty > 0) {
             faults.fault(walked.tick(), faulty + " bodies frozen, or past their portals of a tick");

@@ -1,5 +1,6 @@
 package nephele.engine.sim;
 
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.Separation;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyTable;
@@ -36,7 +37,7 @@ final class Carry {
     }
 
     /** What a hand that reaches out now would hold. */
-    Holding reach(SimState state, PortalSpace space) {
+    Holding reach(SimState state, SeamedWorld space) {
         Portals portals = space.portals();
         bodies.at(state.around().bodies(), portals);
         var sight = new Sight(portals, (from, way) -> bodies.free(from, way, space.free(from, way)));
@@ -66,7 +67,7 @@ final class Carry {
     }
 
     /** The same, or released when the line has been broken too long. */
-    Holding keepInSight(Holding held, PlayerState player, Bodies now, PortalSpace space) {
+    Holding keepInSight(Holding held, PlayerState player, Bodies now, SeamedWorld space) {
         if (!held.isHolding() || isSeen(held, player, now, space)) {
             return held.unseenFor(0);
         }
@@ -74,7 +75,7 @@ final class Carry {
     }
 
     /** Whether the straight line to the body's centre goes through just the portals of the word and no solid. */
-    private static boolean isSeen(Holding held, PlayerState player, Bodies now, PortalSpace space) {
+    private static boolean isSeen(Holding held, PlayerState player, Bodies now, SeamedWorld space) {
         if (!held.isOpen(space.portals())) {
             return false;
         }

@@ -2,6 +2,7 @@ package nephele.engine.sim;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.portal.CrossingWord;
@@ -26,7 +27,7 @@ final class Continuation {
     }
 
     /** The state in the edited level; {@code null} when somebody who stands in a portal that closes finds no room. */
-    SimState of(SimState state, PortalSpace before) {
+    SimState of(SimState state, SeamedWorld before) {
         Changeable around = state.around();
         if (around.bodies().size() != level.bodies().size()) {
             throw new IllegalArgumentException(
@@ -38,7 +39,7 @@ final class Continuation {
         Shots.Colour earlier = around.shots().earlier();
         now = add(kept(earlier, around), earlier, now, all);
         now = add(kept(earlier.other(), around), earlier.other(), now, all);
-        PortalSpace after = spaces.of(new Portals(all, partners(all.size(), now)));
+        SeamedWorld after = spaces.of(new Portals(all, partners(all.size(), now)));
         SimState settled = occupants.settle(state.with(around.with(awake(around.bodies()))), before, after);
         return settled == null ? null : moved(settled, now, before.portals(), after.portals());
     }

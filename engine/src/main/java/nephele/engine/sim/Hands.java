@@ -1,6 +1,7 @@
 package nephele.engine.sim;
 
 import java.util.List;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
@@ -93,8 +94,8 @@ final class Hands {
         if (placed instanceof Placed.Fits fits) {
             Changeable around = state.around();
             Shots now = PortalShots.shotsWith(shot, around);
-            PortalSpace old = spaces.of(around.portals());
-            PortalSpace next = spaces.of(PortalShots.portalsWith(fits.portal(), shot, now, around.portals()));
+            SeamedWorld old = spaces.of(around.portals());
+            SeamedWorld next = spaces.of(PortalShots.portalsWith(fits.portal(), shot, now, around.portals()));
             SimState settled = occupants.settle(state, old, next);
             if (settled != null) {
                 events.add(new TickEvent.PortalOpened(shot, now.portal(shot)));
@@ -124,7 +125,7 @@ final class Hands {
                     ? moved
                     : moved.with(around.with(Holding.NOTHING));
         }
-        PortalSpace space = spaces.of(around.portals());
+        SeamedWorld space = spaces.of(around.portals());
         Holding along = Carry.follow(held, playerCrossed, around.bodies(), space.portals());
         Holding kept = carry.keepInSight(along, moved.player(), around.bodies(), space);
         if (!kept.isHolding()) {

@@ -1,5 +1,6 @@
 package nephele.engine.sim;
 
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.math.Vec3;
@@ -37,7 +38,7 @@ final class HeldDrive {
     }
 
     /** The motion that a held body starts this tick with. */
-    BodyState motion(SimState state, PlayerInput input, PortalSpace space) {
+    BodyState motion(SimState state, PlayerInput input, SeamedWorld space) {
         Holding held = state.around().holding();
         Portals portals = space.portals();
         BodyState body = state.around().bodies().state(held.body());
@@ -55,7 +56,7 @@ final class HeldDrive {
     }
 
     /** Where the body's centre belongs, in the player's space, as if there were no portals. */
-    private Vector3d place(Holding held, PlayerState player, PortalSpace space) {
+    private Vector3d place(Holding held, PlayerState player, SeamedWorld space) {
         double reach = table.reachMetres(held.body());
         PlayerEye.eye(player, eye);
         PlayerEye.direction(PlayerEye.view(player), ahead);

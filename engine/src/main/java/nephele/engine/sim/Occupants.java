@@ -3,11 +3,11 @@ package nephele.engine.sim;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.Recovery;
 import nephele.engine.collision.RoundedHull;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.Sweep;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.collision.rigid.BodyTable;
-import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import org.joml.Quaterniond;
@@ -29,17 +29,17 @@ final class Occupants {
     private final Sweep sweep = new Sweep();
     private final Vector3d centre = new Vector3d();
     private final Vector3d push = new Vector3d();
-    private Surroundings before;
-    private Surroundings after;
+    private SeamedWorld before;
+    private SeamedWorld after;
 
     Occupants(BodyTable table) {
         this.table = table;
     }
 
     /** The state with everybody in free places of the new space; {@code null} when somebody finds none. */
-    SimState settle(SimState state, PortalSpace from, PortalSpace to) {
-        before = from.surroundings();
-        after = to.surroundings();
+    SimState settle(SimState state, SeamedWorld from, SeamedWorld to) {
+        before = from;
+        after = to;
         PlayerState player = player(state.player());
         Bodies bodies = player == null ? null : bodies(state.around().bodies());
         return bodies == null

@@ -71,7 +71,7 @@ final class PlayerMotion {
             return stance.shape();
         }
         double half = stance.heightMetres() / 2 - PlayerBody.RADIUS;
-        return RoundedHull.capsule(new Vec3(up.x() * half, up.y() * half, up.z() * half), PlayerBody.RADIUS);
+        return RoundedHull.capsule(up.scaled(half), PlayerBody.RADIUS);
     }
 
     /** Grows or shrinks towards the feet, which stay where they are. */

@@ -34,8 +34,8 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         PlayerState b = after.player();
         CrossingWord crossed = after.around().trace().playerCrossed();
         Portals portals = after.around().portals();
-        Vec3 centre = Directions.mixed(brought(a.centre(), crossed, portals), b.centre(), share);
-        Vec3 eye = Directions.mixed(brought(a.eye(), crossed, portals), b.eye(), share);
+        Vec3 centre = brought(a.centre(), crossed, portals).lerp(b.centre(), share);
+        Vec3 eye = brought(a.eye(), crossed, portals).lerp(b.eye(), share);
         Basis view = crossed.length() == 0 && a.tilt().isViewLevel() && b.tilt().isViewLevel()
                 ? level(a.heading(), b.heading(), share)
                 : turned(brought(PlayerEye.view(a), crossed, portals), PlayerEye.view(b), share);

@@ -1,7 +1,6 @@
 package nephele.engine.sim;
 
 import nephele.engine.math.BitHash;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerBody.Stance;
 
@@ -65,7 +64,7 @@ public record PlayerState(
         Vec3 centre = centre();
         double above = eyeMetres - stance.centreAboveFeet();
         Vec3 up = tilt.up();
-        return Directions.moved(centre, above, up);
+        return centre.addScaled(above, up);
     }
 
     boolean isFinite() {

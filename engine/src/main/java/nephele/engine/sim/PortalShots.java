@@ -2,6 +2,7 @@ package nephele.engine.sim;
 
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Crossing;
@@ -34,7 +35,7 @@ final class PortalShots {
     }
 
     /** What a shot would do now. */
-    Placed aim(SimState state, Shots.Colour shot, PortalSpace space) {
+    Placed aim(SimState state, Shots.Colour shot, SeamedWorld space) {
         Changeable around = state.around();
         int own = around.shots().portal(shot);
         Aim aim = aim(state.player(), space.portals());
@@ -68,7 +69,7 @@ final class PortalShots {
     }
 
     /** Where a shot meets a portal that stands free of any wall, {@code null} for nowhere. */
-    private static Vec3 portalInTheWay(Aim aim, int own, PortalSpace space) {
+    private static Vec3 portalInTheWay(Aim aim, int own, SeamedWorld space) {
         Vector3d eye = aim.eye().toVector();
         Vector3d way = aim.direction().toVector().mul(FARTHEST_METRES);
         way.mul(space.free(eye, way));

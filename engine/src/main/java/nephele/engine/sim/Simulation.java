@@ -117,7 +117,7 @@ public final class Simulation {
     /** A tick that would give numbers that are not finite leaves the player standing still. */
     private SimState movePlayer(SimState before, PlayerInput input) {
         Portals portals = before.around().portals();
-        SeamedWorld world = spaces.of(portals).seamed();
+        SeamedWorld world = spaces.of(portals);
         PlayerState led = assists.before(before.player(), input, portals);
         PlayerState after = led.isFinite() ? playerStep.step(world, before.around(), led, input) : null;
         if (after == null || !after.isFinite()) {

@@ -1,21 +1,22 @@
 package nephele.engine.sim;
 
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.portal.Portals;
 
 /** The space of the portals that were asked for last: it is built when they change, never in a tick without a shot. */
 final class Spaces {
     private final CollisionWorld statics;
-    private PortalSpace last;
+    private SeamedWorld last;
 
     Spaces(CollisionWorld statics) {
         this.statics = statics;
-        last = new PortalSpace(statics, Portals.NONE);
+        last = SeamedWorld.of(statics, Portals.NONE);
     }
 
-    PortalSpace of(Portals portals) {
+    SeamedWorld of(Portals portals) {
         if (last.portals() != portals) {
-            last = new PortalSpace(statics, portals);
+            last = SeamedWorld.of(statics, portals);
         }
         return last;
     }

@@ -8,7 +8,6 @@ import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
-import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.level.Body;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
@@ -27,7 +26,7 @@ final class BodyCourse {
             new Environment(null, new Sky.Constant(Vec3.ZERO), null, 0, ToneCurve.CLIP, null, List.of());
 
     private final RigidStep step;
-    private final Surroundings surroundings;
+    private final SeamedWorld surroundings;
     private final Influences nobody = new Influences();
     private final List<Vec3> places;
     private final Vector3d centre = new Vector3d();
@@ -37,7 +36,7 @@ final class BodyCourse {
     private BodyCourse(Level level, List<Vec3> places) {
         BodyTable table = BodyTable.of(level);
         step = new RigidStep(table, GRAVITY);
-        surroundings = Surroundings.of(SeamedWorld.of(CollisionWorld.of(level), Portals.of(level)));
+        surroundings = SeamedWorld.of(CollisionWorld.of(level), Portals.of(level));
         bodies = table.start();
         this.places = places;
     }

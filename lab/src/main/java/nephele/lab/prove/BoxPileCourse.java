@@ -4,11 +4,11 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
-import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -67,7 +67,7 @@ final class BoxPileCourse {
     private ProofResult run(BoxPile.Family family) {
         BodyTable table = new BodyTable(List.<Body>copyOf(pile.bodies()));
         RigidStep step = new RigidStep(table, new Vec3(0, -GRAVITY, 0));
-        Surroundings room = Surroundings.of(pile.room());
+        SeamedWorld room = SeamedWorld.of(pile.room());
         Influences influences = Influences.none();
         Bodies bodies = table.start();
         mostEnergy = MOST_ENERGY * joules(bodies);

@@ -105,7 +105,7 @@ final class ClosedRoom {
             slab.add(new Plane(p.nx(), p.ny(), p.nz(), p.distance() + out));
         }
         Plane p = inner.get(index);
-        slab.add(new Plane(-p.nx(), -p.ny(), -p.nz(), -p.distance()));
+        slab.add(p.opposite());
         if (touchesRoom(inner, index)) {
             solids.add(new Collider("wall" + index, ConvexPolyhedron.fromPlanes(slab)));
         }

@@ -7,7 +7,6 @@ import java.util.SplittableRandom;
 import nephele.engine.collision.Recovery;
 import nephele.engine.collision.Sweep;
 import nephele.engine.level.PlayerStart;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.FaultLog;
 import nephele.engine.sim.Heading;
@@ -106,7 +105,7 @@ public final class ClosedRoomProof implements Proof {
             double clearance = room.clearance(state.player());
             for (int i = 0; i < THROWS_PER_START; i++) {
                 Vec3 velocity = velocity(random);
-                findings.fastTicks += Directions.length(velocity) > 1000 ? 1 : 0;
+                findings.fastTicks += velocity.length() > 1000 ? 1 : 0;
                 state = new SimState(state.tick(), 0, 0, state.player().withVelocity(velocity));
                 for (int k = 0; k < TICKS_PER_THROW; k++) {
                     state = simulation.step(state, input(random));
@@ -141,7 +140,7 @@ public final class ClosedRoomProof implements Proof {
         private static Vec3 velocity(SplittableRandom random) {
             double speed = random.nextInt(4) == 0 ? FASTEST : FASTEST * StrictMath.pow(10, -5 * random.nextDouble());
             Vec3 d = new Vec3(component(random), component(random), component(random));
-            double length = Directions.length(d);
+            double length = d.length();
             return length == 0
                     ? new Vec3(0, -speed, 0)
                     : new Vec3(d.x() / length * speed, d.y() / length * speed, d.z() / length * speed);

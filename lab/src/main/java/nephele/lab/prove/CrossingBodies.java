@@ -11,8 +11,6 @@ import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
-import nephele.engine.collision.rigid.Surroundings;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
@@ -33,7 +31,7 @@ final class CrossingBodies {
 
     private final PortalRoom.Place place;
     private final SeamedClearance clearance;
-    private final Surroundings surroundings;
+    private final SeamedWorld surroundings;
     private final BodyTable table;
     private final RigidStep step;
     private final List<Vector3d> points;
@@ -46,7 +44,7 @@ final class CrossingBodies {
     CrossingBodies(PortalRoom.Place place, int ticksPerSecond, long number) {
         this.place = place;
         clearance = new SeamedClearance(place);
-        surroundings = Surroundings.of(SeamedWorld.of(place.world(), place.portals()));
+        surroundings = SeamedWorld.of(place.world(), place.portals());
         seconds = 1.0 / ticksPerSecond;
         var random = new SplittableRandom(~number);
         ThrownBody thrown = ThrownBody.of(random);
@@ -130,7 +128,7 @@ final class CrossingBodies {
                     -n.y() * speed + random.nextDouble(-1, 1),
                     -n.z() * speed + random.nextDouble(-1, 1));
             Vec3 axis = new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-            Vec3 spin = random.nextInt(3) == 0 ? Vec3.ZERO : Directions.scaled(axis, 10);
+            Vec3 spin = random.nextInt(3) == 0 ? Vec3.ZERO : axis.scaled(10);
             orientation.set(Rotations.aroundAxis(axis, random.nextDouble(0, 3)));
             BodyState state = new BodyState(from, new Quaterniond(orientation), velocity, spin);
             if (place.holds(from) && isFree(state)) {

@@ -4,7 +4,6 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.level.Body;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import org.joml.Quaterniond;
@@ -59,7 +58,7 @@ record DroppedBody(Body body, BodyState start) {
     }
 
     private static Vec3 upTo(SplittableRandom random, double most) {
-        return Directions.scaled(direction(random), random.nextDouble(0, most));
+        return direction(random).scaled(random.nextDouble(0, most));
     }
 
     /** Even over the sphere: height and longitude are. */

@@ -7,7 +7,6 @@ import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
-import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerBody;
 import org.joml.Vector3d;
@@ -69,13 +68,12 @@ final class DroppedCourse {
 
     private Seen run() {
         RigidStep step = new RigidStep(pile.table(), GRAVITY);
-        Surroundings surroundings = Surroundings.of(world);
         Influences nobody = Influences.none();
         Bodies bodies = Bodies.of(pile.starts());
         bars.start(ledger.joules(bodies));
         int last = (int) Math.round(SECONDS * pile.ticksPerSecond());
         for (int tick = 1; tick <= last; tick++) {
-            Bodies next = step.step(bodies, surroundings, nobody, 1.0 / pile.ticksPerSecond());
+            Bodies next = step.step(bodies, world, nobody, 1.0 / pile.ticksPerSecond());
             // The same object again: all sleep, and the step depends on nothing that could change.
             boolean isOver = next == bodies || tick == last;
             ledger.book(bodies, next);

@@ -13,7 +13,6 @@ import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Sky;
 import nephele.engine.level.Solid;
 import nephele.engine.level.ToneCurve;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Obstacles;
 import nephele.engine.portal.PathTrace;
@@ -129,7 +128,7 @@ public final class EyeCrossings implements AutoCloseable {
             eye = portals.passage(0).point(eye);
             ahead = portals.passage(0).direction(forward);
         }
-        Vec3 target = Directions.moved(eye, 1, ahead);
+        Vec3 target = eye.addScaled(1, ahead);
         Projection projection =
                 new Projection(Math.toRadians(20), WIDTH / (double) HEIGHT, 0.05, Double.POSITIVE_INFINITY);
         renderer.draw(View.lookAt(eye, target, UP, projection), picture);

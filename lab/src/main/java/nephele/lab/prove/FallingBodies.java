@@ -8,7 +8,6 @@ import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
-import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerBody;
@@ -45,7 +44,7 @@ final class FallingBodies {
         RigidStep step = new RigidStep(new BodyTable(List.of(body)), GRAVITY);
         Vec3 spin = body instanceof Body.Capsule ? Vec3.ZERO : SPIN;
         Bodies bodies = Bodies.of(List.of(BodyState.resting(body.centre()).moving(Vec3.ZERO, spin)));
-        Surroundings surroundings = Surroundings.of(seamed);
+        SeamedWorld surroundings = seamed;
         double worst = 0;
         long passes = 0;
         long idleTicks = 0;

@@ -10,9 +10,7 @@ import nephele.engine.collision.rigid.BodyState;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
-import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.level.Body;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
@@ -29,7 +27,7 @@ final class FlownTraversals {
     private static final double CUBE_METRES = 0.2;
     private static final Vec3 GRAVITY = new Vec3(0, -9.81, 0);
 
-    private final Surroundings surroundings;
+    private final SeamedWorld surroundings;
     private final RigidStep step;
     private final List<BodyState> first = new ArrayList<>();
     private final List<String> failures = new ArrayList<>();
@@ -52,7 +50,7 @@ final class FlownTraversals {
             Vec3 size = new Vec3(CUBE_METRES, CUBE_METRES, CUBE_METRES);
             cubes.add(new Body.Box("cube" + i, start.centre(), size, 1, null, 0.6, 0));
         }
-        surroundings = Surroundings.of(SeamedWorld.of(new CollisionWorld(List.of()), new Portals(ends, partners)));
+        surroundings = SeamedWorld.of(new CollisionWorld(List.of()), new Portals(ends, partners));
         step = new RigidStep(new BodyTable(cubes), GRAVITY);
     }
 
@@ -61,7 +59,7 @@ final class FlownTraversals {
         Vec3 centre =
                 entry.world(random.nextDouble(-0.2, 0.2), random.nextDouble(-0.4, 0.4), random.nextDouble(0.01, 0.06));
         Vec3 ahead = entry.world(random.nextDouble(-0.2, 0.2), random.nextDouble(-0.2, 0.2), -1);
-        Vec3 velocity = Directions.scaled(Directions.between(entry.centre(), ahead), random.nextDouble(6, 12));
+        Vec3 velocity = ahead.minus(entry.centre()).scaled(random.nextDouble(6, 12));
         Vec3 spin = new Vec3(random.nextDouble(-5, 5), random.nextDouble(-5, 5), random.nextDouble(-5, 5));
         return new BodyState(centre, new Quaterniond(), velocity, spin);
     }
@@ -97,7 +95,7 @@ final class FlownTraversals {
         List<BodyState> states = new ArrayList<>();
         for (int i = 0; i < PAIRS; i++) {
             BodyState state = bodies.state(i);
-            states.add(state.moving(Directions.opposite(state.velocity()), Directions.opposite(state.spin())));
+            states.add(state.moving(state.velocity().negated(), state.spin().negated()));
         }
         return Bodies.of(states);
     }
@@ -107,7 +105,7 @@ final class FlownTraversals {
             BodyState now = bodies.state(i);
             BodyState then = first.get(i);
             double off = now.centre().toVector().distance(then.centre().toVector());
-            double speed = Math.abs(Directions.length(now.velocity()) / Directions.length(then.velocity()) - 1);
+            double speed = Math.abs(now.velocity().length() / then.velocity().length() - 1);
             double turn = TraversalsProof.turned(now.orientation(), then.orientation());
             farthest = Math.max(farthest, off);
             worstSpeed = Math.max(worstSpeed, speed);

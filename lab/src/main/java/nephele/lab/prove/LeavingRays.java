@@ -25,10 +25,10 @@ final class LeavingRays {
         Vec3 normal = TriangleRay.normal(corners, 0);
         double a = random.nextDouble();
         double b = (1 - a) * random.nextDouble();
-        Vec3 out = random.nextBoolean() ? normal : Directions.opposite(normal);
-        Vec3 side = Directions.cross(out, direction(random));
+        Vec3 out = random.nextBoolean() ? normal : normal.negated();
+        Vec3 side = out.cross(direction(random));
         double slope = unit % 2 == 0 ? 1 : StrictMath.pow(10, random.nextDouble(0, 6));
-        var onward = Directions.moved(out, slope, side);
+        var onward = out.addScaled(slope, side);
         Vec3 origin = TriangleHit.at(a, b, 1 - a - b).originTowards(onward, corners, 0);
         if (new TriangleRay(Ray.of(origin, onward)).meets(corners, 0, Double.POSITIVE_INFINITY, hit)) {
             failures.add("ray " + unit + " meets the triangle it leaves, " + hit.distance() + " on");
@@ -55,7 +55,7 @@ final class LeavingRays {
     /** A wall 1 mm before the origin: the ray meets it, and the origin lies on this side of it. */
     private void castAtWall(long unit, Vec3 origin, Vec3 out, double[] corners) {
         Vec3 u = Directions.perpendicular(out);
-        Vec3 v = Directions.cross(out, u);
+        Vec3 v = out.cross(u);
         double[] wall = new double[9];
         double[][] at = {{-1, -1}, {3, -1}, {-1, 3}};
         for (int k = 0; k < 3; k++) {
@@ -64,7 +64,7 @@ final class LeavingRays {
             wall[3 * k + 2] = origin.z() + 1e-3 * out.z() + at[k][0] * u.z() + at[k][1] * v.z();
         }
         var moved = new Vec3(origin.x() - corners[0], origin.y() - corners[1], origin.z() - corners[2]);
-        boolean within = Math.abs(Directions.dot(moved, out)) < 1e-4;
+        boolean within = Math.abs(moved.dot(out)) < 1e-4;
         if (!within || !new TriangleRay(Ray.of(origin, out)).meets(wall, 0, 1, hit)) {
             failures.add("ray " + unit + " leaks through a wall 1 mm on");
         }

@@ -28,7 +28,7 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
                 .flatMap(brush -> brush.shape().faces().stream())
                 .filter(face -> Math.abs(face.plane().signedDistance(place)) < TOUCH_METRES)
                 .map(face -> face.plane().normal())
-                .filter(n -> Directions.dot(n, way) > 0)
+                .filter(n -> n.dot(way) > 0)
                 .findFirst()
                 .orElse(way);
         return new LitPart(brushes, place, normal, way, reachMetres);
@@ -40,7 +40,7 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
             return false;
         }
         Vec3 across = Directions.perpendicular(way);
-        Vec3 up = Directions.cross(way, across);
+        Vec3 up = way.cross(across);
         for (int i = 0; i < DIRECTIONS; i++) {
             double x = StrictMath.cos(Math.PI * i / DIRECTIONS);
             double y = StrictMath.sin(Math.PI * i / DIRECTIONS);
@@ -55,7 +55,7 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
 
     /** The step on the face that the light sees as one across its rays. */
     private Vec3 onFace(Vec3 step) {
-        return Directions.combined(step, 1, way, -Directions.dot(normal, step) / Directions.dot(normal, way));
+        return Directions.combined(step, 1, way, -normal.dot(step) / normal.dot(way));
     }
 
     private double litMetres(Vec3 direction, double most) {
@@ -78,7 +78,7 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
         double leave = reachMetres;
         for (Face face : brush.shape().faces()) {
             double distance = face.plane().signedDistance(point);
-            double speed = Directions.dot(face.plane().normal(), way);
+            double speed = face.plane().normal().dot(way);
             if (speed < 0) {
                 enter = Math.max(enter, -distance / speed);
             } else if (speed > 0) {

@@ -7,7 +7,6 @@ import nephele.engine.collision.rigid.Bodies;
 import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.collision.rigid.Influences;
 import nephele.engine.collision.rigid.RigidStep;
-import nephele.engine.collision.rigid.Surroundings;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
@@ -76,12 +75,11 @@ final class LoadedStack {
 
     private Bodies move(BodyTable table, Bodies start, int rate, double seconds) {
         RigidStep step = new RigidStep(table, GRAVITY);
-        Surroundings surroundings = Surroundings.of(world);
         BodyDepth depth = new BodyDepth(table, world);
         Influences nobody = Influences.none();
         Bodies bodies = start;
         for (int tick = 0; tick < seconds * rate; tick++) {
-            Bodies next = step.step(bodies, surroundings, nobody, 1.0 / rate);
+            Bodies next = step.step(bodies, world, nobody, 1.0 / rate);
             look(bodies, next, depth);
             bodies = next;
         }

@@ -7,7 +7,6 @@ import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerInput;
@@ -83,7 +82,7 @@ public final class Parcours {
 
     private Plane plane(Vec3 normal, Vec3 through) {
         Plane unit = Plane.of(normal, 0);
-        double distance = unit.signedDistance(Directions.moved(origin, 1, through));
+        double distance = unit.signedDistance(origin.addScaled(1, through));
         return new Plane(unit.nx(), unit.ny(), unit.nz(), distance);
     }
 

@@ -8,7 +8,6 @@ import nephele.engine.collision.CollisionWorld;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
@@ -76,7 +75,7 @@ final class PortalRoom {
     }
 
     private Vec3 at(double x, double y, double z) {
-        return Directions.moved(origin, 1, new Vec3(x, y, z));
+        return origin.addScaled(1, new Vec3(x, y, z));
     }
 
     /** A block in the south-east corner with a slanted face, and the frame in the middle of that face. */
@@ -94,15 +93,15 @@ final class PortalRoom {
                 ConvexPolyhedron.fromPlanes(List.of(
                         through(frame.normal(), frame.centre()),
                         through(frame.frame().right(), frame.world(1.2, 0, 0)),
-                        through(Directions.opposite(frame.frame().right()), frame.world(-1.2, 0, 0)),
+                        through(frame.frame().right().negated(), frame.world(-1.2, 0, 0)),
                         through(frame.frame().up(), frame.world(0, 1.3, 0)),
                         through(new Vec3(0, -1, 0), origin),
-                        through(Directions.opposite(frame.normal()), frame.world(0, 0, -2.2))))));
+                        through(frame.normal().negated(), frame.world(0, 0, -2.2))))));
         return frame;
     }
 
     private static Plane through(Vec3 n, Vec3 p) {
-        return new Plane(n.x(), n.y(), n.z(), Directions.dot(n, p));
+        return Plane.through(n, p);
     }
 
     private List<Portal> ends(Aperture aperture, Portal ramp) {
@@ -160,7 +159,7 @@ final class PortalRoom {
     private static boolean apart(Portal a, Portal b) {
         boolean coplanar =
                 Math.abs(a.inFront(b.centre().x(), b.centre().y(), b.centre().z())) < 1e-6
-                        && Directions.dot(a.normal(), b.normal()) > 0.99;
+                        && a.normal().dot(b.normal()) > 0.99;
         Vec3 p = b.centre();
         double across = Math.abs(a.across(p.x(), p.y(), p.z()));
         double upward = Math.abs(a.upward(p.x(), p.y(), p.z()));
@@ -177,7 +176,7 @@ final class PortalRoom {
             return true;
         }
         Aabb block = solids.get(solids.size() - 1).bounds();
-        return !reaches(end, RAMP_METRES, block.moved(Directions.opposite(origin)));
+        return !reaches(end, RAMP_METRES, block.moved(origin.negated()));
     }
 
     /** Boxes on the floor, some just before an exit but none in it. */
@@ -202,7 +201,7 @@ final class PortalRoom {
         for (int i = 0; i < end.aperture().corners(); i++) {
             for (double before : new double[] {0, least}) {
                 Vec3 p = end.world(end.aperture().cornerX(i), end.aperture().cornerY(i), before);
-                corners.add(Directions.between(origin, p));
+                corners.add(p.minus(origin));
             }
         }
         return Aabb.of(corners).overlaps(box);

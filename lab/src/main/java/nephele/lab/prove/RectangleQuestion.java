@@ -2,7 +2,6 @@ package nephele.lab.prove;
 
 import java.util.List;
 import nephele.engine.level.PortalShape;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.placement.FourLines;
@@ -22,7 +21,7 @@ record RectangleQuestion(
         Aperture rectangle = Aperture.of(PortalShape.RECTANGLE, aimed.widthMetres(), aimed.heightMetres());
         WallPlace place = shot.wall.place();
         Vec3 up = place.expectedUp(shot.aim.view());
-        Vec3 right = Directions.cross(up, place.normal());
+        Vec3 right = up.cross(place.normal());
         int triangle = 0;
         while (!ClippedAreas.contains(shot.wall.pieces().get(triangle), shot.x, shot.y)) {
             triangle++;
@@ -34,8 +33,8 @@ record RectangleQuestion(
                 rectangle,
                 new FourLines(shot.wall.soup()),
                 triangle,
-                Directions.scaled(right, rectangle.widthMetres() / 2),
-                Directions.scaled(up, rectangle.heightMetres() / 2),
+                right.scaled(rectangle.widthMetres() / 2),
+                up.scaled(rectangle.heightMetres() / 2),
                 fits);
     }
 

@@ -104,9 +104,9 @@ public final class RetriangulationProof implements Proof {
 
     private static WallPlace tilted(WallPlace wall, double aroundX, double aroundY) {
         Vec3 normal = Directions.unit(Math.tan(aroundY), Math.tan(aroundX), 1);
-        Vec3 right = Directions.cross(new Vec3(0, 1, 0), normal);
+        Vec3 right = new Vec3(0, 1, 0).cross(normal);
         Vec3 unit = Directions.unit(right);
-        return new WallPlace(wall.origin(), unit, Directions.cross(normal, unit), normal);
+        return new WallPlace(wall.origin(), unit, normal.cross(unit), normal);
     }
 
     private record Shot(double x, double y, double eyeX, double eyeY, int shape) {
@@ -114,7 +114,7 @@ public final class RetriangulationProof implements Proof {
             Aperture aperture = Aperture.of(PortalShape.values()[shape], 1.2 + 2 * grownMetres, 2.1 + 2 * grownMetres);
             Vec3 eye = place.world(x + eyeX, y + eyeY, 4);
             Vec3 target = place.world(x, y, 0);
-            Vec3 way = Directions.unit(Directions.between(eye, target));
+            Vec3 way = Directions.unit(target.minus(eye));
             return new Placement(surfaces, new Gun(aperture, 100, 0.75))
                     .place("p", new Aim(eye, WallPlace.looking(way, 0)), List.of(), MovingSurfaces.NONE);
         }

@@ -35,7 +35,7 @@ final class SeamedClearance {
     double depth(PlayerState player) {
         Vec3 up = player.tilt().up();
         Vec3 side = perpendicular(up);
-        Vec3 other = Directions.cross(up, side);
+        Vec3 other = up.cross(side);
         double half = player.stance().heightMetres() / 2;
         double straight = half - PlayerBody.RADIUS;
         Vector3d centre = player.centre().toVector();
@@ -46,7 +46,7 @@ final class SeamedClearance {
             double b = PlayerBody.RADIUS * StrictMath.sin(angle);
             Vec3 out = Directions.combined(side, a, other, b);
             for (double height : new double[] {-straight, 0, straight}) {
-                deepest = Math.max(deepest, depthAt(centre, Directions.moved(out, height, up), 1));
+                deepest = Math.max(deepest, depthAt(centre, out.addScaled(height, up), 1));
             }
         }
         return deepest;
@@ -103,7 +103,7 @@ final class SeamedClearance {
 
     private static Vec3 perpendicular(Vec3 up) {
         return Math.abs(up.y()) > 0.9
-                ? Directions.unit(Directions.cross(up, new Vec3(1, 0, 0)))
-                : Directions.unit(Directions.cross(up, new Vec3(0, 1, 0)));
+                ? Directions.unit(up.cross(new Vec3(1, 0, 0)))
+                : Directions.unit(up.cross(new Vec3(0, 1, 0)));
     }
 }

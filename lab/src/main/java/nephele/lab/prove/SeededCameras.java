@@ -99,8 +99,8 @@ final class SeededCameras {
         Vec3 n = portal.normal();
         double into = random.nextInt(3) == 0 ? 0.05 : 1;
         Vec3 d = direction(random, 1);
-        double along = Directions.dot(d, n);
-        return view(eye, unit(Directions.moved(d, -into * Math.abs(along) - along, n)), fov);
+        double along = d.dot(n);
+        return view(eye, unit(d.addScaled(-into * Math.abs(along) - along, n)), fov);
     }
 
     /** Millimetres to centimetres before a face that can be seen from somewhere, looking nearly along it. */
@@ -112,9 +112,9 @@ final class SeededCameras {
             double height = Math.pow(10, -3 + 2 * random.nextDouble());
             Vec3 eye = onFace(face, random, height);
             Vec3 d = direction(random, 1);
-            double out = 0.1 * (2 * random.nextDouble() - 1) - Directions.dot(d, n);
+            double out = 0.1 * (2 * random.nextDouble() - 1) - d.dot(n);
             if (!isInside(eye) && isSeen(eye, random)) {
-                View view = view(eye, unit(Directions.moved(d, out, n)), fov);
+                View view = view(eye, unit(d.addScaled(out, n)), fov);
                 if (isWhole(view)) {
                     return view;
                 }
@@ -124,20 +124,20 @@ final class SeededCameras {
     }
 
     private static Vec3 onFace(BrushFace face, SplittableRandom random, double height) {
-        Vec3 place = Directions.scaled(face.plane().normal(), height);
+        Vec3 place = face.plane().normal().scaled(height);
         double[] weights =
                 random.doubles(face.polygon().size()).map(w -> -Math.log(1 - w)).toArray();
         double all = java.util.Arrays.stream(weights).sum();
         for (int i = 0; i < weights.length; i++) {
-            place = Directions.moved(place, weights[i] / all, face.polygon().get(i));
+            place = place.addScaled(weights[i] / all, face.polygon().get(i));
         }
         return place;
     }
 
     private boolean isSeen(Vec3 place, SplittableRandom random) {
         Vec3 start = starts.get(random.nextInt(starts.size()));
-        Vec3 way = Directions.between(start, place);
-        return ways.freeMetres(start, towards(start, place)) >= Directions.length(way) - 1e-6;
+        Vec3 way = place.minus(start);
+        return ways.freeMetres(start, towards(start, place)) >= way.length() - 1e-6;
     }
 
     /** Two straight walks from a place that is known to be free; never through a portal. */
@@ -146,7 +146,7 @@ final class SeededCameras {
         for (int i = 0; i < 2; i++) {
             Vec3 d = direction(random, 0.5);
             double metres = Math.min(ways.freeMetres(place, d), LONGEST_WALK) * random.nextDouble();
-            Vec3 next = Directions.moved(place, metres, d);
+            Vec3 next = place.addScaled(metres, d);
             place = isInside(next) ? place : next;
         }
         return place;
@@ -207,7 +207,7 @@ final class SeededCameras {
     }
 
     private static Vec3 towards(Vec3 from, Vec3 to) {
-        return unit(Directions.between(from, to));
+        return unit(to.minus(from));
     }
 
     private static Vec3 unit(Vec3 v) {
@@ -215,7 +215,7 @@ final class SeededCameras {
     }
 
     private View view(Vec3 eye, Vec3 direction, double fovRadians) {
-        Basis basis = Basis.lookAt(eye, Directions.moved(eye, 1, direction), UP, Basis.WORLD);
+        Basis basis = Basis.lookAt(eye, eye.addScaled(1, direction), UP, Basis.WORLD);
         Projection projection = new Projection(fovRadians, aspect, NEAR_METRES, Double.POSITIVE_INFINITY);
         return new View(eye, basis.right(), basis.up(), basis.back(), projection);
     }

@@ -127,7 +127,7 @@ public final class ShadowEdgesProof implements Proof {
         }
         Vec3 unit = Directions.unit(way);
         Vec3 across = Directions.perpendicular(unit);
-        Vec3 up = Directions.cross(unit, across);
+        Vec3 up = unit.cross(across);
         double texel = scene.texelMetres(sight.place());
         for (double radius : RADII) {
             for (int i = 0; i < DIRECTIONS; i++) {

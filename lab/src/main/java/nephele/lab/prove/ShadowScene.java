@@ -78,7 +78,7 @@ final class ShadowScene {
             double length = towardsSun.toVector().length();
             return new Vec3(towardsSun.x() / length, towardsSun.y() / length, towardsSun.z() / length);
         }
-        return Directions.between(place, lamp);
+        return lamp.minus(place);
     }
 
     /** Share of {@link #wayToLight} on which something may shade. */
@@ -90,7 +90,7 @@ final class ShadowScene {
     double texelMetres(Vec3 place) {
         if (axis != null) {
             Vec3 way = wayToLight(place);
-            double depth = -Directions.dot(way, Directions.unit(axis));
+            double depth = -way.dot(Directions.unit(axis));
             return 2 * depth * Math.tan(Math.toRadians(OUTER_DEGREES)) / LampShadows.LARGEST_SIDE;
         }
         if (lamp != null) {
@@ -104,7 +104,7 @@ final class ShadowScene {
     /** Whether the lit part of the face at a place may fall between the depth map's texels. */
     boolean isTooNarrow(Vec3 place) {
         Vec3 way = wayToLight(place);
-        double length = Directions.length(way);
+        double length = way.length();
         var unit = new Vec3(way.x() / length, way.y() / length, way.z() / length);
         List<Brush> brushes = boxes.brushes();
         return LitPart.at(brushes, place, unit, Math.min(length * limit(), 1e3))

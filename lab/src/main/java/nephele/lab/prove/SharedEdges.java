@@ -2,7 +2,6 @@ package nephele.lab.prove;
 
 import java.util.List;
 import java.util.SplittableRandom;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Ray;
 import nephele.engine.math.TriangleHit;
 import nephele.engine.math.TriangleRay;
@@ -28,9 +27,9 @@ final class SharedEdges {
         Vec3[] rim = rim(hub, random);
         Vec3 end = rim[(int) (unit % SPOKES)];
         double share = unit % 5 == 0 ? 0 : 0.99 * random.nextDouble();
-        Vec3 aim = Directions.mixed(hub, end, share);
+        Vec3 aim = hub.lerp(end, share);
         Vec3 origin = new Vec3(hub.x() + random.nextDouble(-2, 2), hub.y() + random.nextDouble(-2, 2), 9);
-        var direction = Directions.between(origin, aim);
+        var direction = aim.minus(origin);
         if (!meetsFan(new TriangleRay(Ray.of(origin, direction)), hub, rim, unit)) {
             failures.add("ray " + unit + " slips through the fan");
         }
@@ -64,7 +63,7 @@ final class SharedEdges {
     private void measure(double[] corners, long unit) {
         Vec3 point = hit.point(corners, 0);
         Vec3 inPlane = new Vec3(point.x() - corners[0], point.y() - corners[1], point.z() - corners[2]);
-        double off = Math.abs(Directions.dot(TriangleRay.normal(corners, 0), inPlane));
+        double off = Math.abs(TriangleRay.normal(corners, 0).dot(inPlane));
         double extent = Math.max(Math.abs(point.x()), Math.max(Math.abs(point.y()), 3));
         greatestUlpsOffPlane = Math.max(greatestUlpsOffPlane, off / Math.ulp(extent));
         if (off > MOST_ULPS * Math.ulp(extent)) {

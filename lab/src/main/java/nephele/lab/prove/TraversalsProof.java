@@ -76,7 +76,7 @@ public final class TraversalsProof implements Proof {
                 random.nextDouble(-SPREAD_METRES, SPREAD_METRES));
         Vec3 normal = direction(random);
         Vec3 up = direction(random);
-        while (Math.abs(Directions.dot(normal, up)) > MOST_ALONG) {
+        while (Math.abs(normal.dot(up)) > MOST_ALONG) {
             up = direction(random);
         }
         return new Portal("end", centre, Portal.facing(normal, up), Aperture.of(PortalShape.ARCH, 1.2, 2.1));

@@ -20,9 +20,9 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
         Vec3 normal = normal(random);
         Vec3 side = Directions.perpendicular(normal);
         double spin = random.nextInt(2) == 0 ? 0 : random.nextDouble(-3, 3);
-        Vec3 across = Directions.cross(normal, side);
+        Vec3 across = normal.cross(side);
         Vec3 right = sum(side, Math.cos(spin), across, Math.sin(spin));
-        return new WallPlace(origin, right, Directions.cross(normal, right), normal);
+        return new WallPlace(origin, right, normal.cross(right), normal);
     }
 
     private static Vec3 normal(SplittableRandom random) {
@@ -50,26 +50,26 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
     }
 
     double x(Vec3 p) {
-        return Directions.dot(right, fromOrigin(p));
+        return right.dot(fromOrigin(p));
     }
 
     double y(Vec3 p) {
-        return Directions.dot(up, fromOrigin(p));
+        return up.dot(fromOrigin(p));
     }
 
     double height(Vec3 p) {
-        return Directions.dot(normal, fromOrigin(p));
+        return normal.dot(fromOrigin(p));
     }
 
     private Vec3 fromOrigin(Vec3 p) {
-        return Directions.between(origin, p);
+        return p.minus(origin);
     }
 
     /** A prism over a convex counter-clockwise polygon, from one height to another. */
     Brush prism(double[] polygon, double low, double high, boolean portalable) {
         List<Solid.PlaneFace> planes = new ArrayList<>();
         planes.add(plane(normal, world(0, 0, high), portalable));
-        planes.add(plane(Directions.opposite(normal), world(0, 0, low), portalable));
+        planes.add(plane(normal.negated(), world(0, 0, low), portalable));
         for (int i = 0; i < polygon.length; i += 2) {
             int j = (i + 2) % polygon.length;
             double dx = polygon[j] - polygon[i];
@@ -81,7 +81,7 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
     }
 
     private static Solid.PlaneFace plane(Vec3 normal, Vec3 through, boolean portalable) {
-        return new Solid.PlaneFace(normal, Directions.dot(normal, through), null, portalable);
+        return new Solid.PlaneFace(normal, normal.dot(through), null, portalable);
     }
 
     /** Looks along a direction without roll; straight up or down with any yaw. */
@@ -95,12 +95,12 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
     /** The portal's up: on slopes up along them, on level surfaces ahead. */
     Vec3 expectedUp(Basis view) {
         if (Math.abs(normal.y()) < 0.86) {
-            Vec3 across = Directions.cross(new Vec3(0, 1, 0), normal);
-            Vec3 along = Directions.cross(across, normal);
+            Vec3 across = new Vec3(0, 1, 0).cross(normal);
+            Vec3 along = across.cross(normal);
             return Directions.unit(
                     Math.signum(along.y()) * along.x(), Math.abs(along.y()), Math.signum(along.y()) * along.z());
         }
-        Vec3 seen = Directions.opposite(view.back());
+        Vec3 seen = view.back().negated();
         // Straight down the view's own up is what is ahead, straight up its opposite.
         Vec3 ahead = Math.abs(seen.y()) > 1 - 1e-9
                 ? new Vec3(-seen.y() * view.up().x(), 0, -seen.y() * view.up().z())

@@ -60,7 +60,7 @@ final class WallShot {
         Vec3 eye = wall.place().world(x + dx, y + dy, away);
         Vec3 target = wall.place().world(x, y, 0);
         Vec3 n = wall.place().normal();
-        Vec3 direction = slant == 0 ? Directions.opposite(n) : Directions.between(eye, target);
+        Vec3 direction = slant == 0 ? n.negated() : target.minus(eye);
         Vec3 unit = Directions.unit(direction);
         return new Aim(eye, WallPlace.looking(unit, random.nextDouble(-3, 3)));
     }
@@ -72,7 +72,7 @@ final class WallShot {
         double cos = Math.cos(angle);
         double sin = Math.sin(angle);
         Vec3 right = Directions.unit(Directions.combined(a, cos, b, sin));
-        Vec3 up = Directions.cross(wall.place().normal(), right);
+        Vec3 up = wall.place().normal().cross(right);
         Vec3 centre = wall.place().world(x + random.nextDouble(-2, 2), y + random.nextDouble(-2, 2), 0);
         Aperture aperture = Aperture.of(shape(random), random.nextDouble(0.4, 1.6), random.nextDouble(0.6, 2.4));
         return new Portal("other", centre, new Basis(right, up, wall.place().normal()), aperture);
@@ -106,8 +106,8 @@ final class WallShot {
     static double[] shape(Aperture a, WallShot shot, double grownMetres) {
         WallPlace place = shot.wall.place();
         Vec3 up = place.expectedUp(shot.aim.view());
-        double upX = Directions.dot(up, place.right());
-        double upY = Directions.dot(up, place.up());
+        double upX = up.dot(place.right());
+        double upY = up.dot(place.up());
         double reach = 0;
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < a.corners(); i++) {

@@ -26,7 +26,7 @@ final class BodyScene {
     private final List<Body> bodies = new ArrayList<>();
     private final List<BodyState> states = new ArrayList<>();
     private Vec3 gravity = GRAVITY;
-    private Surroundings surroundings;
+    private SeamedWorld surroundings;
     private RigidStep step;
     final Influences influences = new Influences();
     Bodies now;
@@ -93,7 +93,7 @@ final class BodyScene {
 
     /** From now on these are the portals. */
     BodyScene open(Portals open) {
-        surroundings = Surroundings.of(SeamedWorld.of(new CollisionWorld(solids), open));
+        surroundings = SeamedWorld.of(new CollisionWorld(solids), open);
         return this;
     }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.level.Body;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
@@ -27,7 +28,7 @@ class FastBodiesTest {
         "120, 0.02, 200", "120, 0.2, 200", "240, 0.02, 100", "240, 0.2, 100"
     })
     void nothingLeavesAClosedRoom(int ticksPerSecond, double wallMetres, int throwsOfIt) {
-        Surroundings room = Surroundings.of(room(wallMetres));
+        SeamedWorld room = SeamedWorld.of(room(wallMetres));
         List<String> outside = new ArrayList<>();
         for (int i = 0; i < throwsOfIt; i++) {
             var random = new SplittableRandom(1000L * ticksPerSecond + i);
@@ -43,7 +44,7 @@ class FastBodiesTest {
         assertEquals(0, outside.size(), () -> outside.size() + " outside, first " + outside.get(0));
     }
 
-    private static Bodies run(RigidStep step, Surroundings room, BodyState start, int ticksPerSecond) {
+    private static Bodies run(RigidStep step, SeamedWorld room, BodyState start, int ticksPerSecond) {
         Bodies bodies = Bodies.of(List.of(start));
         Influences nothing = Influences.none();
         for (int tick = 0; tick < SECONDS * ticksPerSecond; tick++) {

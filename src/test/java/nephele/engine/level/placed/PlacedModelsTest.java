@@ -26,7 +26,6 @@ import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Problem;
 import nephele.engine.level.appearance.Decoding;
 import nephele.engine.math.Basis;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
 import nephele.engine.reference.Pinhole;
@@ -116,11 +115,11 @@ class PlacedModelsTest {
         for (int triangle = 0; triangle < ball.count(); triangle++) {
             Vec3 place = ball.corner(triangle, 1);
             Vec3 face = ball.faceNormal(triangle);
-            assertTrue(Directions.dot(face, place) > 0, "triangle " + triangle);
+            assertTrue(face.dot(place) > 0, "triangle " + triangle);
             for (int corner = 0; corner < 3; corner++) {
                 Vec3 normal = ball.normal(triangle, corner);
-                assertEquals(1, Directions.length(normal), 1e-12);
-                assertTrue(Directions.dot(normal, face) > 0, "triangle " + triangle);
+                assertEquals(1, normal.length(), 1e-12);
+                assertTrue(normal.dot(face) > 0, "triangle " + triangle);
             }
         }
     }

@@ -34,8 +34,8 @@ class UprightTest {
                     leaning(random.nextDouble(0, Math.PI), random.nextDouble(-3.2, 3.2)),
                     Basis.WORLD);
             Vec3 up = Upright.on(normal, view);
-            assertEquals(1, Directions.length(up), 1e-12);
-            assertEquals(0, Directions.dot(up, normal), 1e-12);
+            assertEquals(1, up.length(), 1e-12);
+            assertEquals(0, up.dot(normal), 1e-12);
         }
     }
 
@@ -45,8 +45,8 @@ class UprightTest {
         for (int i = 0; i < 1000; i++) {
             Vec3 normal = leaning(Math.toRadians(random.nextDouble(31, 149)), random.nextDouble(-3, 3));
             Vec3 up = Upright.on(normal, Basis.ofYawPitch(random.nextDouble(-3, 3), random.nextDouble(-1.5, 1.5)));
-            Vec3 across = Directions.cross(FLOOR, normal);
-            assertEquals(0, Directions.dot(up, across), 1e-12);
+            Vec3 across = FLOOR.cross(normal);
+            assertEquals(0, up.dot(across), 1e-12);
             assertTrue(up.y() > 0);
         }
     }

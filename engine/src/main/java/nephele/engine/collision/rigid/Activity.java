@@ -1,5 +1,6 @@
 package nephele.engine.collision.rigid;
 
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portals;
@@ -18,7 +19,6 @@ final class Activity {
     private Portals portals = Portals.NONE;
     private long[] characterMasks = new long[0];
     private TickBodies bodies;
-    private final ThroughPortals through = new ThroughPortals();
     private final Vector3d centre = new Vector3d();
 
     Activity(Poses poses, NarrowPhase narrow) {
@@ -27,7 +27,7 @@ final class Activity {
     }
 
     /** Finds the masks of all bodies; wakes who is active on portals that have changed, before or now. */
-    void find(TickBodies now, BodyPassages last, Surroundings surroundings, Vec3 gravity, double seconds) {
+    void find(TickBodies now, BodyPassages last, SeamedWorld surroundings, Vec3 gravity, double seconds) {
         bodies = now;
         portals = surroundings.portals();
         if (portals.size() == 0 && last.portals().size() == 0) {
@@ -54,7 +54,7 @@ final class Activity {
     }
 
     /** Adds an image to the poses for every portal that somebody is active on. */
-    void addImages(Surroundings surroundings, Influences influences, Motions motions, double seconds) {
+    void addImages(SeamedWorld surroundings, Influences influences, Motions motions, double seconds) {
         if (portals.size() == 0) {
             return;
         }
@@ -177,6 +177,6 @@ final class Activity {
 
     private long through(long mask, int shape) {
         centre.set(poses.centre[3 * shape], poses.centre[3 * shape + 1], poses.centre[3 * shape + 2]);
-        return through.find(portals, mask, centre, place);
+        return portals.behind(mask, centre, place);
     }
 }

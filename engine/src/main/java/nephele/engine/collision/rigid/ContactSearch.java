@@ -3,6 +3,7 @@ package nephele.engine.collision.rigid;
 import java.util.Arrays;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.math.ItemList;
 
 /** Finds who touches whom in a tick, makes the solver's rows of it and remembers what they carried. Reused. */
@@ -184,7 +185,7 @@ final class ContactSearch {
     }
 
     /** Rows for every contact of somebody who is awake: first with the static world, then with each other. */
-    void findContacts(TickBodies now, Surroundings surroundings, Influences from, double tickSeconds) {
+    void findContacts(TickBodies now, SeamedWorld surroundings, Influences from, double tickSeconds) {
         begin(now, from, tickSeconds);
         rows.clear();
         int shapes = poses.count;

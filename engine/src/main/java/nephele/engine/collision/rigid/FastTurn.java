@@ -1,6 +1,7 @@
 package nephele.engine.collision.rigid;
 
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -48,7 +49,7 @@ final class FastTurn {
      *
      * @return whether anything is left of the turn
      */
-    boolean fit(double[] motion, int q, int body, Vector3dc at, Surroundings surroundings, double depth) {
+    boolean fit(double[] motion, int q, int body, Vector3dc at, SeamedWorld surroundings, double depth) {
         System.arraycopy(motion, q, after, 0, 4);
         double most = Math.min(-depth, gap(before, body, at, surroundings));
         double share = 1;
@@ -63,11 +64,11 @@ final class FastTurn {
         return false;
     }
 
-    private double gap(double[] turned, int body, Vector3dc at, Surroundings surroundings) {
+    private double gap(double[] turned, int body, Vector3dc at, SeamedWorld surroundings) {
         return gap(turned, 0, body, at, surroundings);
     }
 
-    private double gap(double[] turned, int q, int body, Vector3dc at, Surroundings surroundings) {
+    private double gap(double[] turned, int q, int body, Vector3dc at, SeamedWorld surroundings) {
         poses.turn(body, turned[q], turned[q + 1], turned[q + 2], turned[q + 3]);
         var hull = narrow.turnedHull(body);
         Portals portals = surroundings.portals();

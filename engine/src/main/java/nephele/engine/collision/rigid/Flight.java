@@ -1,6 +1,7 @@
 package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Crossing;
 import nephele.engine.portal.Passage;
@@ -48,7 +49,7 @@ final class Flight {
     private final double[] shareBeyond = new double[BodyPassages.MOST];
 
     private final Quaterniond orientation = new Quaterniond();
-    private Surroundings surroundings;
+    private SeamedWorld surroundings;
     private Portals portals;
     private double seconds;
     /** The work of gravity per kilogram on what something took off the last way, m²/s². */
@@ -67,7 +68,7 @@ final class Flight {
         turn = new FastTurn(poses, narrow, sweep);
     }
 
-    void begin(Surroundings around, Influences influences, TickBodies bodies, double tickSeconds) {
+    void begin(SeamedWorld around, Influences influences, TickBodies bodies, double tickSeconds) {
         surroundings = around;
         portals = around.portals();
         seconds = tickSeconds;
@@ -160,7 +161,7 @@ final class Flight {
      * downwards loses what the missing height is worth, v² = 2 g h.
      */
     private void giveBack(double[] m, int v) {
-        double g = Math.sqrt(gravity.x() * gravity.x() + gravity.y() * gravity.y() + gravity.z() * gravity.z());
+        double g = Math.sqrt(gravity.dot(gravity));
         double down = (m[v] * gravity.x() + m[v + 1] * gravity.y() + m[v + 2] * gravity.z()) / g;
         if (held > 0 && down > 0) {
             double change = (Math.sqrt(Math.max(0, down * down - 2 * held)) - down) / g;

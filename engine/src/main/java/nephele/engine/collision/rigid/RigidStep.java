@@ -1,6 +1,7 @@
 package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
+import nephele.engine.collision.SeamedWorld;
 import nephele.engine.math.Vec3;
 
 /**
@@ -45,7 +46,7 @@ public final class RigidStep {
     }
 
     /** The bodies {@code seconds} later: all that the tick depends on is in the arguments. */
-    public Bodies step(Bodies before, Surroundings surroundings, Influences influences, double seconds) {
+    public Bodies step(Bodies before, SeamedWorld surroundings, Influences influences, double seconds) {
         if (table.size() == 0) {
             return before;
         }
@@ -65,7 +66,7 @@ public final class RigidStep {
      */
     private record Cut(int parts, boolean isLater, int again) {}
 
-    private Bodies inParts(Bodies before, Surroundings surroundings, Influences influences, Cut cut, double seconds) {
+    private Bodies inParts(Bodies before, SeamedWorld surroundings, Influences influences, Cut cut, double seconds) {
         double part = seconds / cut.parts;
         Bodies at = before;
         for (int i = 0; i < cut.parts; i++) {
@@ -117,7 +118,7 @@ public final class RigidStep {
     }
 
     /** Finds and solves the contacts of a part; false when nothing moves. */
-    private boolean begin(Bodies before, Surroundings surroundings, Influences influences, double seconds) {
+    private boolean begin(Bodies before, SeamedWorld surroundings, Influences influences, double seconds) {
         drive(influences);
         place(influences, seconds);
         search.activity().find(bodies, before.passages(), surroundings, gravity, seconds);
@@ -140,7 +141,7 @@ public final class RigidStep {
     }
 
     /** Moves the bodies by what {@link #begin} has found. */
-    private Bodies end(Bodies before, Surroundings surroundings, Influences influences, double seconds) {
+    private Bodies end(Bodies before, SeamedWorld surroundings, Influences influences, double seconds) {
         flight.begin(surroundings, influences, bodies, seconds);
         move(before);
         sleep.fallAsleep(pressed, held, seconds);

@@ -28,16 +28,15 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
     public static FaceTexture of(BrushFace face, double textureMetres) {
         Vec3 normal = face.plane().normal();
         Vec3 across = across(normal);
-        Vec3 up = Directions.cross(normal, across);
-        return new FaceTexture(
-                across, up, axis(face, across, textureMetres), axis(face, Directions.opposite(up), textureMetres));
+        Vec3 up = normal.cross(across);
+        return new FaceTexture(across, up, axis(face, across, textureMetres), axis(face, up.negated(), textureMetres));
     }
 
     /** In which unit direction s grows on what looks along {@code n}. */
     public static Vec3 across(Vec3 n) {
         Vec3 s = Math.abs(n.y()) > HORIZONTAL
                 ? new Vec3(1 - n.x() * n.x(), -n.y() * n.x(), -n.z() * n.x())
-                : Directions.cross(new Vec3(0, 1, 0), n);
+                : new Vec3(0, 1, 0).cross(n);
         return Directions.unit(s);
     }
 
@@ -45,7 +44,7 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
         double least = Double.POSITIVE_INFINITY;
         double most = Double.NEGATIVE_INFINITY;
         for (Vec3 corner : face.polygon()) {
-            double along = Directions.dot(corner, direction);
+            double along = corner.dot(direction);
             least = Math.min(least, along);
             most = Math.max(most, along);
         }
@@ -55,10 +54,10 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
     }
 
     public double s(Vec3 p) {
-        return s.at(Directions.dot(p, across));
+        return s.at(p.dot(across));
     }
 
     public double t(Vec3 p) {
-        return t.at(-Directions.dot(p, up));
+        return t.at(-p.dot(up));
     }
 }

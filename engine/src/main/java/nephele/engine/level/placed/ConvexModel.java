@@ -9,7 +9,6 @@ import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
@@ -63,7 +62,7 @@ final class ConvexModel {
             int plane = plane(triangle);
             if (plane < 0) {
                 plane = planes.size();
-                planes.add(new Plane(normal.x(), normal.y(), normal.z(), Directions.dot(normal, a)));
+                planes.add(Plane.through(normal, a));
                 areas.add(0.0);
                 if (plane == ConvexPolyhedron.MAX_PLANES || isAnythingBefore(planes.get(plane))) {
                     return false;
@@ -77,7 +76,7 @@ final class ConvexModel {
     private int plane(int triangle) {
         Vec3 normal = mesh.faceNormal(triangle);
         for (int i = 0; i < planes.size(); i++) {
-            boolean on = Directions.dot(normal, planes.get(i).normal()) > 0.9;
+            boolean on = normal.dot(planes.get(i).normal()) > 0.9;
             for (int corner = 0; corner < 3 && on; corner++) {
                 on = Math.abs(planes.get(i).signedDistance(mesh.corner(triangle, corner))) <= tolerance;
             }
@@ -101,9 +100,10 @@ final class ConvexModel {
 
     private double area(int triangle) {
         Vec3 a = mesh.corner(triangle, 0);
-        return Directions.length(Directions.cross(
-                        Directions.between(a, mesh.corner(triangle, 1)),
-                        Directions.between(a, mesh.corner(triangle, 2))))
+        return mesh.corner(triangle, 1)
+                        .minus(a)
+                        .cross(mesh.corner(triangle, 2).minus(a))
+                        .length()
                 / 2;
     }
 
@@ -129,7 +129,7 @@ final class ConvexModel {
     }
 
     private boolean isSame(Vec3 a, Vec3 b) {
-        return Directions.length(Directions.between(a, b)) <= tolerance;
+        return b.minus(a).length() <= tolerance;
     }
 
     /** Empty when a plane's triangles do not fill the polygon between its corners. */
@@ -155,8 +155,7 @@ final class ConvexModel {
     private static double area(List<Vec3> ring) {
         var sum = Vec3.ZERO.toVector();
         for (int i = 2; i < ring.size(); i++) {
-            Vec3 doubled = Directions.cross(
-                    Directions.between(ring.get(0), ring.get(i - 1)), Directions.between(ring.get(0), ring.get(i)));
+            Vec3 doubled = ring.get(i - 1).minus(ring.get(0)).cross(ring.get(i).minus(ring.get(0)));
             sum.add(doubled.x(), doubled.y(), doubled.z());
         }
         return sum.length() / 2;

@@ -15,11 +15,11 @@ public record MeshTexture(Vec3 right, Vec3 down) {
     public static MeshTexture of(WorldTriangles mesh, int triangle) {
         Vec3 n = mesh.faceNormal(triangle);
         Vec3 a = mesh.corner(triangle, 0);
-        Vec3 ab = Directions.between(a, mesh.corner(triangle, 1));
-        Vec3 ac = Directions.between(a, mesh.corner(triangle, 2));
-        Vec3 alongAb = Directions.cross(ac, n);
-        Vec3 alongAc = Directions.cross(n, ab);
-        double area = Directions.dot(n, Directions.cross(ab, ac));
+        Vec3 ab = mesh.corner(triangle, 1).minus(a);
+        Vec3 ac = mesh.corner(triangle, 2).minus(a);
+        Vec3 alongAb = ac.cross(n);
+        Vec3 alongAc = n.cross(ab);
+        double area = n.dot(ab.cross(ac));
         double s = mesh.s(triangle, 0);
         double t = mesh.t(triangle, 0);
         return new MeshTexture(
@@ -37,12 +37,12 @@ public record MeshTexture(Vec3 right, Vec3 down) {
 
     /** Unit direction in which t falls. */
     public Vec3 up(Vec3 normal) {
-        Vec3 along = along(Directions.opposite(down), normal);
-        return along == null ? Directions.cross(normal, across(normal)) : along;
+        Vec3 along = along(down.negated(), normal);
+        return along == null ? normal.cross(across(normal)) : along;
     }
 
     private static Vec3 along(Vec3 direction, Vec3 normal) {
-        double off = Directions.dot(direction, normal);
-        return Directions.unit(Directions.moved(direction, -off, normal));
+        double off = direction.dot(normal);
+        return Directions.unit(direction.addScaled(-off, normal));
     }
 }

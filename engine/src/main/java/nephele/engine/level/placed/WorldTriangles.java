@@ -86,9 +86,9 @@ public record WorldTriangles(
     private static Vec3 faceNormal(double[] p, int a, int b, int c) {
         Vec3 ab = between(p, a, b);
         Vec3 ac = between(p, a, c);
-        Vec3 doubled = Directions.cross(ab, ac);
+        Vec3 doubled = ab.cross(ac);
         double longest = Math.max(Math.max(square(ab), square(ac)), square(between(p, b, c)));
-        boolean hasArea = Directions.length(doubled) > LEAST_HEIGHT * longest;
+        boolean hasArea = doubled.length() > LEAST_HEIGHT * longest;
         return hasArea ? Directions.unit(doubled) : null;
     }
 
@@ -97,7 +97,7 @@ public record WorldTriangles(
     }
 
     private static double square(Vec3 v) {
-        return Directions.dot(v, v);
+        return v.dot(v);
     }
 
     public int count() {
@@ -118,7 +118,7 @@ public record WorldTriangles(
     public Vec3 normal(int triangle, int corner) {
         Vec3 own = ofVertex(vertices[3 * triangle + corner]);
         Vec3 face = faceNormal(triangle);
-        return Directions.dot(own, face) > 0 ? own : face;
+        return own.dot(face) > 0 ? own : face;
     }
 
     private Vec3 ofVertex(int vertex) {
@@ -137,7 +137,7 @@ public record WorldTriangles(
     public boolean isFaceted() {
         for (int triangle = 0; triangle < count(); triangle++) {
             for (int corner = 0; corner < 3; corner++) {
-                if (Directions.dot(normal(triangle, corner), faceNormal(triangle)) < SAME_NORMAL) {
+                if (normal(triangle, corner).dot(faceNormal(triangle)) < SAME_NORMAL) {
                     return false;
                 }
             }

@@ -1,7 +1,6 @@
 package nephele.engine.portal.placement;
 
 import nephele.engine.math.Basis;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
@@ -12,6 +11,6 @@ import nephele.engine.math.Vec3;
 public record Aim(Vec3 eye, Basis view) {
     /** Of unit length. */
     public Vec3 direction() {
-        return Directions.opposite(view.back());
+        return view.back().negated();
     }
 }

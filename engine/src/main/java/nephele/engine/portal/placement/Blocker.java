@@ -90,14 +90,13 @@ sealed interface Blocker {
             for (int i = 0; i < shape.corners().size(); i++) {
                 Vec3 a = shape.corners().get(i);
                 Vec3 b = shape.corners().get((i + 1) % shape.corners().size());
-                Vec3 out = Directions.cross(Directions.between(a, b), n);
+                Vec3 out = b.minus(a).cross(n);
                 Vec3 unit = Directions.unit(out);
                 if (unit != null) {
-                    sides.add(new Plane(unit.x(), unit.y(), unit.z(), Directions.dot(unit, a) + Tolerance.CRACK));
+                    sides.add(new Plane(unit.x(), unit.y(), unit.z(), unit.dot(a) + Tolerance.CRACK));
                 }
             }
-            Plane plane = new Plane(
-                    n.x(), n.y(), n.z(), Directions.dot(n, shape.corners().get(0)));
+            Plane plane = new Plane(n.x(), n.y(), n.z(), n.dot(shape.corners().get(0)));
             return new Sheet(shape, plane, List.copyOf(sides), patchIndex);
         }
 

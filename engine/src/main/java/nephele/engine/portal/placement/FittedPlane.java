@@ -1,7 +1,6 @@
 package nephele.engine.portal.placement;
 
 import java.util.List;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -22,9 +21,7 @@ final class FittedPlane {
             double area = patch.areaSquareMetres();
             normal.fma(area, patch.normal().toVector());
             for (Vec3 corner : patch.corners()) {
-                middle.fma(
-                        area / patch.corners().size(),
-                        Directions.between(first, corner).toVector());
+                middle.fma(area / patch.corners().size(), corner.minus(first).toVector());
             }
             weight += area;
         }

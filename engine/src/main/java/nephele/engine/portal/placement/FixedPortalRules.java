@@ -4,7 +4,6 @@ import java.util.List;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Problem;
 import nephele.engine.level.placed.PlacedRule;
-import nephele.engine.math.Directions;
 import nephele.engine.portal.Portal;
 
 /** Fixed portals that a player sees otherwise than their author may think: warnings, and an error on a mirror. */
@@ -41,7 +40,7 @@ public final class FixedPortalRules {
 
     private static boolean overlap(Portal a, Portal b) {
         PlaneFrame frame = new PlaneFrame(a.centre(), a.frame());
-        return Directions.dot(a.normal(), b.normal()) >= Tolerance.COPLANAR_COSINE
+        return a.normal().dot(b.normal()) >= Tolerance.COPLANAR_COSINE
                 && Math.abs(frame.height(b.centre())) <= Tolerance.COPLANAR
                 && ConvexPolygon.gap(outline(frame, a), outline(frame, b)) < -LEAST_METRES;
     }

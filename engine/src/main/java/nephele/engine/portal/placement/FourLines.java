@@ -59,12 +59,12 @@ public final class FourLines {
     }
 
     private static Vec3 sum(Vec3 o, Vec3 a, double ofA, Vec3 b, double ofB) {
-        return Directions.moved(Directions.moved(o, ofA, a), ofB, b);
+        return o.addScaled(ofA, a).addScaled(ofB, b);
     }
 
     private boolean walk(int start, Vec3 from, Vec3 to) {
         Vec3 normal = normal(start);
-        Vec3 way = Directions.between(from, to);
+        Vec3 way = to.minus(from);
         int current = start;
         for (int steps = 0; steps < soup.triangleCount(); steps++) {
             int exit = exit(current, normal, from, way);
@@ -72,7 +72,7 @@ public final class FourLines {
                 return true;
             }
             current = beyond[exit];
-            if (current < 0 || Directions.dot(normal, normal(current)) < Tolerance.COPLANAR_COSINE) {
+            if (current < 0 || normal.dot(normal(current)) < Tolerance.COPLANAR_COSINE) {
                 return false;
             }
         }
@@ -85,9 +85,9 @@ public final class FourLines {
         double earliest = 1;
         for (int side = 3 * triangle; side < 3 * triangle + 3; side++) {
             Vec3 a = corner(side);
-            Vec3 out = Directions.cross(Directions.between(a, corner(3 * triangle + (side + 1) % 3)), normal);
-            double rate = Directions.dot(out, way);
-            double at = Directions.dot(out, Directions.between(from, a)) / rate;
+            Vec3 out = corner(3 * triangle + (side + 1) % 3).minus(a).cross(normal);
+            double rate = out.dot(way);
+            double at = out.dot(a.minus(from)) / rate;
             if (rate > 0 && at < earliest) {
                 earliest = at;
                 exit = side;
@@ -98,8 +98,8 @@ public final class FourLines {
 
     private Vec3 normal(int triangle) {
         Vec3 a = corner(3 * triangle);
-        Vec3 n = Directions.cross(
-                Directions.between(a, corner(3 * triangle + 1)), Directions.between(a, corner(3 * triangle + 2)));
+        Vec3 n =
+                corner(3 * triangle + 1).minus(a).cross(corner(3 * triangle + 2).minus(a));
         return Directions.unit(n);
     }
 

@@ -22,7 +22,7 @@ record Patch(
     static Patch of(List<Vec3> corners, boolean portalable) {
         Vec3 doubled = doubledArea(corners);
         Vec3 normal = Directions.unit(doubled);
-        double area = Directions.length(doubled) / 2;
+        double area = doubled.length() / 2;
         double longest = longestEdge(corners);
         if (normal == null || !(area > 1e-12 * longest * longest)) {
             return null;
@@ -34,8 +34,7 @@ record Patch(
         Vec3 o = corners.get(0);
         var sum = Vec3.ZERO.toVector();
         for (int i = 2; i < corners.size(); i++) {
-            Vec3 area =
-                    Directions.cross(Directions.between(o, corners.get(i - 1)), Directions.between(o, corners.get(i)));
+            Vec3 area = corners.get(i - 1).minus(o).cross(corners.get(i).minus(o));
             sum.add(area.x(), area.y(), area.z());
         }
         return new Vec3(sum.x, sum.y, sum.z);
@@ -45,14 +44,14 @@ record Patch(
         double longest = 0;
         for (int i = 0; i < corners.size(); i++) {
             Vec3 next = corners.get((i + 1) % corners.size());
-            longest = Math.max(longest, Directions.length(Directions.between(corners.get(i), next)));
+            longest = Math.max(longest, next.minus(corners.get(i)).length());
         }
         return longest;
     }
 
     /** Whether it faces the plane's way and none of its corners is off the plane; slivers lean as they will. */
     boolean liesOn(PlaneFrame frame) {
-        double cosine = Directions.dot(normal, frame.normal());
+        double cosine = normal.dot(frame.normal());
         boolean sliver = leastWidthMetres < Tolerance.SLIVER;
         if (!(cosine >= (sliver ? 0 : Tolerance.COPLANAR_COSINE))) {
             return false;

@@ -3,7 +3,6 @@ package nephele.engine.portal.placement;
 import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
-import nephele.engine.math.Directions;
 import nephele.engine.math.ItemList;
 import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
@@ -76,7 +75,7 @@ public final class Placement {
         return again instanceof Placed.Fits fits
                 && isSame(fits.portal().aperture(), portal.aperture())
                 && fits.portal().centre().toVector().distance(portal.centre().toVector()) <= SAME_PLACE_METRES
-                && Directions.dot(fits.portal().frame().up(), portal.frame().up()) >= Tolerance.COPLANAR_COSINE;
+                && fits.portal().frame().up().dot(portal.frame().up()) >= Tolerance.COPLANAR_COSINE;
     }
 
     private static boolean isSame(Aperture a, Aperture b) {
@@ -86,12 +85,12 @@ public final class Placement {
     /** Where the ray meets the region's own plane: that of the face which it hit is noisier. */
     private static Vec3 onPlane(PlaneFrame frame, Ray ray, Vec3 hit) {
         Vec3 direction = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
-        double rate = Directions.dot(frame.normal(), direction);
+        double rate = frame.normal().dot(direction);
         if (rate > -LEAST_INCIDENCE) {
             return hit;
         }
         double back = frame.height(hit) / rate;
-        return Directions.moved(hit, -back, direction);
+        return hit.addScaled(-back, direction);
     }
 
     private Placed onRegion(String id, Region region, Vec3 where, Basis view, List<Portal> others) {
@@ -165,7 +164,7 @@ public final class Placement {
 
     /** Another portal counts where it lies on the same plane and looks the same way. */
     private void forbid(PlaneFrame frame, Portal other) {
-        if (Directions.dot(frame.normal(), other.normal()) < Tolerance.COPLANAR_COSINE
+        if (frame.normal().dot(other.normal()) < Tolerance.COPLANAR_COSINE
                 || Math.abs(frame.height(other.centre())) > Tolerance.COPLANAR) {
             return;
         }

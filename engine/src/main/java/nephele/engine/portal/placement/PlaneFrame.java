@@ -39,16 +39,16 @@ record PlaneFrame(Vec3 origin, Basis axes) {
 
     /** A direction's part along the plane's x. */
     double xOf(Vec3 direction) {
-        return Directions.dot(axes.right(), direction);
+        return axes.right().dot(direction);
     }
 
     /** A direction's part along the plane's y. */
     double yOf(Vec3 direction) {
-        return Directions.dot(axes.up(), direction);
+        return axes.up().dot(direction);
     }
 
     Vec3 world(double x, double y) {
-        return Directions.moved(Directions.moved(origin, x, axes.right()), y, axes.up());
+        return origin.addScaled(x, axes.right()).addScaled(y, axes.up());
     }
 
     Vec3 worldDirection(double x, double y) {

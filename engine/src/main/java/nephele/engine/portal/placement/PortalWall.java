@@ -10,7 +10,6 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 
@@ -98,8 +97,8 @@ final class PortalWall {
         double off = normal.x() * (frame.origin().x() - p.x())
                 + normal.y() * (frame.origin().y() - p.y())
                 + normal.z() * (frame.origin().z() - p.z());
-        boolean isInPlane = Math.abs(off) <= Tolerance.COPLANAR
-                && Directions.dot(normal, frame.normal()) >= Tolerance.COPLANAR_COSINE;
+        boolean isInPlane =
+                Math.abs(off) <= Tolerance.COPLANAR && normal.dot(frame.normal()) >= Tolerance.COPLANAR_COSINE;
         if (!isInPlane) {
             return false;
         }

@@ -57,14 +57,14 @@ final class Upright {
     }
 
     private static Vec3 alongSurface(Vec3 direction, Vec3 normal) {
-        double off = Directions.dot(direction, normal);
-        return Directions.unit(Directions.moved(direction, -off, normal));
+        double off = direction.dot(normal);
+        return Directions.unit(direction.addScaled(-off, normal));
     }
 
     /** Exactly opposite directions turn counter-clockwise seen from in front. */
     private static Vec3 turned(Vec3 from, Vec3 to, Vec3 normal, double share) {
-        Vec3 left = Directions.cross(normal, from);
-        double angle = StrictMath.atan2(Directions.dot(to, left), Directions.dot(to, from));
+        Vec3 left = normal.cross(from);
+        double angle = StrictMath.atan2(to.dot(left), to.dot(from));
         double turn = share * (angle < OPPOSITE - Math.PI ? Math.PI : angle);
         double cos = StrictMath.cos(turn);
         double sin = StrictMath.sin(turn);

@@ -1,7 +1,6 @@
 package nephele.engine.render.frame;
 
 import nephele.engine.level.Sun;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
@@ -48,7 +47,7 @@ final class LightBlock implements GlObject {
     /** @param anchor what positions in shaders are relative to */
     void lampGrid(LampGrid grid, Vec3 anchor) {
         Vec3 cell = grid.cellMetres();
-        Directions.between(anchor, grid.min()).put(values, LAMP_GRID, 0);
+        grid.min().minus(anchor).put(values, LAMP_GRID, 0);
         new Vec3(1 / cell.x(), 1 / cell.y(), 1 / cell.z()).put(values, LAMP_GRID + 4, 0);
         new Vec3(grid.columns(), grid.floors(), grid.rows()).put(values, LAMP_GRID + 8, 0);
     }

@@ -59,7 +59,7 @@ public final class FaceLight {
         }
 
         private Vec3 relative(Vec3 p) {
-            return new Vec3(p.x() - from.x(), p.y() - from.y(), p.z() - from.z());
+            return p.minus(from);
         }
     }
 
@@ -112,7 +112,7 @@ public final class FaceLight {
     /** The chart nearest to a fragment's middle, its own above all; −1 for none. */
     private int nearest(int[] charts, FaceFragment fragment, Vec3 moved) {
         Vec3 middle = FacePolygon.centroid(fragment.outline());
-        Vec3 place = new Vec3(middle.x() - moved.x(), middle.y() - moved.y(), middle.z() - moved.z());
+        Vec3 place = middle.minus(moved);
         int nearest = -1;
         double least = Double.POSITIVE_INFINITY;
         for (int chart : charts) {

@@ -2,7 +2,6 @@ package nephele.engine.scene.light;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -37,7 +36,7 @@ final class FacePolygon {
                 kept.add(a);
             }
             if (Math.abs(da) > ON_PLANE_METRES && Math.abs(db) > ON_PLANE_METRES && da < 0 != db < 0) {
-                kept.add(Directions.mixed(a, b, da / (da - db)));
+                kept.add(a.lerp(b, da / (da - db)));
             }
         }
         return hasInside && kept.size() >= 3 ? kept : List.of();

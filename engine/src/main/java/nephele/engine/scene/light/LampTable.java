@@ -6,7 +6,6 @@ import nephele.engine.level.Light;
 import nephele.engine.level.appearance.Lamp;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
@@ -88,7 +87,7 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows, La
         for (int i = 0; i < lamps.size(); i++) {
             Lamp lamp = lamps.get(i);
             Vec3 p = lamp.position();
-            Vec3 relative = Directions.between(anchor, p);
+            Vec3 relative = p.minus(anchor);
             relative.put(packed, 16 * i, lamp.inverseSquareRange());
             lamp.radiantIntensity().put(packed, 16 * i + 4, lamp.coneScale());
             lamp.axis().put(packed, 16 * i + 8, lamp.coneOffset());

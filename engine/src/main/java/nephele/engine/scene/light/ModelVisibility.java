@@ -127,7 +127,7 @@ final class ModelVisibility {
             return Double.NaN;
         }
         Vec3 s = Directions.perpendicular(n);
-        Vec3 t = Directions.cross(n, s);
+        Vec3 t = n.cross(s);
         double[] d = new double[3];
         int free = 0;
         for (int i = 0; i < spiral.length; i += 3) {
@@ -144,7 +144,7 @@ final class ModelVisibility {
         Vec3 a = mesh.corner(triangle, (corner + 1) % 3);
         Vec3 b = mesh.corner(triangle, (corner + 2) % 3);
         Vec3 inward = new Vec3((a.x() + b.x()) / 2 - p.x(), (a.y() + b.y()) / 2 - p.y(), (a.z() + b.z()) / 2 - p.z());
-        double share = Math.min(LARGEST_INSET, INSET_METRES / Directions.length(inward));
+        double share = Math.min(LARGEST_INSET, INSET_METRES / inward.length());
         return new double[] {p.x() + share * inward.x(), p.y() + share * inward.y(), p.z() + share * inward.z()};
     }
 

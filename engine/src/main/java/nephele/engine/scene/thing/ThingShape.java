@@ -39,9 +39,7 @@ public record ThingShape(int kind, Vec3 half, double halfAxisMetres) {
 
     /** Of the ball about the part's origin that holds it. */
     double reachMetres() {
-        return kind == SPHERE || kind == CAPSULE
-                ? half.x() + halfAxisMetres
-                : Math.sqrt(half.x() * half.x() + half.y() * half.y() + half.z() * half.z());
+        return kind == SPHERE || kind == CAPSULE ? half.x() + halfAxisMetres : Math.sqrt(half.dot(half));
     }
 
     /**

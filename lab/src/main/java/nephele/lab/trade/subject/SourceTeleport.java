@@ -1,7 +1,6 @@
 package nephele.lab.trade.subject;
 
 import nephele.engine.math.Basis;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portal;
@@ -37,8 +36,8 @@ final class SourceTeleport {
 
     private static Basis ahead(Portal exit) {
         Vec3 n = exit.normal();
-        Vec3 back = Directions.opposite(n);
+        Vec3 back = n.negated();
         Vec3 r = exit.frame().right();
-        return new Basis(Directions.opposite(r), exit.frame().up(), back);
+        return new Basis(r.negated(), exit.frame().up(), back);
     }
 }

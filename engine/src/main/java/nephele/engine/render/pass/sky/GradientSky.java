@@ -2,7 +2,6 @@ package nephele.engine.render.pass.sky;
 
 import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.SkyRadiance;
-import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /** The Java twin of {@code gradient.frag}. */
@@ -16,6 +15,6 @@ public final class GradientSky {
         Vec3 end = sineOfAltitude > 0 ? sky.zenith() : sky.ground();
         double t = Math.abs(sineOfAltitude);
         Vec3 h = sky.horizon();
-        return Directions.mixed(h, end, t);
+        return h.lerp(end, t);
     }
 }

@@ -11,7 +11,7 @@ import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
 
 /** Which part of the space behind two portals is whose. */
-class CavePartitionTest {
+class CaveTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SOUTH = new Vec3(0, 0, 1);
 
@@ -21,10 +21,10 @@ class CavePartitionTest {
 
     @Test
     void behindPortalsSideBySideTheMiddleBetweenThemDivides() {
-        Plane plane = CavePartition.between(portal(0, 1, 0, SOUTH), portal(1.6, 1, 0, SOUTH));
+        Plane plane = Cave.dividing(portal(0, 1, 0, SOUTH), portal(1.6, 1, 0, SOUTH));
         assertEquals(-0.2, plane.signedDistance(new Vec3(0.6, 1, 0)), 1e-12);
         assertEquals(0.2, plane.signedDistance(new Vec3(1, 1, -7)), 1e-12);
-        Plane above = CavePartition.between(portal(0, 0, 0, SOUTH), portal(0.3, -3.1, 0, SOUTH));
+        Plane above = Cave.dividing(portal(0, 0, 0, SOUTH), portal(0.3, -3.1, 0, SOUTH));
         assertEquals(-0.5, above.signedDistance(new Vec3(0.9, -1.05, 0)), 1e-12);
         assertEquals(0.5, above.signedDistance(new Vec3(0.9, -2.05, 0)), 1e-12);
     }
@@ -33,13 +33,13 @@ class CavePartitionTest {
     void inACornerWhatIsAsDeepBehindBothDivides() {
         Portal a = portal(-4.4, 1, -5, SOUTH);
         Portal b = portal(-5, 1, -4.4, new Vec3(1, 0, 0));
-        Plane plane = CavePartition.between(a, b);
+        Plane plane = Cave.dividing(a, b);
         assertEquals(0, plane.signedDistance(new Vec3(-5.7, 3, -5.7)), 1e-12);
         assertTrue(plane.signedDistance(new Vec3(-4.4, 1, -6)) < -0.5, "deeper behind the first");
     }
 
     @Test
     void portalsThatCoverEachOtherShareNothing() {
-        assertNull(CavePartition.between(portal(0, 1, 0, SOUTH), portal(0.5, 1, 0, SOUTH)));
+        assertNull(Cave.dividing(portal(0, 1, 0, SOUTH), portal(0.5, 1, 0, SOUTH)));
     }
 }

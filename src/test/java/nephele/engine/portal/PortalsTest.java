@@ -1,25 +1,22 @@
-package nephele.engine.collision.rigid;
+package nephele.engine.portal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Aperture;
-import nephele.engine.portal.Portal;
-import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
 /** A point belongs to the other side when the straight line from its shape's centre meets the aperture. */
-class ThroughPortalsTest {
+class PortalsTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Aperture APERTURE = Aperture.of(PortalShape.RECTANGLE, 1.2, 2.1);
 
     private static long through(Vector3d centre, Vector3d point) {
         Portal a = new Portal("a", Vec3.ZERO, Portal.facing(new Vec3(0, 0, 1), UP), APERTURE);
         Portal b = new Portal("b", new Vec3(40, 0, 0), Portal.facing(new Vec3(0, 0, 1), UP), APERTURE);
-        return new ThroughPortals().find(new Portals(List.of(a, b), List.of(1, 0)), 3, centre, point);
+        return new Portals(List.of(a, b), List.of(1, 0)).behind(3, centre, point);
     }
 
     @Test
