@@ -7,9 +7,9 @@ import java.util.Arrays;
 import java.util.stream.Collectors;
 
 /**
- * The assets of a user's own project around one of its files: those of a level at that place, and beyond {@link
- * AssetId}'s grammar names with spaces and with {@code ..} that stay within the file's folder or the folder above it.
- * Links out of these are rejected.
+ * The assets of a user's own project around one of its files. They are those of a level at that place, and beyond
+ * {@link AssetId}'s grammar names with spaces and with {@code ..} that stay within the file's folder or the folder
+ * above it. Links out of these are rejected.
  */
 public final class ProjectAssets implements AssetSource {
     private static final String UP = "..";

@@ -59,8 +59,8 @@ public final class Normals {
     }
 
     /**
-     * Returns the direction perpendicular to {@code line} nearest to {@code side}; {@code side} if the line is {@code
-     * null}.
+     * Returns the direction perpendicular to {@code line} that is nearest to {@code side}; {@code side} itself if
+     * {@code line} is {@code null}.
      */
     private static Vec3 perpendicularTo(Vec3 line, Vec3 side) {
         if (line == null) {

@@ -2,8 +2,8 @@ package nephele.engine.math;
 
 /**
  * The arrays of a {@link SpatialIndex}: nodes in depth-first order, so that a left child follows its parent. Bounds are
- * six numbers each, minima first. Slots hold first the {@code unbounded} items, then those of the tree, and from {@code
- * emptyFrom} on the empty ones.
+ * six numbers each, minima first. Slots hold the {@code unbounded} items first, then those of the tree, and the empty
+ * ones from {@code emptyFrom} on.
  *
  * @param first first slot of each node
  * @param end one past the last slot of each node
