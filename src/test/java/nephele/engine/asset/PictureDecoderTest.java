@@ -20,7 +20,7 @@ class PictureDecoderTest {
                 .getMessage();
     }
 
-    /** The quick PNG reader and its twin agree on every sample. */
+    /** The fast PNG reader and its twin agree on every sample. */
     @ParameterizedTest
     @CsvSource({"8,0", "16,0", "8,2", "16,2", "8,4", "16,4", "8,6", "16,6"})
     void bothPngReadersAgree(int bitDepth, int colour) throws Exception {
@@ -73,7 +73,7 @@ class PictureDecoderTest {
         assertEquals(77, PictureDecoder.decode("i.png", interlaced).sample(0, 0, 0));
     }
 
-    /** The transparent entry of a palette, and the transparent grey. */
+    /** The transparent entry of a palette and the transparent grey are kept. */
     @Test
     void transparencyIsKept() {
         byte[] pixels = SamplePictures.chunk("IDAT", SamplePictures.deflated(new byte[] {0, 1, 0}));
@@ -90,7 +90,7 @@ class PictureDecoderTest {
         assertEquals(255, grey.sample(1, 0, 3));
     }
 
-    /** The variants of the skybox text: 24 and 32 bits, 16 bits as 5-5-5, run lengths. */
+    /** TGA with 24 and 32 bits, with 16 bits as 5-5-5, and with run lengths is read. */
     @Test
     void tgaVariantsAreRead() {
         byte[] bgr = {3, 2, 1, 6, 5, 4};
@@ -115,7 +115,7 @@ class PictureDecoderTest {
         }
     }
 
-    /** Rows of {@code BadRelations} refuse what goes past it. */
+    /** Packets may cross rows; packets beyond the picture are rejected. */
     @Test
     void packetsOfATgaMayCrossItsRows() {
         byte[] packets = {(byte) 0x82, 1, 2, 3, 0, 4, 5, 6};
@@ -145,7 +145,7 @@ class PictureDecoderTest {
         assertTrue(refusal("two.png", second).contains("damaged"));
     }
 
-    /** A text chunk that would unpack to 64 MiB is never unpacked, by neither reader. */
+    /** A text chunk that would expand to 64 MiB is not expanded by either reader. */
     @ParameterizedTest
     @ValueSource(ints = {0, 1})
     void compressedTextIsNotUnpacked(int interlace) {
@@ -168,7 +168,7 @@ class PictureDecoderTest {
         return threads.getCurrentThreadAllocatedBytes();
     }
 
-    /** Every truncation and a flip of every bit decodes or is refused with the asset's name; nothing else escapes. */
+    /** Every truncation and every bit flip decodes or is rejected with the asset's name; no other exception escapes. */
     @ParameterizedTest
     @CsvSource({"8,6,png", "16,0,png", "4,3,png", "24,0,tga", "32,0,bmp", "8,0,jpg"})
     void damagedFilesDecodeOrAreRefused(int bits, int colour, String format) {

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a scene on disk may name beyond what a level may. */
+/** Tests the names that a scene on disk may use beyond those of a level. */
 class ProjectAssetsTest {
     @TempDir
     private Path outside;
@@ -104,7 +104,7 @@ class ProjectAssetsTest {
         assertThrows(AssetException.class, () -> assets.bytes("../models"));
     }
 
-    /** The scenes' own folder may be a link: what stands beside it is what the user sees there. */
+    /** The scenes' own folder may be a link; the files beside the link belong to the project. */
     @Test
     void theScenesOwnFolderMayBeALink() throws IOException {
         Path away = Files.createDirectories(outside.resolve("away/my own")).getParent();

@@ -11,13 +11,13 @@ import java.util.zip.CRC32;
 import java.util.zip.Deflater;
 import javax.imageio.ImageIO;
 
-/** Picture files made for tests. */
+/** Generated picture files for tests. */
 public final class SamplePictures {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
 
     private SamplePictures() {}
 
-    /** A valid PNG of noise, its rows filtered in all five ways. */
+    /** Returns a valid PNG of noise with rows of all five filters. */
     public static byte[] png(int width, int height, int bitDepth, int colour, long seed) {
         int channels = new PngFile.Header(1, 1, 8, colour, 0).channels();
         int rowBytes = (width * channels * bitDepth + 7) / 8;
@@ -29,7 +29,7 @@ public final class SamplePictures {
         return png(header(width, height, bitDepth, colour, 0), chunk("IDAT", deflated(rows)));
     }
 
-    /** Signature, header, these chunks, end. */
+    /** Returns a PNG of signature, header, these chunks and the end chunk. */
     public static byte[] png(byte[] header, byte[]... chunks) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         out.writeBytes(SIGNATURE);
@@ -78,7 +78,7 @@ public final class SamplePictures {
         return java.util.Arrays.copyOf(out, length);
     }
 
-    /** What {@code javax.imageio} writes for an image. */
+    /** Returns an image as written by {@code javax.imageio}. */
     public static byte[] written(BufferedImage image, String format) {
         try (ByteArrayOutputStream out = new ByteArrayOutputStream()) {
             if (!ImageIO.write(image, format, out)) {
@@ -90,7 +90,7 @@ public final class SamplePictures {
         }
     }
 
-    /** A TGA file of 2 × 2 pixels and two colours; {@code type} 1 plain, 9 run-length encoded. */
+    /** Returns a TGA file of 2 × 2 pixels and two colours; {@code type} 1 plain, 9 run-length encoded. */
     public static byte[] paletteTga(int type, byte[] indices) {
         byte[] colours = {1, 2, 3, 4, 5, 6};
         byte[] content = ByteBuffer.allocate(colours.length + indices.length)
@@ -104,7 +104,7 @@ public final class SamplePictures {
                 .array();
     }
 
-    /** A TGA header for true-colour pixels; {@code type} 2 plain, 10 run-length encoded. */
+    /** Returns a TGA file of true-colour pixels; {@code type} 2 plain, 10 run-length encoded. */
     public static byte[] tga(int type, int width, int height, int bits, byte[] content) {
         return ByteBuffer.allocate(18 + content.length)
                 .order(java.nio.ByteOrder.LITTLE_ENDIAN)

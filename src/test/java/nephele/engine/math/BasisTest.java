@@ -31,7 +31,7 @@ class BasisTest {
         return new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
     }
 
-    /** Orthonormal to 10⁻⁶, determinant +1, for 10⁵ directions among them the axes ± k ulp. */
+    /** The frame is orthonormal to 10⁻⁶ with determinant +1 for 10⁵ directions, among them the axes ± k ulp. */
     @Test
     void lookingAnywhereGivesARightHandedOrthonormalFrame() {
         var random = new SplittableRandom(7);
@@ -47,7 +47,7 @@ class BasisTest {
         }
     }
 
-    /** The eye at its target keeps the last frame; an up that is zero or NaN is replaced. */
+    /** With the eye at the target the last frame is kept; an up that is zero or NaN is replaced. */
     @Test
     void withoutADirectionTheLastFrameStays() {
         Basis last = Basis.ofYawPitch(1, 0.5);

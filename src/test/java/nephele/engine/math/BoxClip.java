@@ -5,7 +5,7 @@ import java.util.List;
 import org.joml.Matrix4dc;
 import org.joml.Vector4d;
 
-/** Brute force: whether clipping leaves anything of a box's six faces (Sutherland and Hodgman 1974). */
+/** A brute-force test whether clipping leaves any part of a box's six faces (Sutherland and Hodgman 1974). */
 final class BoxClip {
     private static final int[][] FACES = {
         {0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}

@@ -60,7 +60,7 @@ class ConvexPolyhedronTest {
         assertEquals(6, ConvexPolyhedron.fromPlanes(planes).faces().size());
     }
 
-    /** Euler's formula, counting each edge once from both of its faces. */
+    /** Random solids fulfil Euler's formula; each edge is counted once from both of its faces. */
     @Test
     void randomPolyhedraAreClosed() {
         var random = new Random(7);

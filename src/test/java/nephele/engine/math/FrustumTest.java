@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class FrustumTest {
-    /** A projection with the far plane at {@code far}, which may be infinite: the limit of the usual matrix. */
+    /** Returns a projection with the far plane at {@code far}; for infinity, the limit of the usual matrix. */
     static Matrix4d projection(double near, double far) {
         double depthScale = far == Double.POSITIVE_INFINITY ? -1 : (far + near) / (near - far);
         double depthOffset = far == Double.POSITIVE_INFINITY ? -2 * near : 2 * far * near / (near - far);
@@ -34,7 +34,7 @@ class FrustumTest {
         return Aabb.around(centre, new Vec3(size, size * random.nextDouble(), size * random.nextDouble()));
     }
 
-    /** No box that clipping leaves a part of is culled. */
+    /** No box of which clipping leaves a part is culled. */
     @ParameterizedTest
     @ValueSource(doubles = {100, 1e6, Double.POSITIVE_INFINITY})
     void cullsNoBoxThatClippingLeavesAPartOf(double far) {

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class HeightFieldTest {
-    /** Heights of a plane; every sample differs from its neighbours. */
+    /** Returns the field of a plane; every sample differs from its neighbours. */
     private static HeightField slope(Vec3 origin, int columns, int rows) {
         return HeightField.of(origin, 0.5, columns, rows, (column, row) -> 0.25 * column - 0.125 * row);
     }
@@ -92,7 +92,7 @@ class HeightFieldTest {
                 java.util.List.of(field.corner(triangle, 0), field.corner(triangle, 1), field.corner(triangle, 2)));
     }
 
-    /** On corners, on edges along x and z and on the diagonal there is no gap, at the field's border neither. */
+    /** There is no gap on corners, on edges along x and z and on the diagonal, including the field's border. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 1e5, -1e5, 9e6})
     void aRayDownMeetsCornersEdgesAndDiagonals(double out) {
@@ -127,7 +127,10 @@ class HeightFieldTest {
         }
     }
 
-    /** Along both triangles' planes, half a metre beside them: all signed volumes are rounding, and here of one sign. */
+    /**
+     * The ray is parallel to both triangles, half a metre beside them; all signed volumes are rounding, here of one
+     * sign.
+     */
     @Test
     void aRayAlongTheGroundMeetsNoTriangleThatItDoesNotReach() {
         int[] heights = {1, 0, 0, -1};

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 class NormalsTest {
     private static final double[] SCALES = {0, 1e-30, -1e-30, 1e-3, -1e-3, 1, -1, 1e3, -1e3};
 
-    /** |n · t| ≤ 10⁻⁵ |t| for every transformed tangent, for all combinations of hostile scales. */
+    /** n · t| ≤ 10⁻⁵ |t| holds for every transformed tangent, for all combinations of extreme scales. */
     @Test
     void theNormalStaysPerpendicularToEveryTransformedTangent() {
         var random = new SplittableRandom(11);

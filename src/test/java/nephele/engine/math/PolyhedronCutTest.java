@@ -22,7 +22,7 @@ final class PolyhedronCutTest {
         }
     }
 
-    /** By the divergence theorem, from a corner. */
+    /** Returns the volume by the divergence theorem, relative to a corner. */
     static double volume(ConvexPolyhedron solid) {
         Vec3 o = solid.vertices().get(0);
         double sixfold = 0;
@@ -41,7 +41,7 @@ final class PolyhedronCutTest {
         return a.dot(b.cross(c));
     }
 
-    /** Every edge belongs to two faces that run along it in opposite directions. */
+    /** Asserts that every edge belongs to two faces that use it in opposite directions. */
     private static void assertClosed(ConvexPolyhedron solid) {
         Map<String, Integer> edges = new HashMap<>();
         for (ConvexPolyhedron.Face face : solid.faces()) {
@@ -55,7 +55,9 @@ final class PolyhedronCutTest {
         assertTrue(edges.values().stream().allMatch(n -> n == 0), () -> "open: " + solid);
     }
 
-    /** A box cut a dozen times, at the origin and 10 km from it: no volume is lost, every part is closed and convex. */
+    /**
+     * A box cut a dozen times at the origin, 10 km and 1000 km from it keeps its volume; parts are closed and convex.
+     */
     @Test
     void partsAddUpToTheWhole() {
         for (double away : new double[] {0, 10_000, 1e6}) {

@@ -2,7 +2,7 @@ package nephele.engine.math;
 
 import java.util.Arrays;
 
-/** Runs of slots in the order they came; a run that touches the one before it is joined to it. */
+/** Runs of slots in the order of their calls; a run adjacent to the one before it is merged with it. */
 final class RangeList implements RangeVisitor {
     private int[] bounds = new int[32];
     private int size;
@@ -36,7 +36,7 @@ final class RangeList implements RangeVisitor {
         return size;
     }
 
-    /** Slots in all runs together. */
+    /** Returns the number of slots in all runs. */
     int slots() {
         return slots;
     }
@@ -45,7 +45,7 @@ final class RangeList implements RangeVisitor {
         return bounds[2 * run];
     }
 
-    /** One past the last slot. */
+    /** Returns one past the last slot. */
     int end(int run) {
         return bounds[2 * run + 1];
     }

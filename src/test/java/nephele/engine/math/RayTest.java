@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import org.junit.jupiter.api.Test;
 
 class RayTest {
-    /** A ray without a direction or with a value that is not finite hits nothing, wherever it starts. */
+    /** A ray without a direction, or with a value that is not finite, hits nothing, wherever it starts. */
     @Test
     void aRayWithoutADirectionMissesEvenTheBoxAroundIt() {
         Aabb box = new Aabb(-1, -1, -1, 1, 1, 1);

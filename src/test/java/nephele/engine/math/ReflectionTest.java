@@ -5,11 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** A plane's mirror image of points and directions. */
+/** Tests the mirror image of points and directions at a plane. */
 class ReflectionTest {
     private static final Vec3 NORMAL = new Vec3(2 / 7.0, 3 / 7.0, 6 / 7.0);
 
-    /** Twice is nothing; the middle of a point and its image lies in the plane, also a million metres out. */
+    /**
+     * Applied twice it is the identity; the midpoint of a point and its image is on the plane, even 1000 km from the
+     * origin.
+     */
     @Test
     void pointsGoAsFarBehindThePlaneAsTheyWereBeforeIt() {
         for (double away : new double[] {0, 1, 1e6}) {
@@ -26,7 +29,7 @@ class ReflectionTest {
         }
     }
 
-    /** Lengths and angles stay, handedness does not. */
+    /** Lengths and angles are kept, handedness is reversed. */
     @Test
     void handednessChanges() {
         var reflection = new Reflection(new Vec3(5, 6, 7), NORMAL);

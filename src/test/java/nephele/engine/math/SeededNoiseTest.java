@@ -21,7 +21,7 @@ class SeededNoiseTest {
         }
     }
 
-    /** Just below a whole number the difference to the one below it rounds to 1. */
+    /** Just below a whole number the difference to the floor rounds to 1; the fraction stays below 1. */
     @Test
     void aFractionNeverReachesOne() {
         double last = Math.nextDown(1.0);
@@ -73,7 +73,7 @@ class SeededNoiseTest {
         assertEquals(pcg3d(1, 2, 3), new SeededNoise(0).bits(1, 2, 3));
     }
 
-    /** The published hash with unsigned arithmetic spelt out in long. */
+    /** Returns the published hash, with unsigned arithmetic written in long. */
     private static int pcg3d(long x, long y, long z) {
         long mask = 0xFFFFFFFFL;
         long[] v = {x * 1664525 + 1013904223 & mask, y * 1664525 + 1013904223 & mask, z * 1664525 + 1013904223 & mask};

@@ -78,7 +78,7 @@ class SpatialIndexTest {
         }
         Collections.shuffle(boxes, new java.util.Random(2));
         SpatialIndex index = SpatialIndex.of(boxes, 1);
-        // A plane that cuts every box keeps the tree from reporting a whole subtree.
+        // A plane that intersects every box prevents reports of whole subtrees.
         Frustum cutting =
                 Frustum.of(FrustumTest.projection(0.05, INF), Vec3.ZERO).inFrontOf(new Plane(1, 0, 0, 0));
         List<Double> depths = new ArrayList<>();

@@ -27,12 +27,14 @@ class StretchTest {
             double size = Math.pow(10, random.nextInt(7) - 3);
             double second = i % 3 == 0 ? 1 : i % 3 == 1 ? -1 + 1e-9 : random.nextDouble() * 2 - 1;
             Vector3d scale = new Vector3d(size, size * second, size * (random.nextDouble() * 2 - 1));
-            // JOML's cosines are good to half the digits only.
+            // JOML's cosines are accurate to half the digits only.
             assertEquals(1, Stretch.largest(turned(random, scale)) / size, 1e-7);
         }
     }
 
-    /** No direction is drawn out farther, and one is drawn out as far: by power iteration in two steps of squaring. */
+    /**
+     * No direction is stretched more, and one is stretched as much; checked by power iteration with repeated squaring.
+     */
     @Test
     void itBoundsEveryDirectionAndIsReached() {
         Random random = new Random(77);

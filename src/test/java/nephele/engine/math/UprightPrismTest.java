@@ -21,7 +21,7 @@ class UprightPrismTest {
         return planes;
     }
 
-    /** To the last bit and in the same order, so that levels keep their pictures and their replays. */
+    /** Equal to the last bit and in order, so that levels keep their images and replays. */
     @ParameterizedTest
     @ValueSource(ints = {3, 4, 5, 6, 7, 8, 12, 16, 31, 62})
     void itIsWhatItsPlanesEnclose(int sides) {
@@ -31,7 +31,10 @@ class UprightPrismTest {
         }
     }
 
-    /** A share of the height, as a tolerance, would join all corners of a ring; the last is as far out as a level goes. */
+    /**
+     * A weld tolerance relative to the height would merge all corners of a ring; the last case is at a level's far
+     * limit.
+     */
     @ParameterizedTest
     @CsvSource({"0.001, 10000, 62, 0", "0.0001, 10000000, 62, 0", "0.001, 0.001, 62, 10000000"})
     void aNeedleKeepsItsSides(double radius, double height, int sides, double x) {

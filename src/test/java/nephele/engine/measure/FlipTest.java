@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** FLIP as its authors' evaluator 1.7 computes it, and where the answer is known without it. */
+/** FLIP agrees with its authors' evaluator 1.7, and with answers known by other means. */
 class FlipTest {
     /** Both agree to single precision. */
     private static final double TOLERANCE = 1e-5;
@@ -52,7 +52,7 @@ class FlipTest {
         assertEquals(Flip.ofDisplayed(a, b).mean(), Flip.ofDisplayed(b, a).mean(), 1e-7);
     }
 
-    /** A thousandth of light more is far below what one sees, one hundredth less so, and a tenth is seen. */
+    /** The error grows with the difference, from invisible (a thousandth of light) to visible (a tenth). */
     @Test
     void growsWithTheDifference() {
         var exact = even(16, 16, 0.5f);

@@ -15,7 +15,7 @@ class ImageErrorTest {
         assertEquals(0, ImageError.meanBias(black, black));
     }
 
-    /** Twice the light: squared 1/(1 + 0.01), 4/4.01, 16/16.01 and three zeros; the mean twice as bright. */
+    /** For twice the light the squares are 1/(1 + 0.01), 4/4.01, 16/16.01 and three zeros; the bias is 1. */
     @Test
     void twiceTheLight() {
         var twice = new LinearPicture(2, 1, new float[] {2, 4, 8, 0, 0, 0});
@@ -23,7 +23,7 @@ class ImageErrorTest {
         assertEquals(1, ImageError.meanBias(EXACT, twice), 1e-12);
     }
 
-    /** Noise without bias keeps the mean and is seen by the squares: (0.1² + 0.1²) / 1.01 / 2. */
+    /** Noise without bias keeps the mean but shows in the squared error: (0.1² + 0.1²) / 1.01 / 2. */
     @Test
     void noiseWithoutBias() {
         var even = new LinearPicture(2, 1, new float[] {1, 1, 1, 1, 1, 1});

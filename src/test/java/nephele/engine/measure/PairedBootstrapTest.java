@@ -19,7 +19,7 @@ class PairedBootstrapTest {
         assertTrue(interval.excludes(3.001));
     }
 
-    /** The machine slows both sides of a pair by up to ten; the ratio of 1.2 shows nevertheless. */
+    /** A load of up to ten slows both sides of a pair; the ratio of 1.2 is still found. */
     @Test
     void pairingCancelsWhatSlowsBoth() {
         var random = new Random(5);
@@ -35,7 +35,7 @@ class PairedBootstrapTest {
         assertTrue(interval.low() > 1.19 && interval.high() < 1.21, interval.toString());
     }
 
-    /** An interval of 95 % holds the truth in 95 of 100 experiments; the median's is known to be a little wide. */
+    /** A 95 % interval contains the truth in 95 of 100 experiments; the median's is known to be slightly wide. */
     @Test
     void coversTheTruthAsOftenAsItSays() {
         var random = new Random(11);

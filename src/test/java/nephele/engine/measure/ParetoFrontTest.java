@@ -21,14 +21,14 @@ class ParetoFrontTest {
         assertTrue(front.holds(1) && front.holds(3));
     }
 
-    /** Equal choices do not exclude each other: nobody has to prefer one. */
+    /** Equal choices do not dominate each other. */
     @Test
     void equalChoicesStay() {
         var front = exact(0, 1, 1, 1, 1);
         assertTrue(front.holds(0) && front.holds(1));
     }
 
-    /** A tenth less error is no reason to pay more where only whole steps count; nor is it one against being cheaper. */
+    /** With a step of 0.5, an error smaller by 0.1 neither justifies a higher cost nor prevents domination. */
     @Test
     void errorsWithinAStepAreEqual() {
         var front = exact(0.5, 1, 1, 2, 0.9, 3, 0.3);
@@ -36,7 +36,7 @@ class ParetoFrontTest {
         assertEquals(OptionalInt.of(0), front.dominating(1));
     }
 
-    /** Two costs whose intervals overlap are not told apart: neither dominates the other unless it errs less. */
+    /** Costs with overlapping intervals are not distinguished: neither dominates without a smaller error. */
     @Test
     void whatIsInDoubtDominatesNothing() {
         var cheap = new Choice(new Interval(0.9, 1, 1.1), 5);
@@ -47,7 +47,7 @@ class ParetoFrontTest {
         assertTrue(new ParetoFront(List.of(cheap, better), 0, 0).holds(0));
     }
 
-    /** Of many comparisons some would find a difference that is none: so small a one claims nothing. */
+    /** Among many comparisons some differ by chance, so a cost difference below the step does not dominate. */
     @Test
     void costsWithinAStepAreEqual() {
         var almost = List.of(Choice.exact(0.98, 1), Choice.exact(1, 1), Choice.exact(1.1, 1));

@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** The pictures that were shown to the authors' evaluator, see flip_figures.py beside them. */
+/** Reads the pictures that were given to the authors' evaluator; see flip_figures.py beside them. */
 final class Pfm {
     private Pfm() {}
 

@@ -16,7 +16,10 @@ class BezierPatchesTest {
     private final BezierPatches teapot =
             BezierPatches.read("teapot.patch", new ResourceAssets("/assets").bytes(BezierPatches.SHIPPED));
 
-    /** Where four patches' edges shrink to the tip of the knob, and to the middle of the floor. */
+    /**
+     * Normals are along the axis where the edges of four patches shrink to the tip of the knob or the middle of the
+     * floor.
+     */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 10, 31})
     void degenerateCornersOfTheTeapotFaceAlongItsAxis(int tessellation) {
@@ -37,7 +40,7 @@ class BezierPatchesTest {
         floor.forEach(normal -> assertTrue(normal.distance(floor.get(0)) < 1e-5));
     }
 
-    /** Wherever in the patch the edge is that is one point: the teapot with its patches turned by quarters. */
+    /** The same holds for a degenerate edge on any side: the teapot with its patches rotated by quarters. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
     void degenerateEdgesFaceOutwardOnWhicheverSide(int quarters) {
@@ -59,7 +62,7 @@ class BezierPatchesTest {
         }
     }
 
-    /** Rows become columns, and the last row the first column: it faces as before. */
+    /** Turns rows into columns, and the last row into the first column; the orientation stays. */
     private static Vector3d[] quarterTurned(Vector3d[] points) {
         Vector3d[] turned = new Vector3d[points.length];
         for (int i = 0; i < points.length; i++) {
@@ -68,7 +71,7 @@ class BezierPatchesTest {
         return turned;
     }
 
-    /** At each vertex the cross product of the derivatives, by differences of positions where it is not degenerate. */
+    /** Vertex normals are of unit length and on the front side of their triangles, at every tessellation. */
     @Test
     void normalsAreUnitAndFaceAsTheTrianglesDo() {
         for (int tessellation : new int[] {1, 3, 10, 64, 256}) {
@@ -91,7 +94,10 @@ class BezierPatchesTest {
         return against;
     }
 
-    /** A saddle z = u v over the unit square: its normal is (-v, -u, 1) / √(1 + u² + v²), turned by the way patches face. */
+    /**
+     * The normal of the saddle z = u v over the unit square is (-v, -u, 1) / √(1 + u² + v²), with the sign of the
+     * patches' orientation.
+     */
     @Test
     void normalsAreAnalytic() {
         var text = new StringBuilder("1\n0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15\n16\n");
@@ -116,7 +122,7 @@ class BezierPatchesTest {
         }
     }
 
-    /** The rims of lid, body, handle and spout are open; where patches meet there is no gap of even the last bit. */
+    /** Only the rims of lid, body, handle and spout are open; joined patches have no gap, not even of the last bit. */
     @Test
     void patchesMeetWithoutAGap() {
         long coarse = EdgeCount.open(new BezierShape(teapot, 2).mesh());

@@ -36,7 +36,10 @@ class BoundingSphereTest {
         }
     }
 
-    /** The report took the largest coordinate, 73 % short of a cube's corner. */
+    /**
+     * The sphere of a shape is the smallest; for a cube the radius is that of a corner, √3 times the largest
+     * coordinate.
+     */
     @Test
     void ofShapesItIsTheSmallest() {
         assertEquals(Math.sqrt(3), BoundingSphere.of(new BoxShape(2, 3).mesh()).radius(), 1e-6);

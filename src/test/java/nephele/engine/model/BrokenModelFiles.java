@@ -6,10 +6,10 @@ import java.util.Arrays;
 import java.util.stream.Stream;
 
 /**
- * Files that are no meshes.
+ * A file that is not a valid mesh.
  *
- * @param name says what is wrong, and ends as the file does
- * @param where what the message begins with after the file's name: the line, or for JSON and binary data the path
+ * @param name describes the defect and ends in the file's extension
+ * @param where beginning of the message after the file name: the line, or for JSON and binary data the path
  */
 record BrokenModelFiles(String name, byte[] bytes, String where) {
     private static final String POINTS = "0 0 0\n1 0 0\n0 1 0\n";
@@ -196,7 +196,7 @@ record BrokenModelFiles(String name, byte[] bytes, String where) {
         return copy;
     }
 
-    /** What would take long or fill the memory. */
+    /** Returns files that would take long or exhaust the memory. */
     private static Stream<BrokenModelFiles> large() {
         var spikes = new StringBuilder();
         var face = new StringBuilder("f");

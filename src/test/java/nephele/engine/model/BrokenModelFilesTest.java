@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever a file holds, there is a mesh or a message that names the file and the place, soon and in little memory. */
+/** Every file gives a mesh or a message with file and place, quickly and in little memory. */
 class BrokenModelFilesTest {
     private static final long MOST_BYTES = 256L << 20;
 
@@ -49,7 +49,7 @@ class BrokenModelFilesTest {
         assertEquals(all().count(), all().map(BrokenModelFiles::name).distinct().count());
     }
 
-    /** Good files with a byte or two changed, and cut off anywhere, never lead to another exception. */
+    /** Valid files with a byte or two changed, or truncated anywhere, never cause any other exception. */
     @Test
     void changedBytesNeverLeadToAnythingElse() {
         var random = new SplittableRandom(39);

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Curves through points. */
+/** Tests curves through points. */
 class CatmullRomTest {
     private static final Vec3 A = new Vec3(1, 2, 3);
     private static final Vec3 B = new Vec3(4, 0, -1);
@@ -42,7 +42,7 @@ class CatmullRomTest {
         return curve.derivative(at, new Vector3d());
     }
 
-    /** Through points of a parabola at uneven times it is that parabola, but for the spans at its ends. */
+    /** Through points of a parabola at uneven times the curve is that parabola, except for the spans at its ends. */
     @Test
     void pointsOfAParabolaGiveTheParabola() {
         double[] seconds = {0, 0.5, 2, 2.25, 5, 6};
@@ -88,7 +88,7 @@ class CatmullRomTest {
         assertEquals(0, derivative(loop, 0.25).distance(wanted), 1e-9, "half the neighbours' difference a span");
     }
 
-    /** In equal times, and round again in both directions. */
+    /** A uniform loop passes its points at equal intervals and repeats in both directions. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 16})
     void aUniformLoopGoesThroughItsPoints(int count) {
@@ -104,7 +104,7 @@ class CatmullRomTest {
         }
     }
 
-    /** Half-way between points: −1/16, 9/16, 9/16, −1/16 of them (Catmull and Rom 1974). */
+    /** Halfway between points the weights are −1/16, 9/16, 9/16, −1/16 (Catmull and Rom 1974). */
     @Test
     void aUniformLoopIsCatmullsAndRoms() {
         CatmullRom curve = CatmullRom.uniformLoop(
@@ -127,7 +127,7 @@ class CatmullRomTest {
         }
     }
 
-    /** Each derivative is how the one before it changes. */
+    /** Each derivative is the rate of change of the one before it. */
     @Test
     void derivativesAreThoseOfThePosition() {
         List<Vec3> points = List.of(A, B, new Vec3(0, 5, 0), new Vec3(-3, 1, 2), new Vec3(4, 4, 4));
@@ -143,7 +143,10 @@ class CatmullRomTest {
         }
     }
 
-    /** Positions and derivatives go on over every knot and over the end, for coincident, single and two points too. */
+    /**
+     * Positions and derivatives are continuous at every knot and at the end, even for coincident, single and two
+     * points.
+     */
     @ParameterizedTest
     @EnumSource
     void loopsAreClosedSmoothAndFinite(Loop loop) {
@@ -164,7 +167,7 @@ class CatmullRomTest {
         }
     }
 
-    /** Next to it nothing changes by more than its rate of change explains. */
+    /** Asserts that around a knot nothing changes by more than its derivative explains. */
     private static void assertNoJump(CatmullRom curve, double knot) {
         double before = knot - 1e-9;
         double after = knot + 1e-9;
@@ -176,7 +179,7 @@ class CatmullRomTest {
         assertEquals(0, derivative(curve, before).distance(derivative(curve, after)), 2e-9 * bend + 1e-8);
     }
 
-    /** Just before and after each knot the derivative is the same, whatever the knots are. */
+    /** The derivative is the same just before and after each knot, for any knots. */
     @Test
     void theDerivativeHasNoJumpAtAnyKnot() {
         var random = new SplittableRandom(3);
@@ -208,7 +211,7 @@ class CatmullRomTest {
         }
     }
 
-    /** Yuksel, Schaefer and Keyser: uniform curves overshoot beside a short span, centripetal ones don't. */
+    /** Uniform curves overshoot beside a short span, centripetal ones do not (Yuksel, Schaefer and Keyser 2011). */
     @Test
     void centripetalCurvesDoNotOvershootBesideShortSpans() {
         List<Vec3> points = List.of(new Vec3(0, 0, 0), new Vec3(10, 0, 0), new Vec3(10.1, 0.1, 0), new Vec3(10, 10, 0));

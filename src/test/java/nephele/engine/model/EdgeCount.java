@@ -5,11 +5,13 @@ import java.util.List;
 import java.util.Map;
 import org.joml.Vector3d;
 
-/** Edges between positions, each way for itself: in a closed surface every one has its counterpart. */
+/** Counts directed edges between positions; on a closed surface each has its opposite. */
 final class EdgeCount {
     private EdgeCount() {}
 
-    /** How many edges of a mesh have not exactly one that runs the other way, by positions equal to the last bit. */
+    /**
+     * Returns the number of a mesh's edges without exactly one opposite edge; positions must be equal to the last bit.
+     */
     static long open(Mesh mesh) {
         Map<List<Vector3d>, Integer> edges = new HashMap<>();
         for (int i = 0; i < mesh.indices().length; i++) {

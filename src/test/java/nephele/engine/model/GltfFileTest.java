@@ -72,7 +72,7 @@ class GltfFileTest {
         }
     }
 
-    /** Triangles of a strip look one way though every second has its corners the other way round. */
+    /** All triangles of a strip have one orientation, although every second lists its corners in reverse. */
     @Test
     void aStripsTrianglesLookOneWay() {
         for (boolean mirrored : new boolean[] {false, true}) {

@@ -6,12 +6,12 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 
-/** A glTF file of one triangle, to be bent into whatever a test needs. */
+/** A glTF file of one triangle, as a template for tests. */
 final class GltfFiles {
-    /** Positions (36 bytes), normals (36), texture coordinates (24), 3 indices of 2 bytes and 2 bytes to fill up. */
+    /** Positions (36 bytes), normals (36), texture coordinates (24), 3 indices of 2 bytes and 2 bytes of padding. */
     static final int BUFFER_BYTES = 104;
 
-    /** Placeholders in the JSON: URI, the node's frame, and where members are to be added. */
+    /** Placeholders in the JSON: URI, the node's transform, and places for further members. */
     static final String JSON =
             """
             {
@@ -35,7 +35,7 @@ final class GltfFiles {
 
     private GltfFiles() {}
 
-    /** The triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), facing +z. */
+    /** Returns the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), facing +z. */
     static byte[] buffer() {
         ByteBuffer data = ByteBuffer.allocate(BUFFER_BYTES).order(ByteOrder.LITTLE_ENDIAN);
         for (float value : new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 1, 1, 0, 0}) {

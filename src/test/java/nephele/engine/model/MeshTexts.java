@@ -3,12 +3,12 @@ package nephele.engine.model;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Texts of mesh files at the ends of what such a file may say. */
+/** Texts of mesh files at the limits of the formats. */
 public final class MeshTexts {
-    /** A {@code .3d} file whose one triangle is a line. */
+    /** A {@code .3d} file with one triangle that is a line. */
     public static final String LINE = "0 0 0\n1 0 0\n2 0 0\n\n0 1 2\n";
 
-    /** A glTF file with a triangle at a node of an all-zero matrix. */
+    /** A glTF file with a triangle at a node with an all-zero matrix. */
     public static final String ZERO_GLTF =
             """
             { "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }],
@@ -22,7 +22,7 @@ public final class MeshTexts {
 
     private MeshTexts() {}
 
-    /** A regular polygon around the origin, in an OBJ file. */
+    /** Returns a regular polygon around the origin as an OBJ file. */
     public static String polygon(int corners) {
         String points = IntStream.range(0, corners)
                 .mapToDouble(i -> 2 * Math.PI * i / corners)

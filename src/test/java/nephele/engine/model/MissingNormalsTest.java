@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import org.junit.jupiter.api.Test;
 
 class MissingNormalsTest {
-    /** At a cube's corner the normal is the diagonal, whichever of the faces a diagonal cuts there into two. */
+    /** At a cube's corner the normal is the diagonal, even if one of the faces is cut into two triangles there. */
     @Test
     void aFaceCutIntoMoreTrianglesWeighsNoMore() {
         float[] positions = {0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, -1, -1, 0};

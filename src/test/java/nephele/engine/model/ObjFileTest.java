@@ -16,7 +16,7 @@ class ObjFileTest {
         return ModelFiles.read("a.obj", text.getBytes(StandardCharsets.UTF_8), name -> null);
     }
 
-    /** Of all triangles, signed by the side of +z that they face. */
+    /** Returns the area of all triangles projected along z, positive for those that face +z. */
     private static double area(Mesh mesh) {
         double sum = 0;
         for (int i = 0; i < mesh.indices().length; i += 3) {
@@ -45,7 +45,7 @@ class ObjFileTest {
         }
     }
 
-    /** C.2's corpus: a concave 10-gon, in any plane, either way round, from any corner. */
+    /** A concave decagon is filled correctly in any plane, in either order, from any corner. */
     @Test
     void aConcavePolygonIsFilledAndNotItsHull() {
         double[][] star = new double[10][];
@@ -103,7 +103,7 @@ class ObjFileTest {
         assertEquals(4094, read(twoLines).triangleCount());
     }
 
-    /** It goes on with nothing. */
+    /** A backslash at the end of the file continues with nothing. */
     @ParameterizedTest
     @ValueSource(strings = {"f 1 2 3 \\", "f 1 2 3\\", "f 1 2 3 \\\n", "f 1 2 3\n\\", "f 1 2 3\\\\\n# end"})
     void aBackslashMayEndTheFile(String face) {

@@ -51,7 +51,9 @@ class PlainDecimalTest {
         assertTrue(left < 2_000, left + " were left to others");
     }
 
-    /** Rounded to a double first, and only then to a float, some of these end on the wrong side of the middle. */
+    /**
+     * Rounding to a double first and then to a float gives the wrong result for some of these; the parser never does.
+     */
     @Test
     void betweenTwoFloatsNothingIsRoundedTwice() {
         int wrongIfTwice = 0;

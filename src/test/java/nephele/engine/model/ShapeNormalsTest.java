@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Normals of every primitive at every number of divisions, against the surface's own. */
+/** Compares the normals of every primitive at many numbers of divisions with the analytic normals of the surface. */
 class ShapeNormalsTest {
     private static final int MOST_DIVISIONS = 256;
     private static final double RADIUS = 1.5;
@@ -21,8 +21,10 @@ class ShapeNormalsTest {
     private static final double TUBE = 0.4;
 
     /**
-     * @param at a number of divisions
-     * @param analytic the surface's normal at a position; the normal in the mesh chooses among those at an edge
+     * A surface to test.
+     *
+     * @param at creates the shape with a number of divisions
+     * @param analytic returns the surface's normal at a position; at an edge the mesh's normal selects the face
      */
     private record Surface(String name, IntFunction<Shape> at, BinaryOperator<Vector3d> analytic) {
         @Override
@@ -101,7 +103,7 @@ class ShapeNormalsTest {
         assertTrue(longest <= 1e-6, "off unit length by " + longest);
     }
 
-    /** Together with normals that are the surface's own: every triangle is wound outward. */
+    /** Every triangle faces the side of its vertex normals; as these are the surface's, it is wound outward. */
     @ParameterizedTest
     @MethodSource("surfaces")
     void trianglesFaceWhereTheirVerticesDo(Surface surface) {
@@ -114,7 +116,10 @@ class ShapeNormalsTest {
         }
     }
 
-    /** A cone's normal is (h cos t, r, h sin t) / √(r² + h²); half-way up a cone of r = 1, h = 2 that is 26.6° above level. */
+    /**
+     * A cone's normal is (h cos t, r, h sin t) / √(r² + h²); halfway up a cone of r = 1, h = 2 it is 26.6° above the
+     * horizontal.
+     */
     @Test
     void aConesNormalsHaveItsSlopeAndTheTipOnePerSlice() {
         Mesh mesh = new ConeShape(1, 2, 4, 3).mesh();
@@ -132,7 +137,7 @@ class ShapeNormalsTest {
         assertEquals(4, tips);
     }
 
-    /** At the poles the normal is the axis itself. */
+    /** At the poles the normal is the axis. */
     @Test
     void aSpheresPolesFaceAlongItsAxis() {
         Mesh mesh = new SphereShape(3, 7, 5).mesh();

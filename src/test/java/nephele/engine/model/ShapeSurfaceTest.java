@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Where the triangles of primitives lie, how pictures lie on them, and which numbers are taken. */
+/** Tests the positions and texture coordinates of primitives, and the ranges of their parameters. */
 class ShapeSurfaceTest {
     private static Stream<Shape> closed() {
         return Stream.of(
@@ -60,7 +60,7 @@ class ShapeSurfaceTest {
         return sum;
     }
 
-    /** Chords stay within r (1 - cos(π / n)) of the circle, and reach it in the middle of a slice. */
+    /** Chords are within r (1 - cos(π / n)) of the circle, and this maximum is reached in the middle of a slice. */
     @ParameterizedTest
     @ValueSource(ints = {3, 4, 5, 8, 31, 100, 511, 512})
     void theSagittaOfASliceIsThatOfAChord(int slices) {
@@ -90,7 +90,10 @@ class ShapeSurfaceTest {
         }
     }
 
-    /** On every triangle that stands, t grows with y; on a torus only outside, as pictures go around its tube. */
+    /**
+     * On every non-horizontal triangle t grows with y; on a torus only outside, because the image wraps around its
+     * tube.
+     */
     @ParameterizedTest
     @MethodSource("closed")
     void picturesStandUpright(Shape shape) {
@@ -105,7 +108,7 @@ class ShapeSurfaceTest {
         }
     }
 
-    /** y of the direction in which t grows while s stays, on a triangle. */
+    /** Returns the y component of the direction in which t grows at constant s, on a triangle. */
     private static double riseOfPicture(Mesh mesh, int first) {
         Vector2d a = texture(mesh, first);
         Vector2d ab = texture(mesh, first + 1).sub(a);
@@ -142,7 +145,7 @@ class ShapeSurfaceTest {
         assertEquals(1, mesh.textureCoordinates()[2 * mesh.vertexCount() - 1]);
     }
 
-    /** The seam is there twice, with the picture's left and its right edge. */
+    /** The seam is stored twice, with the left and the right edge of the image. */
     @Test
     void aSpheresSeamIsDoubled() {
         Mesh mesh = new SphereShape(1, 8, 8).mesh();
@@ -153,7 +156,10 @@ class ShapeSurfaceTest {
         assertEquals(1, mesh.textureCoordinates()[2 * right]);
     }
 
-    /** A radius or height of 0, NaN, infinities, 0 and 10⁶ parts are refused, and the message names the number. */
+    /**
+     * A radius or height of 0, NaN, infinities, and 0 or 10⁶ divisions are rejected with a message that names the
+     * number.
+     */
     @ParameterizedTest
     @ValueSource(
             strings = {

@@ -28,7 +28,7 @@ class TextMeshFileTest {
         assertArrayEquals(wanted.indices(), mesh.indices());
     }
 
-    /** As in OBJ files: what a mesh may not have is not gathered first. */
+    /** Reading stops at the limit, as in OBJ files; an oversized mesh is not collected first. */
     @Test
     void readingEndsAtTheFirstPointTooMany() {
         String endless = "0 0 0\n".repeat(MeshLimits.MAX_VERTICES + 10);
@@ -58,7 +58,7 @@ class TextMeshFileTest {
         }
     }
 
-    /** 10⁶ patterns; every float that a coordinate can be, and those beyond. */
+    /** 10⁶ random bit patterns, in and beyond the range of coordinates, read back equal. */
     @Test
     void theTextOfAFloatReadsBackToItInEveryLanguage() {
         var random = new SplittableRandom(48);
@@ -81,7 +81,7 @@ class TextMeshFileTest {
         assertEquals("1000000", FloatText.of(1e6f).replace("1E+6", "1000000"));
     }
 
-    /** All the variants in which course projects write one triangle. */
+    /** All variants in which course projects write one triangle give the same mesh. */
     @ParameterizedTest
     @ValueSource(
             strings = {

@@ -14,7 +14,11 @@ final class Triangles {
         return row(mesh.normals(), vertex);
     }
 
-    /** Twice the area long. @param first place of its first corner among the indices */
+    /**
+     * Returns the normal; its length is twice the area.
+     *
+     * @param first index of the triangle's first corner in the indices
+     */
     static Vector3d normal(Mesh mesh, int first) {
         Vector3d a = position(mesh, mesh.indices()[first]);
         Vector3d ab = position(mesh, mesh.indices()[first + 1]).sub(a);

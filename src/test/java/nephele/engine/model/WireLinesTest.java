@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Lines that were read off the course's own pictures: diagonals and the start of the slices. */
+/** The diagonals and the start of the slices match the lines in the course's own pictures. */
 class WireLinesTest {
     private static boolean hasLine(Mesh mesh, Vector3d a, Vector3d b) {
         for (int i = 0; i < mesh.indices().length; i++) {

@@ -1,6 +1,6 @@
 package nephele.engine.asset;
 
-/** An asset that cannot be used: which one, why, and what its author can do about it. */
+/** An unusable asset: its id, the reason, and the remedy for its author. */
 public final class AssetException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

@@ -4,11 +4,12 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * The names an asset may have: relative paths that mean the same file on every system. Letters, digits and
- * {@code . _ - /}; no empty, {@code .} or {@code ..} segment, no segment that ends in a dot, no Windows device name.
+ * The grammar of asset ids: relative paths that name the same file on every system. Letters, digits and {@code . _ -
+ * /}; no empty, {@code .} or {@code ..} segment, no segment that ends in a dot or starts with a hyphen, no Windows
+ * device name.
  */
 public final class AssetId {
-    /** Longest id in characters. */
+    /** Maximum length of an id in characters. */
     public static final int MAX_LENGTH = 128;
 
     private static final Set<String> DEVICES = Set.of("con", "prn", "aux", "nul");
@@ -17,7 +18,7 @@ public final class AssetId {
 
     private AssetId() {}
 
-    /** The reason why {@code id} is no asset id, or {@code null} if it is one. */
+    /** Returns the reason why {@code id} is not an asset id, or {@code null} if it is one. */
     public static String objection(String id) {
         if (id.isEmpty() || id.length() > MAX_LENGTH) {
             return "an asset id has 1 to " + MAX_LENGTH + " characters";
@@ -36,7 +37,7 @@ public final class AssetId {
         return null;
     }
 
-    /** Throws unless {@code id} is one. */
+    /** Throws an {@link AssetException} unless {@code id} is an asset id. */
     public static void check(String id) {
         String objection = objection(id);
         if (objection != null) {
@@ -72,7 +73,7 @@ public final class AssetId {
         return DEVICES.contains(stem) || port ? "'" + stem + "' is a device name on Windows" : null;
     }
 
-    /** Fit for a message. */
+    /** Returns an id shortened and in printable ASCII, for messages. */
     static String printable(String id) {
         String shortened = id.length() <= MAX_LENGTH ? id : id.substring(0, MAX_LENGTH) + "…";
         return shortened.replaceAll("[^\\x20-\\x7e…]", "?");

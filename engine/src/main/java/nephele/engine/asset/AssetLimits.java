@@ -3,14 +3,16 @@ package nephele.engine.asset;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** How large an asset may be before anything looks into it. */
+/** The size limit of assets, enforced before their content is parsed. */
 final class AssetLimits {
-    /** Bytes of any asset file. */
+    /** Maximum bytes of any asset file. */
     static final int MAX_FILE_BYTES = 128 << 20;
 
     private AssetLimits() {}
 
-    /** Reads to the end and closes; refuses more than {@link #MAX_FILE_BYTES} without reading on. */
+    /**
+     * Reads a stream to its end and closes it; throws if it has more than {@link #MAX_FILE_BYTES}, without reading on.
+     */
     static byte[] readBounded(String assetId, InputStream stream) throws IOException {
         try (stream) {
             byte[] bytes = stream.readNBytes(MAX_FILE_BYTES + 1);

@@ -3,25 +3,25 @@ package nephele.engine.asset;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** Where a level's pictures, meshes and grids come from. */
+/** A source of a level's pictures, meshes and grids. */
 public interface AssetSource {
     /**
-     * The whole content of an asset.
+     * Returns the whole content of an asset.
      *
-     * @param assetId refused where there is an {@link #objection}
-     * @throws AssetException when it is missing, unreadable, too large or outside of the source
+     * @param assetId rejected if it has an {@link #objection}
+     * @throws AssetException if the asset is missing, unreadable, too large or outside of the source
      */
     byte[] bytes(String assetId) throws AssetException;
 
-    /** Why a name is never looked for, or {@code null} where one is. */
+    /** Returns the reason why a name is never looked up, or {@code null} if it is. */
     default String objection(String assetId) {
         return AssetId.objection(assetId);
     }
 
-    /** Whether {@link #bytes} would find it. */
+    /** Returns true if {@link #bytes} would find the asset. */
     boolean exists(String assetId);
 
-    /** A folder that takes derived files which {@link #bytes} would then find below {@code cache/}; empty for none. */
+    /** Returns a folder for derived files, which {@link #bytes} then finds below {@code cache/}; empty for none. */
     default Optional<Path> cacheFolder() {
         return Optional.empty();
     }

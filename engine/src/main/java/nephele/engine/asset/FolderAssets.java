@@ -6,8 +6,8 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 
 /**
- * Assets below one folder. A link that leads out of the folder is refused, and so is a name whose case differs from the
- * file's: it would work on one system only.
+ * Assets below one folder. A link out of the folder is rejected, and so is a name that differs from the file's in case,
+ * because it would work on some systems only.
  */
 public final class FolderAssets implements AssetSource {
     private final Path root;

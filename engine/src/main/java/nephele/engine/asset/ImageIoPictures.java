@@ -19,7 +19,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 
-/** Decoding through {@code javax.imageio}, which touches no window toolkit. */
+/** Decodes pictures by {@code javax.imageio}, without a window toolkit. */
 final class ImageIoPictures {
     private ImageIoPictures() {}
 
@@ -36,14 +36,14 @@ final class ImageIoPictures {
         }
     }
 
-    /** The TGA reader looks for a footer of 26 bytes before it knows that there are so many. */
+    /** Pads a TGA file, because the reader reads a footer of 26 bytes without a check of the length. */
     private static byte[] padded(PictureFormat format, byte[] bytes) {
         return format == PictureFormat.TGA
                 ? Arrays.copyOf(bytes, Math.max(bytes.length, TgaRuns.begin(bytes) + 26))
                 : bytes;
     }
 
-    /** The fat jar holds no merged provider lists, so TwelveMonkeys' readers are made directly. */
+    /** Instantiates TwelveMonkeys' readers directly, because the fat jar does not merge provider lists. */
     private static ImageReader reader(PictureFormat format) throws IOException {
         return switch (format) {
             case BMP -> new BMPImageReaderSpi().createReaderInstance(null);
@@ -123,7 +123,7 @@ final class ImageIoPictures {
         return new Picture(raster.getWidth(), raster.getHeight(), offsets.length, 16, samples);
     }
 
-    /** Palettes and packed pixels: all of them are sRGB with 8 bits or fewer, so the conversion changes no value. */
+    /** Converts palettes and packed pixels; all are sRGB with at most 8 bits, so the conversion changes no value. */
     private static Picture converted(BufferedImage image) throws IOException {
         ColorModel model = image.getColorModel();
         if (model instanceof IndexColorModel palette && namesNoColour(image.getRaster(), palette.getMapSize())) {

@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** A level's assets: the level's own folder first, then {@code assets/} of a checkout, then the jar's. */
+/** A level's assets: first the level's own folder, then {@code assets/} of a checkout, then the jar's. */
 public final class LevelAssets implements AssetSource {
-    /** Where the jar keeps the levels that come with the game. */
+    /** The jar's folder of the levels that come with the game. */
     public static final String JAR_LEVELS = "/levels";
 
     private static final String JAR_ASSETS = "/assets";
@@ -22,7 +22,7 @@ public final class LevelAssets implements AssetSource {
         this.folder = folder;
     }
 
-    /** For a level in the file system, which need not exist yet. */
+    /** Returns the assets of a level in the file system; the level file need not exist yet. */
     public static LevelAssets beside(Path levelFile) {
         Path folder = levelFile.toAbsolutePath().normalize().getParent();
         List<AssetSource> sources = new ArrayList<>();
@@ -35,19 +35,28 @@ public final class LevelAssets implements AssetSource {
         return new LevelAssets(sources, folder);
     }
 
-    /** @param resource a level in the jar, below {@link #JAR_LEVELS}, such as {@code samples/sky.json} */
+    /**
+     * Returns the assets of a level in the jar.
+     *
+     * @param resource below {@link #JAR_LEVELS}, such as {@code samples/sky.json}
+     */
     public static LevelAssets inJar(String resource) {
         return inJar(JAR_LEVELS, resource);
     }
 
-    /** @param resource a file in the jar, below {@code root}, such as {@code /scenes} */
+    /**
+     * Returns the assets of a file in the jar.
+     *
+     * @param root a folder in the jar, such as {@code /scenes}
+     * @param resource the file below {@code root}
+     */
     public static LevelAssets inJar(String root, String resource) {
         int slash = resource.lastIndexOf('/');
         String folder = slash < 0 ? root : root + "/" + resource.substring(0, slash);
         return new LevelAssets(List.of(new ResourceAssets(folder), new ResourceAssets(JAR_ASSETS)), null);
     }
 
-    /** A checkout is a folder with {@code assets} beside {@code levels}. */
+    /** Adds the assets of a checkout, which is a folder with {@code assets} beside {@code levels}. */
     private static void addCheckout(List<AssetSource> sources, Path folder) {
         if (Files.isDirectory(folder.resolve("assets")) && Files.isDirectory(folder.resolve("levels"))) {
             sources.add(new FolderAssets(folder.resolve("assets")));

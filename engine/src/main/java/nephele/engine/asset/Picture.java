@@ -1,7 +1,7 @@
 package nephele.engine.asset;
 
 /**
- * A decoded picture: values exactly as stored, no colour conversion.
+ * A decoded picture with its values as stored, without colour conversion.
  *
  * @param channels 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; alpha is not premultiplied
  * @param bitsPerChannel 8 or 16
@@ -14,7 +14,7 @@ public record Picture(int width, int height, int channels, int bitsPerChannel, b
         }
     }
 
-    /** The stored value, 0 to 255 or 65535. */
+    /** Returns the stored value, 0 to 255 or 65535. */
     public int sample(int x, int y, int channel) {
         int index = (y * width + x) * channels + channel;
         return bitsPerChannel == 8
@@ -22,7 +22,9 @@ public record Picture(int width, int height, int channels, int bitsPerChannel, b
                 : samples[2 * index] & 0xff | (samples[2 * index + 1] & 0xff) << 8;
     }
 
-    /** The same picture as 8-bit RGBA: grey spread over RGB, missing alpha opaque, 16 bits cut to the upper 8. */
+    /**
+     * Returns the picture as 8-bit RGBA: grey in all of RGB, missing alpha opaque, 16 bits truncated to the upper 8.
+     */
     public Picture toRgba8() {
         if (channels == 4 && bitsPerChannel == 8) {
             return this;

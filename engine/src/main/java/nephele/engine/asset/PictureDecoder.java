@@ -2,15 +2,15 @@ package nephele.engine.asset;
 
 import java.io.IOException;
 
-/** Files to pictures, in pure Java and behind limits that hold before a pixel is allocated. */
+/** Decodes picture files in pure Java; size limits are enforced before pixels are allocated. */
 public final class PictureDecoder {
-    /** Pixels of either side. */
+    /** Maximum width and height in pixels. */
     public static final int MAX_SIDE = 8192;
 
     private static final long MAX_PIXELS = 64L << 20;
     private static final int MAX_FILE_BYTES = 64 << 20;
 
-    /** Largest honest ratio of pixel bytes to file bytes; OpenImageIO's limit (its pull request 5319). */
+    /** Maximum plausible ratio of pixel bytes to file bytes; OpenImageIO's limit (its pull request 5319). */
     private static final int MAX_EXPANSION = 10_000;
 
     private PictureDecoder() {}
@@ -18,7 +18,8 @@ public final class PictureDecoder {
     /**
      * Decodes PNG, JPEG, BMP or TGA.
      *
-     * @param assetId names the file in errors; a TGA file is recognised by it
+     * @param assetId names the file in errors; TGA files are recognised by its extension
+     * @throws AssetException if the format is unknown, or the picture is damaged or too large
      */
     public static Picture decode(String assetId, byte[] bytes) throws AssetException {
         PictureFormat format = PictureFormat.of(assetId, bytes);

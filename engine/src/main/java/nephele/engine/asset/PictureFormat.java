@@ -4,17 +4,17 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Locale;
 
-/** The picture files that are read, recognised by content; TGA, which has no signature, by its name. */
+/** The supported picture formats, recognised by content; TGA, which has no signature, by its file name. */
 enum PictureFormat {
     PNG,
     JPEG,
     BMP,
     TGA;
 
-    /** Width and height as the header claims them. */
+    /** The width and height in the header. */
     record Size(long width, long height) {}
 
-    /** The format, or {@code null}. */
+    /** Returns the format, or {@code null} if it is unknown. */
     static PictureFormat of(String assetId, byte[] bytes) {
         if (startsWith(bytes, 0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a)) {
             return PNG;
@@ -28,7 +28,7 @@ enum PictureFormat {
         return assetId.toLowerCase(Locale.ROOT).endsWith(".tga") ? TGA : null;
     }
 
-    /** Reads the header only; {@code null} when it is cut off or has no size. */
+    /** Reads the size from the header only; {@code null} if that is truncated or has no size. */
     Size size(byte[] bytes) {
         ByteBuffer big = ByteBuffer.wrap(bytes);
         ByteBuffer little = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
@@ -50,7 +50,7 @@ enum PictureFormat {
         return new Size(little.getInt(18), Math.abs((long) little.getInt(22)));
     }
 
-    /** Walks the marker segments to the frame header (ITU-T T.81, B.1.1.4 and B.2.2). */
+    /** Reads the marker segments up to the frame header (ITU-T T.81, B.1.1.4 and B.2.2). */
     private static Size jpegSize(ByteBuffer big) {
         int at = 2;
         while (at + 9 <= big.limit()) {

@@ -8,11 +8,12 @@ import java.util.List;
 import java.util.zip.CRC32;
 
 /**
- * The chunks of a PNG file that decide its pixels (PNG, third edition, section 5). Everything else is skipped unread:
- * compressed texts and profiles can unpack to any size, and a gamma would change the stored values.
+ * The chunks of a PNG file that determine its pixels (PNG, third edition, section 5). All others are skipped unread:
+ * compressed texts and profiles can expand to any size, and a gamma would change the stored values.
  *
- * @param hasTransparency whether there is a {@code tRNS} chunk
- * @param pixelData where the {@code IDAT} contents lie in {@code bytes}
+ * @param hasTransparency true if there is a {@code tRNS} chunk
+ * @param pixelData positions of the {@code IDAT} contents in {@code bytes}
+ * @param kept positions of the whole chunks that determine the pixels
  */
 record PngFile(byte[] bytes, Header header, boolean hasTransparency, List<Span> pixelData, List<Span> kept) {
     private static final int SIGNATURE_BYTES = 8;
@@ -24,7 +25,7 @@ record PngFile(byte[] bytes, Header header, boolean hasTransparency, List<Span> 
     private static final int IEND = 0x49454e44;
     private static final int TRNS = 0x74524e53;
 
-    /** Section 11.2.1; {@code colour} 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA. */
+    /** The IHDR chunk, section 11.2.1; {@code colour} 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA. */
     record Header(int width, int height, int bitDepth, int colour, int interlace) {
         int channels() {
             return switch (colour) {
@@ -36,7 +37,7 @@ record PngFile(byte[] bytes, Header header, boolean hasTransparency, List<Span> 
         }
     }
 
-    /** A part of the file. */
+    /** A range of the file in bytes. */
     record Span(int offset, int length) {}
 
     static PngFile of(byte[] bytes) throws IOException {
@@ -69,7 +70,7 @@ record PngFile(byte[] bytes, Header header, boolean hasTransparency, List<Span> 
         }
     }
 
-    /** The same file without the chunks that do not decide pixels. */
+    /** Returns the file without the chunks that do not determine pixels. */
     byte[] essence() {
         ByteArrayOutputStream essence = new ByteArrayOutputStream(bytes.length);
         essence.write(bytes, 0, SIGNATURE_BYTES);
@@ -88,7 +89,9 @@ record PngFile(byte[] bytes, Header header, boolean hasTransparency, List<Span> 
         return length;
     }
 
-    /** The header is the first chunk and the only one of its kind, so the size that was checked is the one that counts. */
+    /**
+     * Reads the header, which is the first chunk and the only one of its kind, so the size checked is the size used.
+     */
     private static Header header(ByteBuffer buffer) throws IOException {
         Span content = new Span(SIGNATURE_BYTES + 8, HEADER_BYTES);
         if (chunkLength(buffer, SIGNATURE_BYTES) != HEADER_BYTES || buffer.getInt(SIGNATURE_BYTES + 4) != IHDR) {
@@ -103,7 +106,7 @@ record PngFile(byte[] bytes, Header header, boolean hasTransparency, List<Span> 
                 buffer.getInt(at), buffer.getInt(at + 4), buffer.get(at + 8), buffer.get(at + 9), buffer.get(at + 12));
     }
 
-    /** The sum covers type and content. */
+    /** Checks a chunk's CRC, which covers type and content. */
     private static void checkSum(ByteBuffer buffer, Span content) throws IOException {
         CRC32 sum = new CRC32();
         sum.update(buffer.array(), content.offset() - 4, content.length() + 4);

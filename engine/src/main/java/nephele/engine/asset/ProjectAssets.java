@@ -7,9 +7,9 @@ import java.util.Arrays;
 import java.util.stream.Collectors;
 
 /**
- * The files of a user's own project around one file of it: what a level there would find, and beyond {@link AssetId}'s
- * grammar names with spaces and with {@code ..} that stay within the file's folder or the folder above it. Links are
- * followed no farther.
+ * The assets of a user's own project around one of its files. They are those of a level at that place, and beyond
+ * {@link AssetId}'s grammar names with spaces and with {@code ..} that stay within the file's folder or the folder
+ * above it. Links out of these are rejected.
  */
 public final class ProjectAssets implements AssetSource {
     private static final String UP = "..";
@@ -24,6 +24,10 @@ public final class ProjectAssets implements AssetSource {
         this.project = project;
     }
 
+    /**
+     * Returns the assets around a file; they extend to the folder above the file's folder unless that is a file system
+     * root.
+     */
     public static ProjectAssets around(Path file) {
         Path folder = file.toAbsolutePath().normalize().getParent();
         Path above = folder.getParent();
@@ -40,7 +44,7 @@ public final class ProjectAssets implements AssetSource {
         if (Arrays.stream(segments).anyMatch(segment -> !segment.equals(segment.strip()))) {
             return "no part of a name begins or ends with a space";
         }
-        // without spaces, as a device on Windows is one with them, too
+        // Spaces are removed, because a Windows device name with spaces is a device as well.
         String likened = Arrays.stream(segments)
                 .filter(segment -> !segment.equals(UP))
                 .map(segment -> segment.replace(" ", ""))
@@ -76,7 +80,9 @@ public final class ProjectAssets implements AssetSource {
         }
     }
 
-    /** What is opened is what was looked at, whatever becomes of links meanwhile. */
+    /**
+     * Resolves links and checks the result, which is then opened, so that a change of links in between has no effect.
+     */
     private Path real(String name) throws IOException {
         Path real = path(name).toRealPath();
         if (!real.startsWith(folder.toRealPath()) && !real.startsWith(project.toRealPath())) {

@@ -3,7 +3,7 @@ package nephele.engine.asset;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** Assets packed into the jar, below one class-path folder such as {@code /assets}. */
+/** Assets in the jar, below one class-path folder such as {@code /assets}. */
 public final class ResourceAssets implements AssetSource {
     private final String folder;
 

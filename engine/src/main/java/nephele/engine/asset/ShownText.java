@@ -1,13 +1,13 @@
 package nephele.engine.asset;
 
-/** Texts as messages show them: what comes from a file may be as long as the file. */
+/** Shortens texts for messages, because a text from a file may be as long as the file. */
 public final class ShownText {
     private static final int MOST = 600;
     private static final int LAST = 150;
 
     private ShownText() {}
 
-    /** The text, or its beginning and its end. */
+    /** Returns the text, or its beginning and end with at most 600 characters; {@code null} for {@code null}. */
     public static String shortened(String text) {
         if (text == null || text.length() <= MOST) {
             return text;

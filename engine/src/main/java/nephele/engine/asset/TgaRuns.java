@@ -11,7 +11,10 @@ final class TgaRuns {
 
     private TgaRuns() {}
 
-    /** Whether the packets hold as many pixels as the header claims, and end there; so too where none are encoded. */
+    /**
+     * Returns true if the packets hold exactly the pixels of the header's size, or if the file is not run-length
+     * encoded.
+     */
     static boolean fit(byte[] bytes) {
         ByteBuffer header = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
         if (bytes[2] < FIRST_ENCODED_TYPE || bytes[2] > LAST_ENCODED_TYPE) {
@@ -29,7 +32,7 @@ final class TgaRuns {
         return left == 0 && at <= bytes.length;
     }
 
-    /** Where the pixels begin: behind the header, a remark and the palette. */
+    /** Returns the offset of the pixels: after the header, the image id and the palette. */
     static int begin(byte[] bytes) {
         int colours = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getShort(5) & 0xffff;
         return HEADER_BYTES + (bytes[0] & 0xff) + (bytes[1] == 1 ? colours * bytesOf(bytes[7]) : 0);

@@ -14,8 +14,9 @@ import java.nio.file.attribute.BasicFileAttributes;
 import java.util.Locale;
 
 /**
- * Files read and written as a whole. Whatever fails while one is written, the file is the old one or the new one, never
- * a part: the bytes go to a file beside it, are forced to disk and take its name in one step.
+ * Reads and writes files as a whole. If writing fails at any point, the file is the old or the new one, never a part:
+ * the bytes are written to a temporary file beside it, forced to disk and renamed atomically. Devices are written
+ * directly.
  */
 public final class WholeFile {
     private static final int UNIX_KIND = 0170000;
@@ -24,8 +25,8 @@ public final class WholeFile {
     private WholeFile() {}
 
     /**
-     * The whole file, or its first {@code most + 1} bytes when it has more than {@code most}. A pipe or a socket, at
-     * which one could wait for ever, is refused.
+     * Returns the whole file, or its first {@code most + 1} bytes if it has more than {@code most}. Pipes and sockets,
+     * which could block for ever, are rejected.
      */
     public static byte[] read(Path file, int most) throws IOException {
         if (Files.readAttributes(file, BasicFileAttributes.class).isOther() && !isCharacterDevice(file)) {
@@ -37,9 +38,9 @@ public final class WholeFile {
     }
 
     /**
-     * Replaces or creates the file, and its folder when that is missing. A link stays a link, a device is written to.
+     * Replaces or creates the file, and its folder if that is missing. A link stays a link; a device is written to.
      *
-     * @throws IOException with a message for users that names the file and why; the file is then as it was
+     * @throws IOException with a message for users that names the file and the reason; the file is then unchanged
      */
     public static void write(Path file, byte[] bytes) throws IOException {
         try {
@@ -97,7 +98,7 @@ public final class WholeFile {
         return unix && ((int) Files.getAttribute(file, "unix:mode") & UNIX_KIND) == UNIX_CHARACTER_DEVICE;
     }
 
-    /** Why, in words that complete "FILE can't be read: ". */
+    /** Returns the reason of a failure in words that complete "FILE can't be read: ". */
     public static String reason(IOException problem) {
         if (problem instanceof AccessDeniedException) {
             return "access is denied";

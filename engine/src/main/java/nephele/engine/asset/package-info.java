@@ -1,2 +1,2 @@
-/** Names to bytes, safely: id grammar, header checks, size limits, decoding. */
+/** Loads assets by name, safely: id grammar, header checks, size limits, picture decoding. */
 package nephele.engine.asset;

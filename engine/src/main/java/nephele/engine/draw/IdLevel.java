@@ -17,21 +17,25 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
-/** `--set debug=ids`: the same level with every solid, then every body, then every model in a flat colour of its own, for output plain. */
+/**
+ * The level of {@code --set debug=ids}: each solid, then each body, then each model has a unique flat colour, for plain
+ * output. Mirrors stay mirrors.
+ */
 public final class IdLevel {
-    /** Odd, so that no two of 2²⁴ numbers get the same colour; large, so that neighbours differ. */
+    /** Odd, so that 2²⁴ numbers have distinct colours; large, so that neighbours differ. */
     private static final int SPREAD = 0x9e3779;
 
-    /** SPREAD times this is 1 modulo 2²⁴. */
+    /** The inverse of SPREAD modulo 2²⁴. */
     private static final int UNSPREAD = 0xb382c9;
 
-    /** All mirrors keep all light. */
+    /** The id of the material of all mirrors, which reflects all light. */
     private static final String MIRROR = "id-mirror";
 
     private static final Vec3 ONE = new Vec3(1, 1, 1);
 
     private IdLevel() {}
 
+    /** Returns the level with its surfaces in the colours of {@link #colour}, under flat light and without lights. */
     public static Level of(Level level) {
         var materials = new ArrayList<Material>();
         var solids = new ArrayList<Solid>();
@@ -62,15 +66,16 @@ public final class IdLevel {
     }
 
     /**
-     * The 8-bit colour of a surface, 0xRRGGBB; black is nothing.
+     * Returns the 8-bit colour of a surface, 0xRRGGBB; black means no surface.
      *
-     * @param index of a solid, or the number of solids plus the index of a body, or the number of both plus that of a model
+     * @param index of a solid, or the number of solids plus the index of a body, or the number of both plus that of a
+     *     model
      */
     public static int colour(int index) {
         return (index + 1) * SPREAD & 0xffffff;
     }
 
-    /** The surface of a colour; no surface of a level where nothing has that colour. */
+    /** Returns the index of the surface with a colour; not a valid index if no surface has it. */
     public static int surface(int colour) {
         return (colour * UNSPREAD & 0xffffff) - 1;
     }
@@ -151,7 +156,7 @@ public final class IdLevel {
         return Brush.of(wedge).faces().stream().map(Brush.BrushFace::name).collect(Collectors.toList());
     }
 
-    /** Those of a solid's faces that are mirrors. */
+    /** Returns the faces of a solid that are mirrors. */
     private static <N> Map<N, Solid.Face> mirrors(
             List<N> names, Map<N, Solid.Face> said, String material, Set<String> mirrors) {
         return names.stream()

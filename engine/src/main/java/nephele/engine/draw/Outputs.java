@@ -4,11 +4,11 @@ import nephele.engine.level.Level;
 import nephele.engine.render.frame.LinearLight;
 import nephele.engine.render.frame.Output;
 
-/** Which output a level asks for when nobody else says. */
+/** Chooses the default output of a level. */
 public final class Outputs {
     private Outputs() {}
 
-    /** HDR where something in the level adds light to what is drawn, else DIRECT. */
+    /** Returns HDR if something in the level adds light to the image, otherwise DIRECT. */
     public static Output requiredBy(Level level) {
         return LinearLight.because(level).isPresent() ? Output.HDR : Output.DIRECT;
     }

@@ -10,18 +10,26 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.sim.SimLevel;
 
-/** Reads a level and derives its scene on a thread of its own, while another one opens the window and its context. */
+/** Reads a level and builds its scene on a separate thread, while another thread opens the window and its context. */
 public final class Preparation {
     private final FutureTask<Prepared> task;
 
-    /** A level that needs nothing but OpenGL to be drawn, and nothing more to be simulated. */
+    /**
+     * A level ready to be drawn with OpenGL and simulated.
+     *
+     * @param nanos duration of the preparation
+     */
     public record Prepared(OpenedLevel opened, Scene scene, SimLevel world, long nanos) {}
 
     private Preparation(FutureTask<Prepared> task) {
         this.task = task;
     }
 
-    /** @param bakeProgress hears 0–1 from several threads while light is baked, and nothing when it is not */
+    /**
+     * Starts the preparation of a level.
+     *
+     * @param bakeProgress called with 0–1 from several threads while light is baked, otherwise not
+     */
     public static Preparation begin(LevelName level, QualityChoice quality, DoubleConsumer bakeProgress) {
         var task = new FutureTask<>(() -> {
             long start = System.nanoTime();
@@ -37,11 +45,12 @@ public final class Preparation {
         return new Preparation(task);
     }
 
+    /** Returns true if {@link #get} would not wait. */
     public boolean isDone() {
         return task.isDone();
     }
 
-    /** Waits; a failure is thrown here as it was there. */
+    /** Waits for the result; rethrows a failure of the preparation. */
     public Prepared get() {
         try {
             return task.get();

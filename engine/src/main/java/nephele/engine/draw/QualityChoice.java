@@ -19,12 +19,13 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.terminal.CommandFailure;
 
 /**
- * A preset and what was changed in it by {@code --set}.
+ * A quality preset with the changes made by {@code --set}.
  *
  * @param preset low, medium, high, ultra or auto
+ * @param settings values by name, not checked yet
  */
 public record QualityChoice(String preset, Map<String, String> settings) {
-    /** Every field of {@link Quality} and of {@link RenderSettings} that `--set` can change. */
+    /** Every field of {@link Quality} and of {@link RenderSettings} that {@code --set} can change. */
     private static final List<SettingKey> KEYS = List.of(
             SettingKey.whole(
                     "anisotropy", 1, 16, (all, value) -> all.with(all.quality().withAnisotropy(value))),
@@ -54,7 +55,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
 
     private static final String DEBUG = "debug";
 
-    /** Fails with wrong usage unless everything in here is known. */
+    /** Throws a usage {@link CommandFailure} unless the preset and all settings are known and in range. */
     public void check() {
         if (showsIds() && !settings.get(DEBUG).equals("ids")) {
             throw CommandFailure.usage("--set debug is ids, not `" + settings.get(DEBUG) + "`");
@@ -77,7 +78,12 @@ public record QualityChoice(String preset, Map<String, String> settings) {
         return quality;
     }
 
-    /** All that is drawn with. Ids are never blended, decorated or taken from another frame. */
+    /**
+     * Returns all render settings. Ids are drawn without multisampling, decoration or reuse of other frames.
+     *
+     * @param software true for a software renderer, for which auto is low instead of ultra
+     * @throws CommandFailure for an unknown preset or setting
+     */
     public RenderSettings settings(Output output, boolean software) {
         var all = RenderSettings.of(output, preset(software));
         for (var setting : settings.entrySet()) {
@@ -90,24 +96,24 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                 : all;
     }
 
-    /** The level that is drawn: the author's, or one that shows something else about it. */
+    /** Returns the level to draw: the author's, or its variant for debugging. */
     public Level shown(Level level) {
         return showsIds() ? IdLevel.of(level) : level;
     }
 
-    /** The same with what follows from it. */
+    /** Returns the level to draw with its derived data. */
     public PlacedLevel shown(OpenedLevel opened) {
         return showsIds()
                 ? AssetComplaint.named(opened, () -> opened.placed().edited(shown(opened.level())))
                 : opened.placed();
     }
 
-    /** What the level requires, unless values have to be drawn as they are. */
+    /** Returns the output that the level requires; PLAIN for ids, so that colours are drawn unchanged. */
     public Output output(Level level) {
         return showsIds() ? Output.PLAIN : Outputs.requiredBy(level);
     }
 
-    /** Every solid in a flat colour of its own. */
+    /** Returns true if each surface is drawn in a unique flat colour. */
     public boolean showsIds() {
         return settings.containsKey(DEBUG);
     }

@@ -9,10 +9,10 @@ import nephele.engine.render.RenderSettings;
 import nephele.engine.terminal.CommandFailure;
 
 /**
- * A name that `--set` takes.
+ * A setting that {@code --set} accepts.
  *
- * @param allowed what its value may be, in words
- * @param change the settings with a value, or null where the value is not allowed
+ * @param allowed description of the allowed values
+ * @param change returns the change of the settings for a value, or {@code null} if the value is not allowed
  */
 record SettingKey(String name, String allowed, Function<String, Function<RenderSettings, RenderSettings>> change) {
     static SettingKey whole(

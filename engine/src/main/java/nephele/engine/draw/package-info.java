@@ -1,2 +1,5 @@
-/** What every program that draws a level shares: the quality a user chooses, the output it leads to, and the level prepared to be drawn. */
+/**
+ * Shared by all programs that draw a level: the user's choice of quality, the output that follows from it, and the
+ * preparation of a level for drawing.
+ */
 package nephele.engine.draw;

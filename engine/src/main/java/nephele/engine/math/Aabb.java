@@ -1,6 +1,6 @@
 package nephele.engine.math;
 
-/** An axis-aligned box; empty when a minimum exceeds its maximum. */
+/** An axis-aligned box in metres. It is empty if a minimum exceeds its maximum. */
 public record Aabb(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
     public static final Aabb EMPTY = new Aabb(
             Double.POSITIVE_INFINITY,
@@ -10,6 +10,7 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
             Double.NEGATIVE_INFINITY,
             Double.NEGATIVE_INFINITY);
 
+    /** Returns the box with the given centre and edge lengths. */
     public static Aabb around(Vec3 centre, Vec3 size) {
         return new Aabb(
                 centre.x() - size.x() / 2,
@@ -20,6 +21,7 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
                 centre.z() + size.z() / 2);
     }
 
+    /** Returns the smallest box that contains all points; {@link #EMPTY} for none. */
     public static Aabb of(Iterable<Vec3> points) {
         Aabb box = EMPTY;
         for (Vec3 p : points) {
@@ -32,6 +34,7 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
         return !(minX <= maxX && minY <= maxY && minZ <= maxZ);
     }
 
+    /** Returns the smallest box that contains both; an empty box adds nothing if it is {@link #EMPTY}. */
     public Aabb union(Aabb b) {
         return new Aabb(
                 Math.min(minX, b.minX),
@@ -42,19 +45,22 @@ public record Aabb(double minX, double minY, double minZ, double maxX, double ma
                 Math.max(maxZ, b.maxZ));
     }
 
+    /** Returns the box translated by {@code by}. */
     public Aabb moved(Vec3 by) {
         return new Aabb(minX + by.x(), minY + by.y(), minZ + by.z(), maxX + by.x(), maxY + by.y(), maxZ + by.z());
     }
 
+    /** Returns the box with every face moved outwards; a negative distance shrinks it. */
     public Aabb grown(double metres) {
         return new Aabb(minX - metres, minY - metres, minZ - metres, maxX + metres, maxY + metres, maxZ + metres);
     }
 
+    /** Returns true if the boxes overlap or touch; false if one is empty. */
     public boolean overlaps(Aabb b) {
         return minX <= b.maxX && b.minX <= maxX && minY <= b.maxY && b.minY <= maxY && minZ <= b.maxZ && b.minZ <= maxZ;
     }
 
-    /** Whether it overlaps or touches the box that stands in {@code bounds} from {@code at} on: three least, three greatest. */
+    /** Returns true if it overlaps or touches the box in {@code bounds} at {@code at}: three minima, three maxima. */
     public boolean overlaps(double[] bounds, int at) {
         return bounds[at] <= maxX
                 && minX <= bounds[at + 3]

@@ -1,16 +1,23 @@
 package nephele.engine.math;
 
-/** A right-handed orthonormal frame of a view: it looks along −{@code back}. */
+/**
+ * A right-handed orthonormal view frame. The view direction is −{@code back}.
+ *
+ * @param right unit length
+ * @param up unit length
+ * @param back unit length; opposite to the view direction
+ */
 public record Basis(Vec3 right, Vec3 up, Vec3 back) {
-    /** Looking along −z with y up. */
+    /** The frame that looks along −z with y up. */
     public static final Basis WORLD = new Basis(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));
 
-    /** Sine of the angle below which up and back leave the right direction to rounding. */
+    /** Sine of the angle between up and back below which rounding dominates the right direction. */
     private static final double PARALLEL = 1e-6;
 
     /**
-     * Looks from {@code eye} at {@code target}. Where up is parallel to that direction, zero or not a number, the axis
-     * farthest from the direction takes its place; where the direction is, {@code last} stays.
+     * Returns the frame that looks from {@code eye} at {@code target}. If up is parallel to the view direction, zero or
+     * NaN, the world axis farthest from the view direction replaces it. If the view direction is zero or not finite,
+     * the result is {@code last}.
      */
     public static Basis lookAt(Vec3 eye, Vec3 target, Vec3 up, Basis last) {
         Vec3 back = Directions.unit(eye.minus(target));
@@ -23,13 +30,15 @@ public record Basis(Vec3 right, Vec3 up, Vec3 back) {
             right = Directions.farthestAxis(back).cross(back);
         }
         right = Directions.unit(right);
-        // A short cross product is off the perpendicular by rounding; one Gram-Schmidt step mends it.
+        // Rounding moves a short cross product off the perpendicular; one Gram-Schmidt step corrects it.
         double along = right.dot(back);
         right = Directions.unit(right.addScaled(-along, back));
         return new Basis(right, back.cross(right), back);
     }
 
     /**
+     * Returns the frame of the given view angles.
+     *
      * @param yaw radians; 0 looks along −z, positive to the left
      * @param pitch radians, positive upwards
      */

@@ -2,15 +2,16 @@ package nephele.engine.math;
 
 import java.nio.charset.StandardCharsets;
 
-/** Joins numbers to a 64-bit hash, in order: the finaliser of SplitMix64 (Steele, Lea and Flood 2014) after each. */
+/** A 64-bit hash of a sequence of numbers; each is mixed in by SplitMix64's finaliser (Steele, Lea and Flood 2014). */
 public final class BitHash {
     private BitHash() {}
 
-    /** Of a text, for names and keys. */
+    /** Returns the hash of the text's UTF-8 bytes. */
     public static long of(String text) {
         return of(text.getBytes(StandardCharsets.UTF_8));
     }
 
+    /** Returns the hash of the bytes in order. */
     public static long of(byte[] content) {
         long hash = 0;
         for (byte unit : content) {
@@ -19,6 +20,7 @@ public final class BitHash {
         return hash;
     }
 
+    /** Returns {@code hash} extended by 64 bits; the order of the calls matters. */
     public static long join(long hash, long bits) {
         long z = (hash ^ bits) + 0x9e3779b97f4a7c15L;
         z = (z ^ (z >>> 30)) * 0xbf58476d1ce4e5b9L;
@@ -26,7 +28,7 @@ public final class BitHash {
         return z ^ (z >>> 31);
     }
 
-    /** NaN has one pattern here: its others depend on the processor. */
+    /** Adds a number by its bits. All NaNs hash alike, because NaN bit patterns depend on the processor. */
     public static long join(long hash, double number) {
         return join(hash, Double.doubleToLongBits(number));
     }

@@ -1,8 +1,11 @@
 package nephele.engine.math;
 
-/** Which boxes a query of {@link SpatialIndex} is about; one that passes must pass in every box around it as well. */
+/**
+ * A box predicate that selects the items of a {@link SpatialIndex} query. A box that passes must also pass in every box
+ * that encloses it.
+ */
 @FunctionalInterface
 public interface BoxTest {
-    /** @param bounds minima and maxima from {@code at} on */
+    /** @param bounds minima and maxima, beginning at {@code at} */
     boolean passes(double[] bounds, int at);
 }

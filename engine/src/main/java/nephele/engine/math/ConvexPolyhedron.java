@@ -4,35 +4,39 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** A bounded convex solid as the planes around it and the polygons between them. */
+/** A bounded convex solid, stored as its bounding planes and the polygons on them. */
 public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bounds) {
-    /** More planes than this are refused: every triple of them is intersected. */
+    /** The maximum number of planes; every triple of planes is intersected. */
     public static final int MAX_PLANES = 64;
 
-    /** Relative to the solid's extent: corners closer than this are one corner. */
+    /** Corners closer than this are merged; relative to the solid's extent. */
     private static final double WELD = 1e-9;
 
-    /** Share of the weld distance, above rounding: shows whether planes enclose something if corners are not joined. */
+    /**
+     * Fraction of the weld distance, above rounding. Tests whether the planes enclose a volume with unmerged corners.
+     */
     private static final double FINER = 1e-4;
 
-    /** The corners of a box's faces; bits 0, 1, 2 of a corner say whether it is the greater in x, y, z. */
+    /** The corners of a box's faces; bits 0, 1 and 2 of a corner are set if it has the greater x, y, z. */
     private static final int[][] BOX_FACES = {
         {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}, {4, 5, 7, 6}, {1, 0, 2, 3}
     };
 
     /**
-     * @param planeIndex which of the given planes bounds this face
-     * @param polygon corners, counter-clockwise seen from outside; shared corners are the same bits in all faces
+     * A face of the solid.
+     *
+     * @param planeIndex index of the plane among the given planes
+     * @param polygon corners, counter-clockwise seen from outside; shared corners have the same bits in all faces
      */
     public record Face(int planeIndex, Plane plane, List<Vec3> polygon) {}
 
-    /** Few solids have the same bounds. */
+    /** Hashes the bounds only, because few solids share them. */
     @Override
     public int hashCode() {
         return bounds.hashCode();
     }
 
-    /** The box in closed form; faces in the order +x −x +y −y +z −z. */
+    /** Returns the box in closed form, with its faces in the order +x −x +y −y +z −z. */
     public static ConvexPolyhedron box(Aabb b) {
         Vec3[] c = new Vec3[8];
         for (int i = 0; i < 8; i++) {
@@ -51,7 +55,10 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         return new ConvexPolyhedron(faces, List.of(c), b);
     }
 
-    /** A box of any orientation in closed form, by its half edges, a right-handed set; faces as above. */
+    /**
+     * Returns an oriented box in closed form from its half edges, which form a right-handed set. The faces have the
+     * same order as above.
+     */
     public static ConvexPolyhedron box(Vec3 centre, Vec3 halfX, Vec3 halfY, Vec3 halfZ) {
         Vec3[] c = new Vec3[8];
         for (int i = 0; i < 8; i++) {
@@ -78,7 +85,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         return new Face(face, plane, List.of(c[at[0]], c[at[1]], c[at[2]], c[at[3]]));
     }
 
-    /** Four numbers for each face, for who asks often: its unit normal and distance. */
+    /** Returns four numbers for each face, for frequent queries: its unit normal and its distance. */
     public double[] flatPlanes() {
         double[] flat = new double[4 * faces.size()];
         for (int i = 0; i < faces.size(); i++) {
@@ -92,9 +99,10 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     }
 
     /**
-     * The intersection of the half spaces behind {@code planes}. Planes that touch it in less than a face give none.
+     * Returns the intersection of the half spaces behind {@code planes}. A plane that touches it in less than a face
+     * yields no face.
      *
-     * @throws IllegalArgumentException with the reason when the intersection is empty, flat or unbounded
+     * @throws IllegalArgumentException with the reason if the intersection is empty, flat or unbounded
      */
     public static ConvexPolyhedron fromPlanes(List<Plane> planes) {
         if (planes.size() < 4 || planes.size() > MAX_PLANES) {
@@ -120,7 +128,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         return faces;
     }
 
-    /** Planes that do enclose something where corners are told apart more finely are too close to each other. */
+    /** Explains why the planes enclose nothing; planes that do with finer welding are too close to each other. */
     private static String whyOpen(List<Plane> planes, List<Face> faces, double epsilon) {
         double finer = epsilon * FINER;
         if (isClosed(faces(planes, corners(planes, finer), finer))) {
@@ -155,7 +163,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         return corners;
     }
 
-    /** Cramer's rule on the three plane equations; {@code null} when they share a direction. */
+    /** Solves the three plane equations by Cramer's rule; {@code null} if the determinant is below 1e-9. */
     static Vec3 intersection(Plane a, Plane b, Plane c) {
         double bcX = b.ny() * c.nz() - b.nz() * c.ny();
         double bcY = b.nz() * c.nx() - b.nx() * c.nz();
@@ -201,7 +209,10 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         return on.size() < 3 ? on : counterClockwise(plane, on);
     }
 
-    /** Gift wrapping: each next corner has all others on its left, seen from outside. Corners on an edge are dropped. */
+    /**
+     * Returns the convex hull of points on a plane by gift wrapping: each next corner has all others on its left, seen
+     * from outside. Points on an edge are dropped.
+     */
     public static List<Vec3> counterClockwise(Plane plane, List<Vec3> points) {
         List<Vec3> ring = new ArrayList<>();
         Vec3 first = lowest(points);
@@ -245,12 +256,15 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         return turn < -collinear || (Math.abs(turn) <= collinear && b2 > a2);
     }
 
-    /** Two equal planes give one face. */
+    /** Merges equal planes into one face. */
     private static boolean notSeen(List<Face> faces, List<Vec3> polygon) {
         return faces.stream().noneMatch(f -> f.polygon().equals(polygon));
     }
 
-    /** A closed surface has area vectors that cancel; an unbounded or flat intersection has not. */
+    /**
+     * Returns true if the area vectors cancel, as on a closed surface; those of an unbounded or flat intersection do
+     * not.
+     */
     private static boolean isClosed(List<Face> faces) {
         double x = 0;
         double y = 0;

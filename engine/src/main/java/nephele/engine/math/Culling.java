@@ -1,6 +1,6 @@
 package nephele.engine.math;
 
-/** Walks a tree from the front to the back of a frustum, with only those planes that the boxes around did cut. */
+/** Traverses a tree front to back in a frustum; each node tests only the planes that intersect its parent's box. */
 record Culling(SpatialTree tree) {
     void subtree(int node, int mask, Frustum frustum, RangeVisitor visible) {
         int cut = frustum.classify(tree.nodeBounds(), 6 * node, mask);

@@ -1,19 +1,19 @@
 package nephele.engine.math;
 
-/** Directions and ways as values: what stays right where the textbook formula divides by zero or takes acos(1 + ε). */
+/** Vector arithmetic on immutable vectors, robust where textbook formulas divide by zero or evaluate acos(1 + ε). */
 public final class Directions {
     private Directions() {}
 
     /**
-     * The unit vector along (x, y, z), also where its squares overflow or vanish; {@code null} for zero, infinite or NaN
-     * components.
+     * Returns the unit vector along (x, y, z), even if its squares overflow or underflow; {@code null} for zero,
+     * infinite or NaN components.
      */
     public static Vec3 unit(double x, double y, double z) {
         double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
         if (!(largest > 0 && largest <= Double.MAX_VALUE)) {
             return null;
         }
-        // A power of two, so that scaling rounds nothing; in two steps, since it may itself overflow.
+        // Scaling by a power of two is exact.
         int exponent = Math.getExponent(largest);
         double sx = Math.scalb(x, -exponent);
         double sy = Math.scalb(y, -exponent);
@@ -22,22 +22,25 @@ public final class Directions {
         return new Vec3(sx / length, sy / length, sz / length);
     }
 
-    /** The unit vector along {@code v}, or {@code null}: as {@link #unit(double, double, double)}. */
+    /** Returns the unit vector along {@code v}, or {@code null}, as {@link #unit(double, double, double)}. */
     public static Vec3 unit(Vec3 v) {
         return unit(v.x(), v.y(), v.z());
     }
 
-    /** {@code ofA} · {@code a} + {@code ofB} · {@code b}. */
+    /** Returns {@code ofA} · {@code a} + {@code ofB} · {@code b}. */
     public static Vec3 combined(Vec3 a, double ofA, Vec3 b, double ofB) {
         return new Vec3(ofA * a.x() + ofB * b.x(), ofA * a.y() + ofB * b.y(), ofA * a.z() + ofB * b.z());
     }
 
-    /** The angle between two directions in radians, exact for small ones: atan2 of sine and cosine, never acos. */
+    /**
+     * Returns the angle between two directions in radians, accurate for small angles: atan2 of sine and cosine, not
+     * acos.
+     */
     public static double angle(Vec3 a, Vec3 b) {
         return StrictMath.atan2(a.cross(b).length(), a.dot(b));
     }
 
-    /** The axis of the world that a unit vector is farthest from; z before y before x among equals, y up being usual. */
+    /** Returns the world axis farthest from a unit vector; ties prefer z, then y, because up is usually y. */
     public static Vec3 farthestAxis(Vec3 direction) {
         double x = Math.abs(direction.x());
         double y = Math.abs(direction.y());
@@ -48,17 +51,17 @@ public final class Directions {
         return y <= x ? new Vec3(0, 1, 0) : new Vec3(1, 0, 0);
     }
 
-    /** A unit vector perpendicular to a unit vector, always the same one. */
+    /** Returns a unit vector perpendicular to a unit vector; deterministic. */
     public static Vec3 perpendicular(Vec3 direction) {
         Vec3 side = farthestAxis(direction).cross(direction);
         return unit(side);
     }
 
     /**
-     * Turns unit vector {@code from} towards unit vector {@code to}. Opposite directions meet around the axis that
-     * {@link #perpendicular} picks.
+     * Rotates unit vector {@code from} towards unit vector {@code to}. Opposite directions rotate around the axis that
+     * {@link #perpendicular} returns.
      *
-     * @param share clamped to 0 … 1
+     * @param share fraction of the angle, clamped to 0 … 1
      */
     public static Vec3 turned(Vec3 from, Vec3 to, double share) {
         double t = Double.isNaN(share) ? 0 : Math.max(0, Math.min(1, share));

@@ -4,22 +4,22 @@ import java.util.Arrays;
 import org.joml.Matrix4dc;
 
 /**
- * The half spaces that a view can see, relative to its eye. Conservative: a box that clipping would leave a part of is
- * never outside, also after the graphics hardware has rounded to float.
+ * The half spaces that a view can see, relative to its eye. Tests are conservative: a box of which clipping keeps a
+ * part is never outside, even after the graphics hardware has rounded to float.
  */
 public final class Frustum {
-    /** The answer of {@link #classify} for a box that is outside. */
+    /** The result of {@link #classify} for a box that is outside. */
     static final int OUTSIDE = -1;
 
-    /** Float transforms round at 2⁻²⁴; four times that share of the magnitudes involved decides for "inside". */
+    /** Slack relative to the magnitudes involved: four times the float rounding of 2⁻²⁴. */
     private static final double RELATIVE_SLACK = 0x1p-22;
 
-    /** A normal this short, relative to the matrix, is an infinite far plane that rounding has touched. */
+    /** Length, relative to the matrix, below which a normal belongs to an infinite far plane with rounding errors. */
     private static final double NULL_NORMAL = 1e-12;
 
     private static final int STRIDE = 5;
 
-    /** a, b, c, d and absolute slack of each half space a·x + b·y + c·z + d ≥ 0, x relative to the eye. */
+    /** a, b, c, d and absolute slack of each half space a·x + b·y + c·z + d ≥ 0, with x relative to the eye. */
     private final double[] planes;
 
     private int count;
@@ -36,8 +36,8 @@ public final class Frustum {
     }
 
     /**
-     * The planes of Gribb and Hartmann 2001, section 2, kept at the matrix' own scale. A far plane at infinity has no
-     * normal and bounds nothing.
+     * Returns the planes of a projection (Gribb and Hartmann 2001, section 2), at the scale of the matrix. A far plane
+     * at infinity has no normal and is dropped.
      *
      * @param clipFromRelative projection · rotation, for positions relative to {@code eye}
      */
@@ -48,7 +48,7 @@ public final class Frustum {
         return frustum;
     }
 
-    /** Also cuts away, from a {@link #reusable} frustum, what a matrix as in {@link #of} projects out of the picture. */
+    /** Adds the planes of a projection matrix as in {@link #of} to a {@link #reusable} frustum. */
     public void keepAll(Matrix4dc clipFromRelative) {
         Matrix4dc m = clipFromRelative;
         double scale = Math.abs(m.getRowColumn(3, 0)) + Math.abs(m.getRowColumn(3, 1));
@@ -65,12 +65,12 @@ public final class Frustum {
         }
     }
 
-    /** Without bounds. */
+    /** Returns a frustum without planes. */
     public static Frustum everything() {
         return new Frustum(new double[0], 0, 0, 0, 0);
     }
 
-    /** Also cuts away what lies behind {@code plane}, given in the world. */
+    /** Returns this frustum with the half space in front of {@code plane}, in world coordinates, added. */
     public Frustum inFrontOf(Plane plane) {
         double[] more = Arrays.copyOf(planes, (count + 1) * STRIDE);
         Frustum cut = new Frustum(more, count, eyeX, eyeY, eyeZ);
@@ -78,12 +78,12 @@ public final class Frustum {
         return cut;
     }
 
-    /** One that is filled anew for every frame, with at most so many half spaces. */
+    /** Returns an empty frustum with room for a number of half spaces, to be refilled every frame. */
     public static Frustum reusable(int mostPlanes) {
         return new Frustum(new double[mostPlanes * STRIDE], 0, 0, 0, 0);
     }
 
-    /** Makes a {@link #reusable} frustum see everything around an eye. */
+    /** Removes all half spaces of a {@link #reusable} frustum and sets its eye. */
     public void restart(double newEyeX, double newEyeY, double newEyeZ) {
         count = 0;
         eyeX = newEyeX;
@@ -91,12 +91,12 @@ public final class Frustum {
         eyeZ = newEyeZ;
     }
 
-    /** Also cuts away, from a {@link #reusable} frustum, where a·x + b·y + c·z + d is negative, x relative to the eye. */
+    /** Adds the half space a·x + b·y + c·z + d ≥ 0, x relative to the eye, to a {@link #reusable} frustum. */
     public void keep(double a, double b, double c, double d) {
         put(planes, count++ * STRIDE, a, b, c, d, Math.max(Math.abs(eyeX), Math.max(Math.abs(eyeY), Math.abs(eyeZ))));
     }
 
-    /** Also cuts away, from a {@link #reusable} frustum, what lies behind {@code plane}, given in the world. */
+    /** Adds the half space in front of {@code plane}, in world coordinates, to a {@link #reusable} frustum. */
     public void keepInFrontOf(Plane plane) {
         keep(plane.nx(), plane.ny(), plane.nz(), plane.signedDistance(eyeX, eyeY, eyeZ));
     }
@@ -106,12 +106,15 @@ public final class Frustum {
         planes[at + 1] = b;
         planes[at + 2] = c;
         planes[at + 3] = d;
-        // Boxes and planes are rounded where the eye is before they become relative to it.
+        // World coordinates of boxes and planes are rounded before they are made relative to the eye.
         double rounding = 0x1p-50 * farthest * (Math.abs(a) + Math.abs(b) + Math.abs(c));
         planes[at + 4] = Math.abs(d) * RELATIVE_SLACK + rounding;
     }
 
-    /** False only when no part of the box can be visible; an empty box never is, one with an infinite side always. */
+    /**
+     * Returns false only if no part of the box can be visible; always false for an empty box, true for an unbounded
+     * one.
+     */
     public boolean maySee(Aabb box) {
         if (box.isEmpty()) {
             return false;
@@ -120,7 +123,7 @@ public final class Frustum {
         return Aabb.isUnbounded(bounds, 0) || classify(bounds, 0, allPlanes()) != OUTSIDE;
     }
 
-    /** False only when no part of the sphere around a box can be visible. */
+    /** Returns false only if no part of the bounding sphere of a box can be visible. */
     boolean maySeeSphere(double[] bounds, int at) {
         double x = (bounds[at] + bounds[at + 3]) / 2;
         double y = (bounds[at + 1] + bounds[at + 4]) / 2;
@@ -131,7 +134,7 @@ public final class Frustum {
         return maySee(x, y, z, Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ) / 2);
     }
 
-    /** False only when no part of the ball can be visible; allocates nothing. */
+    /** Returns false only if no part of the ball can be visible; allocates nothing. */
     public boolean maySee(double centreX, double centreY, double centreZ, double radius) {
         double x = centreX - eyeX;
         double y = centreY - eyeY;
@@ -161,15 +164,17 @@ public final class Frustum {
         return eyeZ;
     }
 
-    /** One bit for each plane. */
+    /** Returns a mask with one bit for each plane. */
     int allPlanes() {
         return (1 << count) - 1;
     }
 
     /**
-     * @param bounds minima and maxima from {@code at} on
-     * @param mask the planes that a box around this one cuts
-     * @return the planes this box cuts, 0 when it is inside all of them, or {@link #OUTSIDE}
+     * Tests a box against the planes in {@code mask}.
+     *
+     * @param bounds minima and maxima, beginning at {@code at}
+     * @param mask the planes that intersect an enclosing box
+     * @return the planes that intersect this box, 0 if it is inside all of them, or {@link #OUTSIDE}
      */
     int classify(double[] bounds, int at, int mask) {
         double minX = bounds[at] - eyeX;

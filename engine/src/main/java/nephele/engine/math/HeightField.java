@@ -1,19 +1,19 @@
 package nephele.engine.math;
 
 /**
- * A surface over a grid of heights: each cell is cut into two triangles along the diagonal from its corner of least x and z
- * to that of greatest x and z. Nothing is made for a cell or a triangle; both are found by arithmetic and through the least
- * and greatest heights of blocks. Triangle 2 (row · cells of a row + column) of a cell is the one with its greater z, the
- * next one that with its greater x; their fronts look up. Immutable and safe to share between threads.
+ * A surface over a regular grid of heights. Each cell is split into two triangles along the diagonal from its corner of
+ * least x and z to that of greatest x and z. Cells and triangles are not stored; they are computed, and found through a
+ * min-max pyramid of the heights. Triangle 2 (row · cells per row + column) is the half of a cell with the greater z,
+ * the next number the half with the greater x; their front faces point up. Immutable and thread-safe.
  */
 public final class HeightField {
-    /** Samples along a side, at most. */
+    /** The maximum number of samples along a side. */
     public static final int MOST_SAMPLES = 8193;
 
-    /** A ray that starts this far below a triangle, and goes down, started on it. */
+    /** A descending ray that starts at most this far below a triangle counts as starting on it. */
     private static final double ON_SURFACE_METRES = 1e-9;
 
-    /** Some ninety ε. */
+    /** About ninety ε. */
     private static final double ROUNDING = 1e-14;
 
     private static final double LEAST_CELL_METRES = 1e-3;
@@ -27,7 +27,7 @@ public final class HeightField {
     private final double[] heights;
     private final HeightPyramid pyramid;
 
-    /** Tells the height of each sample. */
+    /** A function that returns the height of each sample, in metres above the origin. */
     @FunctionalInterface
     public interface Heights {
         double metres(int column, int row);
@@ -48,9 +48,15 @@ public final class HeightField {
     }
 
     /**
-     * @param origin of the sample at column 0 and row 0, if its height is 0; columns lead along x, rows along z
-     * @param source asked once for each sample: metres above the origin
-     * @throws IllegalArgumentException with the reason when the grid is too small or too large, or a height is no number
+     * Creates a height field.
+     *
+     * @param origin position of the sample at column 0 and row 0 for height 0; columns run along x, rows along z
+     * @param cellMetres edge length of a cell, 1e-3 to 1e7
+     * @param columns samples along x, 2 to {@link #MOST_SAMPLES}
+     * @param rows samples along z, 2 to {@link #MOST_SAMPLES}
+     * @param source called once for each sample
+     * @throws IllegalArgumentException with the reason if the grid is too small or too large, extends beyond 1e7 m, or
+     *     a height is NaN or beyond 1e7 m
      */
     public static HeightField of(Vec3 origin, double cellMetres, int columns, int rows, Heights source) {
         if (Math.min(columns, rows) < 2 || Math.max(columns, rows) > MOST_SAMPLES) {
@@ -79,10 +85,12 @@ public final class HeightField {
         return height;
     }
 
+    /** Returns the number of triangles, two for each cell. */
     public int triangles() {
         return 2 * (columns - 1) * (rows - 1);
     }
 
+    /** Returns the edge length of a cell in metres. */
     public double cellMetres() {
         return cellMetres;
     }
@@ -107,7 +115,7 @@ public final class HeightField {
         return origin.z() + row * cellMetres;
     }
 
-    /** The y of a height. */
+    /** Returns the world y of a height. */
     double y(double height) {
         return origin.y() + height;
     }
@@ -116,7 +124,7 @@ public final class HeightField {
         return heights[row * columns + column];
     }
 
-    /** Around everything. */
+    /** Returns the box that contains the whole field. */
     public Aabb bounds() {
         return new Aabb(
                 x(0),
@@ -127,7 +135,10 @@ public final class HeightField {
                 z(rows - 1));
     }
 
-    /** A corner, 0 to 2, counter-clockwise seen from above; neighbours share the bits of their corners. */
+    /**
+     * Returns the position of corner 0 to 2, counter-clockwise seen from above; adjacent triangles share the bits of
+     * their corners.
+     */
     public Vec3 corner(int triangle, int corner) {
         int column = sampleColumn(triangle, corner);
         int row = sampleRow(triangle, corner);
@@ -144,7 +155,7 @@ public final class HeightField {
         return (triangle >> 1) / (columns - 1) + (corner == 0 || corner == 2 && isGreaterX ? 0 : 1);
     }
 
-    /** Points up out of the triangle's front; its length is not 1. */
+    /** Returns the upward normal of a triangle; its length is not 1. */
     private Vec3 upwards(int triangle) {
         int column = (triangle >> 1) % (columns - 1);
         int row = (triangle >> 1) / (columns - 1);
@@ -157,19 +168,19 @@ public final class HeightField {
                 : new Vec3(least - between, cellMetres, between - greatest);
     }
 
-    /** The unit normal of a triangle's front. */
+    /** Returns the unit normal of a triangle's front face. */
     public Vec3 normal(int triangle) {
         Vec3 up = upwards(triangle);
         return Directions.unit(up);
     }
 
-    /** The ray parameter at which a ray meets a triangle from either side; infinity for a miss. */
+    /** Returns the ray parameter of the hit of a triangle from either side; infinity for a miss. */
     public double meeting(Ray ray, int triangle) {
         double parameter = signedMeeting(ray, triangle);
         return parameter >= 0 && isNear(ray, parameter, triangle, 0) ? parameter : Double.POSITIVE_INFINITY;
     }
 
-    /** The ray parameter at which a ray goes down through a triangle; infinity for a miss. */
+    /** Returns the ray parameter at which a descending ray hits a triangle; infinity for a miss. */
     public double entry(Ray ray, int triangle) {
         Vec3 up = upwards(triangle);
         double rate = up.x() * ray.directionX() + up.y() * ray.directionY() + up.z() * ray.directionZ();
@@ -197,7 +208,10 @@ public final class HeightField {
         return TriangleMeeting.parameter(ray, corners, 0);
     }
 
-    /** Whether a ray is at a triangle's box: along its plane, rounding would have a ray meet it from anywhere. */
+    /**
+     * Returns true if a point of the ray is within a triangle's grown box. Without this test, rounding would let a ray
+     * parallel to the triangle's plane hit it from anywhere.
+     */
     private boolean isNear(Ray ray, double parameter, int triangle, double metres) {
         int column = (triangle >> 1) % (columns - 1);
         int row = (triangle >> 1) / (columns - 1);
@@ -210,9 +224,9 @@ public final class HeightField {
     }
 
     /**
-     * How far from a triangle a ray may pass, in metres, that rounding has meet it. The signed volumes of
-     * {@link TriangleMeeting} are products of up to three coordinates relative to the ray's origin: with coordinates up to L
-     * and edges of at least a cell c their zero is off by a few ε L² / c, ε = 2⁻⁵³.
+     * Returns the distance in metres by which a ray may miss a triangle and still hit it due to rounding. The signed
+     * volumes of {@link TriangleMeeting} are products of up to three coordinates relative to the ray's origin: for
+     * coordinates up to L and edges of at least one cell c, their zero is off by a few ε L² / c, ε = 2⁻⁵³.
      */
     private double rounding(Ray ray) {
         Aabb all = bounds();
@@ -226,14 +240,7 @@ public final class HeightField {
         return Math.max(Math.abs(a - from), Math.abs(b - from));
     }
 
-    /**
-     * The nearest hit by the caller's own test of a triangle, the lowest triangle among equally near ones: just as if every
-     * triangle were tested.
-     *
-     * @param limit greatest ray parameter that counts
-     * @param test {@link #entry}, {@link #meeting}, or these for some triangles only
-     * @return whether there is one; then {@code hit} holds it
-     */
+    /** Reports every triangle with a box that {@code box} may touch along {@code motion}, in no particular order. */
     public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
         hit.reset(limit);
         if (ray.isCastable()) {
@@ -242,12 +249,14 @@ public final class HeightField {
         return hit.item() >= 0;
     }
 
-    /** Every triangle whose box passes, in no order that follows from their numbers. */
+    /** Reports every triangle with a box that passes; the order does not follow the triangle numbers. */
     public void passing(BoxTest test, ItemVisitor found) {
         new HeightFieldBoxes(this, test, found).walk();
     }
 
-    /** Every triangle whose box {@code box} may touch on its way along {@code motion}, as by {@link #passing}. */
+    /**
+     * Reports every triangle with a box that {@code box} may touch along {@code motion}, in no particular order.
+     */
     public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
         passing(Sweep.of(box, motion)::touches, found);
     }

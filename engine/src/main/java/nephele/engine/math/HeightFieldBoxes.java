@@ -1,6 +1,6 @@
 package nephele.engine.math;
 
-/** Finds the triangles of a {@link HeightField} whose boxes pass a test. One for each query. */
+/** A query for the triangles of a {@link HeightField} with boxes that pass a test. Used once. */
 final class HeightFieldBoxes {
     private final HeightField field;
     private final HeightPyramid pyramid;
@@ -64,7 +64,7 @@ final class HeightFieldBoxes {
         return 2 * (row * field.cellColumns() + column) + half;
     }
 
-    /** Writes a block's bounds, grown by a margin: three least, three greatest. */
+    /** Writes a block's bounds, grown by a margin: three minima, three maxima. */
     static void writeBlock(HeightField field, int level, int column, int row, double margin, double[] box) {
         box[0] = field.x(firstCell(column, level)) - margin;
         box[1] = field.y(field.pyramid().least(level, column, row)) - margin;
@@ -74,7 +74,7 @@ final class HeightFieldBoxes {
         box[5] = field.z(endCell(row, level, field.cellRows())) + margin;
     }
 
-    /** The same for a triangle. */
+    /** Writes a triangle's bounds, grown by a margin: three minima, three maxima. */
     static void writeTriangle(HeightField field, int column, int row, int half, double margin, double[] box) {
         double least = field.height(column, row);
         double greatest = field.height(column + 1, row + 1);

@@ -1,8 +1,8 @@
 package nephele.engine.math;
 
 /**
- * Finds the nearest triangle of a {@link HeightField} that a ray meets, nearer blocks first. One for each query. Boxes are
- * grown by a margin, so that the answer is that of a test of every triangle.
+ * A query for the nearest triangle of a {@link HeightField} that a ray hits, nearer blocks first. Used once. Boxes are
+ * grown by a margin, so that the result equals that of a test of every triangle.
  */
 final class HeightFieldRay {
     private final HeightField field;
@@ -12,10 +12,10 @@ final class HeightFieldRay {
     private final RayHit hit;
     private final double margin;
     private final double[] box = new double[6];
-    /** Where the ray enters the four children of the block of each level that is being visited. */
+    /** For each level of the descent, the ray parameters at which the ray enters the four children. */
     private final double[] entries;
 
-    /** @param margin in metres; more than a ray is away from any triangle that it meets for the test */
+    /** @param margin in metres; greater than the distance by which the test accepts a near miss of a triangle */
     HeightFieldRay(HeightField field, Ray ray, double margin, ItemRayTest test, RayHit hit) {
         this.field = field;
         this.ray = ray;

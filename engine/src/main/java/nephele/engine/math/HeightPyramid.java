@@ -1,20 +1,21 @@
 package nephele.engine.math;
 
 /**
- * The least and the greatest height in square blocks of a grid's cells, level above level of blocks twice as wide, up to
- * one block that holds everything. Blocks are found by arithmetic; there are no nodes.
+ * A min-max pyramid: the least and greatest heights of square blocks of a grid's cells. Blocks of each level are twice
+ * as wide as those of the level below, up to one block that covers everything. Blocks are addressed by arithmetic;
+ * there are no nodes.
  */
 final class HeightPyramid {
-    /** Cells along a side of the lowest level's blocks: with these a sample costs 1.4 bytes more. */
+    /** Cells along a side of a block of the lowest level; with this size the pyramid adds 1.4 bytes per sample. */
     static final int BLOCK_CELLS = 4;
 
     private final int[] columns;
     private final int[] rows;
     private final int[] first;
-    /** Least and greatest of each block, level after level, row after row. */
+    /** Least and greatest height of each block, by level, then row. */
     private final double[] ranges;
 
-    /** @param samples row after row */
+    /** @param samples in row-major order */
     HeightPyramid(double[] samples, int sampleColumns, int sampleRows) {
         int width = blocks(sampleColumns - 1, BLOCK_CELLS);
         int depth = blocks(sampleRows - 1, BLOCK_CELLS);
@@ -85,7 +86,7 @@ final class HeightPyramid {
         return 2 * (first[level] + row * columns[level] + column);
     }
 
-    /** The level of the one block that holds everything; 0 is the lowest. */
+    /** Returns the level of the one block that covers everything; level 0 has the smallest blocks. */
     int top() {
         return columns.length - 1;
     }

@@ -2,7 +2,7 @@ package nephele.engine.math;
 
 import org.joml.Vector3d;
 
-/** A map of space that keeps all lengths: a rotation and a shift, or a reflection. */
+/** A map of space that keeps all lengths: a rotation with a translation, or a reflection. */
 public interface Isometry {
     /** Maps a point in place. @return {@code p} */
     Vector3d point(Vector3d p);
@@ -10,6 +10,6 @@ public interface Isometry {
     /** Maps a direction or a velocity in place. @return {@code v} */
     Vector3d direction(Vector3d v);
 
-    /** Whether it exchanges left and right. */
+    /** Returns true if the map reverses handedness. */
     boolean isReflection();
 }

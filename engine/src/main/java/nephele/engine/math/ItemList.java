@@ -2,7 +2,7 @@ package nephele.engine.math;
 
 import java.util.Arrays;
 
-/** A growing list of items that its owner clears and fills again without allocating. */
+/** A growable list of items that can be cleared and refilled without allocating. */
 public final class ItemList implements ItemVisitor {
     private int[] items = new int[16];
     private int size;
@@ -19,19 +19,22 @@ public final class ItemList implements ItemVisitor {
         items[size++] = item;
     }
 
+    /** Returns the number of items. */
     public int size() {
         return size;
     }
 
+    /** Returns the item at an index from 0 to {@link #size} − 1. */
     public int get(int index) {
         return items[index];
     }
 
+    /** Returns a copy of the items. */
     public int[] toArray() {
         return Arrays.copyOf(items, size);
     }
 
-    /** Ascending order, so that what follows depends on no tree shape. */
+    /** Sorts the items in ascending order, so that later results do not depend on the shape of the tree. */
     public void sort() {
         Arrays.sort(items, 0, size);
     }

@@ -1,10 +1,12 @@
 package nephele.engine.math;
 
-/** The caller's exact test of one item of a {@link SpatialIndex} against a ray. */
+/** The caller's exact test of an item of a {@link SpatialIndex} against a ray. */
 @FunctionalInterface
 public interface ItemRayTest {
     /**
-     * @param limit hits beyond it may be answered with infinity
+     * Intersects an item with a ray.
+     *
+     * @param limit hits beyond it may be reported as infinity
      * @return ray parameter of the first hit, at least 0; {@link Double#POSITIVE_INFINITY} for a miss
      */
     double hit(Ray ray, int item, double limit);

@@ -1,6 +1,6 @@
 package nephele.engine.math;
 
-/** Takes items as they were numbered when the {@link SpatialIndex} was built. */
+/** Receives items by their index in the list from which the {@link SpatialIndex} was built. */
 @FunctionalInterface
 public interface ItemVisitor {
     void item(int item);

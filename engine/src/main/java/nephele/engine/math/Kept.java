@@ -5,16 +5,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 
-/** What an edit leaves the same: objects that are in the list before it and in the list after it. */
+/** Compares two versions of a list by object identity, to find the elements that an edit kept. */
 public final class Kept {
-    /** The place of an object that is new. */
+    /** The index reported for a new object. */
     public static final int NEW = -1;
 
     private Kept() {}
 
     /**
-     * For each element of a list where the same object is in the list before, {@link #NEW} where it is not. Takes little
-     * longer than what lies between the first and the last change is long.
+     * Returns for each element of {@code now} the index of the same object in {@code before}, or {@link #NEW}. Only the
+     * elements between the first and the last change are hashed.
      */
     public static int[] places(List<?> before, List<?> now) {
         int[] places = new int[now.size()];
@@ -40,7 +40,7 @@ public final class Kept {
         return places;
     }
 
-    /** An object that equals no other. */
+    /** A key that compares by identity. */
     private record Itself(Object object) {
         @Override
         public boolean equals(Object other) {
@@ -49,12 +49,12 @@ public final class Kept {
 
         @Override
         public int hashCode() {
-            // Decides how quickly an object is found, no order.
+            // The hash only affects speed, not the order.
             return Objects.hashCode(object);
         }
     }
 
-    /** The list before where the other one has the same objects in the same order, else the other one. */
+    /** Returns {@code before} if both lists hold the same objects in the same order, otherwise {@code now}. */
     public static <T> List<T> list(List<T> before, List<T> now) {
         boolean isSame = before.size() == now.size();
         for (int i = 0; i < now.size() && isSame; i++) {

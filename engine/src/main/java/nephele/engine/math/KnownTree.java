@@ -3,19 +3,22 @@ package nephele.engine.math;
 import java.util.Arrays;
 import java.util.List;
 
-/** A tree over boxes of which most are there in another list too: subtrees over the same boxes are copied from it. */
+/** An existing tree from which a new tree over a similar list of boxes copies the subtrees over unchanged boxes. */
 final class KnownTree {
-    /** No node at all. */
+    /** The value for no node or no item. */
     static final int NONE = -1;
 
     private final SpatialTree tree;
-    /** For each item of this tree its number in the other list, and the reverse; {@link #NONE} where it is not there. */
+    /** For each item of this tree its index in the other list, and the reverse; {@link #NONE} if there is none. */
     private final int[] now;
 
     private final int[] before;
     private final int[] slotOf;
 
-    /** Boxes are the same where equal ones stand at the same place, counted from the end after those that were added or removed. */
+    /**
+     * Matches equal boxes at equal indices. If the lists differ in length, the boxes up to the first difference are
+     * matched from the start, the others from the end.
+     */
     KnownTree(SpatialTree tree, List<Aabb> others) {
         this.tree = tree;
         int size = tree.itemAtSlot().length;
@@ -68,7 +71,7 @@ final class KnownTree {
         return tree.right()[node] < 0 ? NONE : tree.right()[node];
     }
 
-    /** Whether a node is over just these items of the other list. */
+    /** Returns true if a node covers exactly these items of the other list. */
     boolean isOver(int node, int[] items, int from, int to) {
         int first = tree.first()[node];
         int end = tree.end()[node];
@@ -87,10 +90,10 @@ final class KnownTree {
     /**
      * Copies a subtree and its items.
      *
-     * @param items of the other list, in the order of slots
-     * @param from its first slot there
-     * @param to the number of its first node there
-     * @return how many nodes it has
+     * @param items of the other list, in slot order
+     * @param from the subtree's first slot in the other list
+     * @param to index of the subtree's first node in {@code into}
+     * @return the number of nodes copied
      */
     int copy(int node, int[] items, int from, int to, SpatialTree into) {
         int last = node;

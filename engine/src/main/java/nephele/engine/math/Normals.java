@@ -2,16 +2,16 @@ package nephele.engine.math;
 
 import org.joml.Matrix3dc;
 
-/** Surface normals under a linear map that may scale unevenly, mirror or flatten. */
+/** Transforms surface normals by a linear map that may be non-uniform, mirrored or singular. */
 public final class Normals {
     private Normals() {}
 
-    /** Whether the map turns counter-clockwise triangles into clockwise ones. */
+    /** Returns true if the map turns counter-clockwise triangles into clockwise ones. */
     public static boolean flipsWinding(Matrix3dc linear) {
         return determinantSign(linear) < 0;
     }
 
-    /** By columns scaled to unit size first: a determinant of tiny scales would vanish. */
+    /** Normalises the columns first, because the determinant of tiny scales underflows. */
     private static double determinantSign(Matrix3dc m) {
         Vec3 x = Directions.unit(m.m00(), m.m01(), m.m02());
         Vec3 y = Directions.unit(m.m10(), m.m11(), m.m12());
@@ -20,10 +20,10 @@ public final class Normals {
     }
 
     /**
-     * The unit normal of the image of a surface: the cofactor matrix times {@code normal}, which is inverse transpose
-     * times determinant and exists without an inverse. It keeps pointing to the side that the normal came from. Where
-     * the surface is flattened to a line or point, a direction perpendicular to what is left is taken, the nearest to
-     * where the old normal went.
+     * Returns the unit normal of the image of a surface: the cofactor matrix (inverse transpose times determinant,
+     * which needs no inverse) times {@code normal}. The normal stays on the image of its side. If the map flattens the
+     * surface to a line or point, the result is the direction perpendicular to that which is nearest to the image of
+     * the old normal.
      */
     public static Vec3 transformed(Matrix3dc linear, Vec3 normal) {
         Vec3 x = new Vec3(linear.m00(), linear.m01(), linear.m02());
@@ -58,7 +58,10 @@ public final class Normals {
         return perpendicularTo(line, side == null ? old : side);
     }
 
-    /** The direction perpendicular to {@code line}, where there is one, that is nearest to {@code side}. */
+    /**
+     * Returns the direction perpendicular to {@code line} that is nearest to {@code side}; {@code side} itself if
+     * {@code line} is {@code null}.
+     */
     private static Vec3 perpendicularTo(Vec3 line, Vec3 side) {
         if (line == null) {
             return side;

@@ -1,18 +1,22 @@
 package nephele.engine.math;
 
-/** A plane with unit normal: n · p = distance, positive side outside. */
+/**
+ * A plane with a unit normal: n · p = distance. The normal points outwards, to positive distances.
+ *
+ * @param distance signed distance from the origin in metres
+ */
 public record Plane(double nx, double ny, double nz, double distance) {
     /**
-     * Normalises, so that any non-zero normal will do; n · p = {@code distanceAlongUnitNormal} for the unit normal.
+     * Returns the plane with the normalised normal n, so that n · p = {@code distanceAlongUnitNormal}.
      *
-     * @throws IllegalArgumentException when the normal has no direction
+     * @throws IllegalArgumentException if the normal is zero or not finite
      */
     public static Plane of(Vec3 normal, double distanceAlongUnitNormal) {
         double largest = Math.max(Math.abs(normal.x()), Math.max(Math.abs(normal.y()), Math.abs(normal.z())));
         if (!(largest > 0) || Double.isInfinite(largest)) {
             throw new IllegalArgumentException("a plane's normal must be finite and not zero");
         }
-        // Scaled by the largest component first: squares neither overflow nor vanish.
+        // Scales by the largest component first, so that squares neither overflow nor underflow.
         double x = normal.x() / largest;
         double y = normal.y() / largest;
         double z = normal.z() / largest;
@@ -29,15 +33,17 @@ public record Plane(double nx, double ny, double nz, double distance) {
         return new Plane(-nx, -ny, -nz, -distance);
     }
 
-    /** Metres in front of the plane, negative behind it. */
+    /** Returns the signed distance in metres, positive in front of the plane. */
     public double signedDistance(double x, double y, double z) {
         return nx * x + ny * y + nz * z - distance;
     }
 
+    /** Returns the signed distance in metres, positive in front of the plane. */
     public double signedDistance(Vec3 p) {
         return signedDistance(p.x(), p.y(), p.z());
     }
 
+    /** Returns the unit normal. */
     public Vec3 normal() {
         return new Vec3(nx, ny, nz);
     }

@@ -4,22 +4,23 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A convex solid cut in two by a plane: every face by Sutherland and Hodgman (1974), then a lid over the section. A
- * corner nearer to the plane than {@link #ON_PLANE_METRES} lies on it, so nothing thinner than that is made. Both parts
- * have the same bits along the cut, faces keep their plane index, and the lid has {@link #LID}.
+ * A convex solid cut in two by a plane. Every face is clipped by Sutherland and Hodgman (1974); a lid closes the
+ * section. A corner nearer to the plane than {@link #ON_PLANE_METRES} counts as on it, so no thinner part results. Both
+ * parts have the same bits along the cut, faces keep their plane index, and the lid has {@link #LID}.
  *
- * @param behind what lies behind the plane, {@code null} for nothing
- * @param inFront what lies in front of it, {@code null} for nothing
+ * @param behind the part behind the plane, {@code null} if empty
+ * @param inFront the part in front of the plane, {@code null} if empty
  */
 public record PolyhedronCut(ConvexPolyhedron behind, ConvexPolyhedron inFront) {
-    /** The plane index of the face that a cut makes. */
+    /** The plane index of the face that a cut adds. */
     public static final int LID = -1;
 
-    /** Far above what rounding makes of a plane a thousand kilometres out, far below the skin of a body. */
+    /** Far above the rounding of a plane 1000 km from the origin, far below the collision skin of a body. */
     public static final double ON_PLANE_METRES = 1e-7;
 
     private static final double SAME_CORNER_METRES = 1e-9;
 
+    /** Cuts a solid. If the plane does not cross it, one part is the solid itself and the other {@code null}. */
     public static PolyhedronCut of(ConvexPolyhedron solid, Plane plane) {
         double least = 0;
         double most = 0;
@@ -58,7 +59,7 @@ public record PolyhedronCut(ConvexPolyhedron behind, ConvexPolyhedron inFront) {
         return new ConvexPolyhedron(List.copyOf(faces), List.copyOf(corners), Aabb.of(corners));
     }
 
-    /** What of a polygon lies behind the plane; nothing when that is only its rim. */
+    /** Returns the part of a polygon behind the plane; empty if only its boundary touches the plane. */
     private static List<Vec3> clipped(List<Vec3> polygon, Plane plane) {
         List<Vec3> kept = new ArrayList<>();
         boolean reachesBehind = false;
@@ -103,7 +104,7 @@ public record PolyhedronCut(ConvexPolyhedron behind, ConvexPolyhedron inFront) {
         return Math.min(a, b) < -ON_PLANE_METRES && Math.max(a, b) > ON_PLANE_METRES;
     }
 
-    /** Reckoned in one order whichever way the edge runs and whichever side is kept: the same bits everywhere. */
+    /** Interpolates in an order that depends on neither the edge's direction nor the side kept, so that bits agree. */
     private static Vec3 between(Vec3 a, double atA, Vec3 b, double atB) {
         boolean forward = isFirst(a, b);
         Vec3 from = forward ? a : b;

@@ -1,6 +1,6 @@
 package nephele.engine.math;
 
-/** Takes runs of slots of a {@link SpatialIndex}, nearest first. */
+/** Receives runs of slots of a {@link SpatialIndex}, nearest first. */
 @FunctionalInterface
 public interface RangeVisitor {
     /** @param end one past the last slot */

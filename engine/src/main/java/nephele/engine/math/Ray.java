@@ -1,8 +1,8 @@
 package nephele.engine.math;
 
 /**
- * A half line from an origin. The direction need not be of unit length; a ray whose direction is zero or not finite hits
- * nothing.
+ * A half line from an origin. The direction need not be of unit length. A ray with a direction that is zero or not
+ * finite hits nothing.
  */
 public final class Ray {
     /** Bound of the rounding in one slab distance, twice γ₃ (Ize 2013, "Robust BVH Ray Traversal", section 3). */
@@ -21,17 +21,18 @@ public final class Ray {
 
     private Ray() {}
 
+    /** Creates a ray from its origin in metres and its direction. */
     public Ray(
             double originX, double originY, double originZ, double directionX, double directionY, double directionZ) {
         aim(originX, originY, originZ, directionX, directionY, directionZ);
     }
 
-    /** One that is {@link #aim aimed} again and again by its only owner; it hits nothing at first. */
+    /** Returns a ray that a single owner sets again and again with {@link #aim}; it hits nothing before that. */
     public static Ray reusable() {
         return new Ray();
     }
 
-    /** Makes this another ray. @return this */
+    /** Sets the origin and direction. @return this */
     public Ray aim(
             double newOriginX,
             double newOriginY,
@@ -53,6 +54,7 @@ public final class Ray {
         return this;
     }
 
+    /** Creates a ray from its origin in metres and its direction. */
     public static Ray of(Vec3 origin, Vec3 direction) {
         return new Ray(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
     }
@@ -81,28 +83,30 @@ public final class Ray {
         return directionZ;
     }
 
-    /** Whether the ray has a place and a direction. */
+    /** Returns true if the origin is finite and the direction is finite and not zero. */
     public boolean isCastable() {
         return castable;
     }
 
+    /** Returns origin + {@code distance} · direction. */
     public Vec3 at(double distance) {
         return new Vec3(
                 originX + distance * directionX, originY + distance * directionY, originZ + distance * directionZ);
     }
 
-    /** {@link #boxEntry(double[], int, double)} of a box that lies in no array. */
+    /** Intersects a box as {@link #boxEntry(double[], int, double)}. */
     public double boxEntry(Aabb box, double limit) {
         double[] bounds = {box.minX(), box.minY(), box.minZ(), box.maxX(), box.maxY(), box.maxZ()};
         return boxEntry(bounds, 0, limit);
     }
 
     /**
-     * Slab test that never misses a box which exact arithmetic hits at a ray parameter that a double holds. A direction
-     * component of ±0, or so small that its inverse overflows, gives 0 · ∞ = NaN on a face of the box, and every
-     * comparison below lets NaN pass.
+     * Intersects a box by the slab test. It never misses a box that exact arithmetic hits at a ray parameter that a
+     * double can represent. A direction component of ±0, or so small that its inverse overflows, gives 0 · ∞ = NaN on a
+     * face of the box, and every comparison below lets NaN pass.
      *
-     * @param bounds minima and maxima from {@code at} on
+     * @param bounds minima and maxima, beginning at {@code at}
+     * @param limit greatest ray parameter that counts
      * @return ray parameter at which the ray enters, 0 from inside, infinity for a miss
      */
     public double boxEntry(double[] bounds, int at, double limit) {
@@ -110,7 +114,7 @@ public final class Ray {
             return Double.POSITIVE_INFINITY;
         }
         double enter = 0;
-        // Finite, so that a slab which is never reached (+∞) lies behind it.
+        // Finite, so that an unreachable slab (+∞) is beyond it.
         double leave = Math.min(limit, Double.MAX_VALUE);
         boolean forwardX = inverseX > 0;
         boolean forwardY = inverseY > 0;
@@ -131,11 +135,12 @@ public final class Ray {
     }
 
     /**
-     * The first of some boxes that {@link #boxEntry} does not miss. One loop over boxes with all of the ray at hand is
-     * quicker than to ask for each.
+     * Finds the first of some boxes that {@link #boxEntry} would not miss. One loop over the boxes is faster than a
+     * call for each.
      *
+     * @param limit greatest ray parameter that counts
      * @param boxes six bounds each, minima first
-     * @param chosen which of the boxes to test: those from index {@code from} to before index {@code to}, in this order
+     * @param chosen indices of the boxes to test: those at {@code from} up to, not including, {@code to}, in this order
      * @return index in {@code chosen}, or {@code to}
      */
     public int firstBox(double limit, double[] boxes, int[] chosen, int from, int to) {

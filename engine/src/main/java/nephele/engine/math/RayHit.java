@@ -1,17 +1,17 @@
 package nephele.engine.math;
 
-/** The nearest hit of a ray query; its owner uses it again for every query. */
+/** The nearest hit of a ray query, reused by its owner for every query. */
 public final class RayHit {
     private int item = -1;
     private double distance = Double.POSITIVE_INFINITY;
 
-    /** No hit yet; only those up to {@code limit} count. */
+    /** Clears the hit; only hits up to {@code limit} count. */
     void reset(double limit) {
         item = -1;
         distance = limit;
     }
 
-    /** Takes the nearer hit, and of two equally near ones the lower item, whatever the order they are found in. */
+    /** Keeps the nearer hit, the lower item of two equally near ones; independent of the order of calls. */
     public void offer(int candidate, double candidateDistance) {
         boolean nearer = candidateDistance < distance;
         boolean tie = candidateDistance == distance && (item < 0 || candidate < item);
@@ -21,12 +21,12 @@ public final class RayHit {
         }
     }
 
-    /** −1 when nothing was hit. */
+    /** Returns the item hit, −1 for none. */
     public int item() {
         return item;
     }
 
-    /** Ray parameter: metres for a direction of unit length. */
+    /** Returns the ray parameter: metres for a direction of unit length. */
     public double distance() {
         return distance;
     }

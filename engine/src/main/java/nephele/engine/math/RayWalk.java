@@ -1,9 +1,9 @@
 package nephele.engine.math;
 
-/** Follows rays through a {@link SpatialTree}; holds no state of a query. */
+/** Traverses a {@link SpatialTree} with rays; has no per-query state. */
 final class RayWalk {
     private final SpatialTree tree;
-    /** For each node the one that follows its subtree in the tree's order: where a ray that misses it goes on. */
+    /** For each node, the node after its subtree in depth-first order; the traversal continues there after a miss. */
     private final int[] after;
 
     RayWalk(SpatialTree tree) {
@@ -65,7 +65,7 @@ final class RayWalk {
         }
     }
 
-    /** A loop, not a recursion: whoever needs only a yes asks millions of times. */
+    /** Iterates instead of recursing, because any-hit queries are called millions of times. */
     boolean anyHit(Ray ray, double limit, ItemRayTest test) {
         if (anyHit(ray, 0, tree.unbounded(), limit, test)) {
             return true;

@@ -3,7 +3,7 @@ package nephele.engine.math;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 
-/** Rotations as unit quaternions, by {@link StrictMath} alone, so that the simulation may use them. */
+/** Rotations as unit quaternions, by {@link StrictMath} only, so that the simulation can use them. */
 public final class Rotations {
     /** Renormalising at least this often keeps the norm within 10⁻¹³ of 1. */
     public static final int STEPS_BETWEEN_RENORMALISATIONS = 1000;
@@ -12,7 +12,7 @@ public final class Rotations {
 
     private Rotations() {}
 
-    /** The rotation by an angle around an axis of any length; none around an axis of length zero. */
+    /** Returns the rotation around an axis of any length; the identity for an axis of length zero. */
     public static Quaterniond aroundAxis(Vec3 axis, double radians) {
         Vec3 unit = Directions.unit(axis);
         if (unit == null || !Double.isFinite(radians)) {
@@ -23,7 +23,7 @@ public final class Rotations {
     }
 
     /**
-     * The rotation that brings the world's axes to three orthonormal ones, by the largest component (Shepperd 1978,
+     * Returns the rotation that maps the world axes to three orthonormal axes, by the largest component (Shepperd 1978,
      * "Quaternion from Rotation Matrix").
      */
     public static Quaterniond ofAxes(Vec3 x, Vec3 y, Vec3 z) {
@@ -40,7 +40,7 @@ public final class Rotations {
         return renormalised(new Quaterniond(z.x() + x.z(), z.y() + y.z(), 1 + 2 * z.z() - trace, x.y() - y.x()));
     }
 
-    /** Of length 1; the identity where the length is zero or not finite. */
+    /** Returns the quaternion scaled to length 1; the identity if its length is zero or not finite. */
     public static Quaterniond renormalised(Quaterniondc q) {
         double largest =
                 Math.max(Math.max(Math.abs(q.x()), Math.abs(q.y())), Math.max(Math.abs(q.z()), Math.abs(q.w())));
@@ -57,9 +57,9 @@ public final class Rotations {
     }
 
     /**
-     * Between two rotations along the shorter arc (Shoemake 1985, "Animating Rotation with Quaternion Curves", section
-     * 3.3), with the angle from atan2. The shorter arc is at most a quarter turn of quaternion space, so no pair is
-     * antipodal; a half turn goes the way of the given signs.
+     * Interpolates two rotations along the shorter arc (Shoemake 1985, "Animating Rotation with Quaternion Curves",
+     * section 3.3), with the angle from atan2. The shorter arc is at most a quarter turn of quaternion space, so no
+     * pair is antipodal; for a half turn the signs given decide the direction.
      *
      * @param share clamped to 0 … 1
      */
@@ -89,7 +89,7 @@ public final class Rotations {
         return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
     }
 
-    /** |a + sign · b| */
+    /** Returns |a + sign · b|. */
     private static double distance(Quaterniond a, Quaterniond b, double sign) {
         double x = a.x + sign * b.x;
         double y = a.y + sign * b.y;

@@ -1,17 +1,19 @@
 package nephele.engine.math;
 
 /**
- * Noise from integer arithmetic alone, so that a shader with the same lines gives the same bits. Hash of Jarzyński and
- * Olano 2020, "Hash Functions for GPU Rendering", JCGT 9(3), pcg3d; the lattice repeats after 2³² cells.
+ * A noise function in integer arithmetic, so that a shader with the same lines produces the same bits. The hash is
+ * pcg3d of Jarzyński and Olano 2020, "Hash Functions for GPU Rendering", JCGT 9(3). The lattice repeats after 2³²
+ * cells.
  */
 public final class SeededNoise {
     private final int seed;
 
+    /** Creates the noise of a seed; equal seeds give equal noise. */
     public SeededNoise(int seed) {
         this.seed = seed;
     }
 
-    /** 32 random bits of a lattice cell. */
+    /** Returns 32 random bits for a lattice cell. */
     public int bits(int x, int y, int z) {
         int a = (x ^ seed) * 1664525 + 1013904223;
         int b = (y + seed * 0x9E3779B9) * 1664525 + 1013904223;
@@ -26,12 +28,12 @@ public final class SeededNoise {
         return a;
     }
 
-    /** In [0, 1): the upper 24 bits, exact in float as well. */
+    /** Returns a number in [0, 1) from the upper 24 bits of a lattice cell; exact in float as well. */
     public double unit(int x, int y, int z) {
         return (bits(x, y, z) >>> 8) * 0x1p-24;
     }
 
-    /** Value noise, trilinear with a smooth step, in [0, 1); 0 at what is not finite. */
+    /** Returns trilinear value noise with a smooth step, in [0, 1); 0 if a coordinate is not finite. */
     public double at(double x, double y, double z) {
         if (!Double.isFinite(x + y + z)) {
             return 0;
@@ -51,13 +53,13 @@ public final class SeededNoise {
         return mix(unit(i, j, k), unit(i + 1, j, k), u);
     }
 
-    /** The lattice cell of a coordinate, modulo 2³²: a cast from double would stop at the last int. */
+    /** Returns the lattice cell of a coordinate, modulo 2³²; a direct cast from double to int would saturate. */
     static int cell(double coordinate) {
         double floor = Math.floor(coordinate);
         return Math.abs(floor) < 0x1p53 ? (int) (long) floor : 0;
     }
 
-    /** In [0, 1), although −10⁻²⁰ − floor(−10⁻²⁰) rounds to 1. */
+    /** Returns the fractional part in [0, 1), although −10⁻²⁰ − floor(−10⁻²⁰) rounds to 1. */
     static double fraction(double coordinate) {
         return Math.min(coordinate - Math.floor(coordinate), Math.nextDown(1.0));
     }

@@ -3,9 +3,10 @@ package nephele.engine.math;
 import java.util.List;
 
 /**
- * One bounding volume hierarchy for culling, collision and rays. Building sorts the items into <em>slots</em> so that
- * every subtree is one run of slots: who lays out vertices by slot can draw a subtree at once. Queries allocate nothing
- * and may run in several threads; empty boxes are never reported, boxes with an infinite side are tested one by one.
+ * A bounding volume hierarchy for culling, collision and rays. Building sorts the items into <em>slots</em> so that
+ * every subtree is one run of slots: vertices laid out by slot can be drawn a subtree at a time. Queries allocate
+ * nothing and may run in several threads. Empty boxes are never reported; boxes with an infinite side are tested one by
+ * one.
  */
 public final class SpatialIndex {
     private static final int DEFAULT_LEAF_ITEMS = 4;
@@ -26,28 +27,34 @@ public final class SpatialIndex {
         return of(boxes, DEFAULT_LEAF_ITEMS);
     }
 
-    /** @param leafItems at most this many items are told apart by testing each, never by the tree */
+    /**
+     * Builds an index.
+     *
+     * @param leafItems maximum number of items in a leaf; they are tested one by one
+     */
     public static SpatialIndex of(List<Aabb> boxes, int leafItems) {
         return new SpatialIndex(new SpatialTreeBuilder(boxes, leafItems).build(), leafItems);
     }
 
-    /** An index as if built anew; quick where most boxes are those of this index, in the same order. */
+    /**
+     * Returns the index that building anew would return; fast if most boxes are those of this index, in the same order.
+     */
     public SpatialIndex edited(List<Aabb> boxes) {
         KnownTree known = new KnownTree(tree, boxes);
         return new SpatialIndex(new SpatialTreeBuilder(boxes, leafItems).build(known), leafItems);
     }
 
-    /** Items given, empty ones too. */
+    /** Returns the number of items given, including empty boxes. */
     public int size() {
         return tree.itemAtSlot().length;
     }
 
-    /** The item, as numbered by the list given, that was sorted into {@code slot}. */
+    /** Returns the item in {@code slot}, by its index in the given list. */
     public int itemAt(int slot) {
         return tree.itemAtSlot()[slot];
     }
 
-    /** Around all items that are not empty. */
+    /** Returns the box that contains all items that are not empty. */
     public Aabb bounds() {
         Aabb all = Aabb.EMPTY;
         for (int slot = 0; slot < tree.emptyFrom(); slot++) {
@@ -63,7 +70,7 @@ public final class SpatialIndex {
 
     /**
      * Reports runs of slots that cover everything the frustum may see, nearer subtrees first. A subtree inside all
-     * planes is one run, and nothing below it is tested.
+     * planes is one run and is not tested further.
      */
     public void cull(Frustum frustum, RangeVisitor visible) {
         if (tree.unbounded() > 0) {
@@ -74,7 +81,7 @@ public final class SpatialIndex {
         }
     }
 
-    /** As {@link #cull}, testing a sphere around each box, one after the other. */
+    /** Culls as {@link #cull}, but tests the bounding sphere of each box linearly. */
     public void cullSpheres(Frustum frustum, RangeVisitor visible) {
         int runStart = 0;
         for (int slot = 0; slot < tree.emptyFrom(); slot++) {
@@ -90,7 +97,7 @@ public final class SpatialIndex {
         }
     }
 
-    /** Every item whose box overlaps or touches {@code box}, in the order of the tree. */
+    /** Reports every item with a box that overlaps or touches {@code box}, in tree order. */
     public void overlapping(Aabb box, ItemVisitor found) {
         if (box.isEmpty()) {
             return;
@@ -122,7 +129,10 @@ public final class SpatialIndex {
         }
     }
 
-    /** Every item whose box meets the one that stands in {@code box} from {@code at} on: three least, three greatest. */
+    /**
+     * Reports every item with a box that overlaps or touches the one in {@code box} at {@code at}: three minima, three
+     * maxima.
+     */
     public void overlapping(double[] box, int at, ItemVisitor found) {
         overlappingSlots(box, at, 0, tree.unbounded(), found);
         if (tree.nodes() > 0) {
@@ -161,21 +171,21 @@ public final class SpatialIndex {
     }
 
     /**
-     * The nearest hit by the caller's own test, the lowest item among equally near ones.
+     * Finds the nearest hit by the caller's test, the lowest item among equally near ones.
      *
      * @param limit greatest ray parameter that counts
-     * @return whether there is one; then {@code hit} holds it
+     * @return true if there is a hit; then {@code hit} holds it
      */
     public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
         return rays.nearest(ray, limit, test, hit);
     }
 
-    /** Whether the caller's test hits anything up to {@code limit}. */
+    /** Returns true if the caller's test hits any item up to {@code limit}. */
     public boolean anyHit(Ray ray, double limit, ItemRayTest test) {
         return rays.anyHit(ray, limit, test);
     }
 
-    /** Every item whose box passes, in the order of the tree. */
+    /** Reports every item with a box that passes, in tree order. */
     public void passing(BoxTest test, ItemVisitor found) {
         passing(test, 0, tree.unbounded(), found);
         if (tree.nodes() > 0) {
@@ -204,7 +214,7 @@ public final class SpatialIndex {
         }
     }
 
-    /** Every item whose box {@code box} may touch on its way along {@code motion}, in the order of the tree. */
+    /** Reports every item with a box that {@code box} may touch along {@code motion}, in tree order. */
     public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
         Sweep sweep = Sweep.of(box, motion);
         swept(sweep, 0, tree.unbounded(), found);

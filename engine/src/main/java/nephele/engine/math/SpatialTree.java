@@ -1,9 +1,9 @@
 package nephele.engine.math;
 
 /**
- * What a {@link SpatialIndex} walks: nodes in depth-first order, so that a left child follows its parent. Bounds are six
- * numbers each, minima first. Slots: first the unbounded items, then those of the tree, from {@code emptyFrom} on the
- * empty ones.
+ * The arrays of a {@link SpatialIndex}: nodes in depth-first order, so that a left child follows its parent. Bounds are
+ * six numbers each, minima first. Slots hold the {@code unbounded} items first, then those of the tree, and the empty
+ * ones from {@code emptyFrom} on.
  *
  * @param first first slot of each node
  * @param end one past the last slot of each node

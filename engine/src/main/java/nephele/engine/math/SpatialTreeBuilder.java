@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Builds by the surface area heuristic over bins (Wald 2007, "On fast Construction of SAH-based Bounding Volume
- * Hierarchies"). The order of items that fall into one bin is kept, so equal input gives the equal tree, and the items of
- * each node are in ascending order before it is split.
+ * Builds a tree by the binned surface area heuristic (Wald 2007, "On fast Construction of SAH-based Bounding Volume
+ * Hierarchies"). Partitioning is stable, so equal input gives the equal tree, and the items of each node are in
+ * ascending order before it is split.
  */
 final class SpatialTreeBuilder {
     private static final int BINS = 16;
@@ -87,7 +87,7 @@ final class SpatialTreeBuilder {
         }
     }
 
-    /** The same tree, copied where it is that over the same boxes. */
+    /** Builds the same tree as {@link #build()}, copying subtrees of {@code over} that cover the same boxes. */
     SpatialTree build(KnownTree over) {
         known = over;
         return build();
@@ -112,7 +112,7 @@ final class SpatialTreeBuilder {
                 emptyFrom);
     }
 
-    /** @param like the node of the known tree at this place */
+    /** @param like the node at this place of the known tree */
     private int node(int from, int to, int depth, int like) {
         int node = nodes;
         if (like != KnownTree.NONE && known.isOver(like, items, from, to)) {
@@ -148,7 +148,7 @@ final class SpatialTreeBuilder {
         }
     }
 
-    /** Reorders the items of [from, to) and answers where the second half begins. */
+    /** Reorders the items of [from, to) and returns the start of the second half. */
     private int split(int from, int to) {
         double bestCost = Double.POSITIVE_INFINITY;
         int bestAxis = -1;
@@ -167,7 +167,7 @@ final class SpatialTreeBuilder {
         return bestAxis < 0 ? (from + to) >>> 1 : partition(bins[bestAxis], from, to, bestAxis, bestBin);
     }
 
-    /** False when all centres agree on this axis, which then cannot tell items apart. */
+    /** Returns false if all centres coincide on this axis, which then cannot split the items. */
     private boolean fill(SplitBins bins, int from, int to, int axis) {
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;

@@ -2,7 +2,7 @@ package nephele.engine.math;
 
 import java.util.Arrays;
 
-/** Item counts and bounds along one axis, from which the cheapest split by surface area is read. */
+/** Item counts and bounds along one axis, for the cheapest split by surface area. */
 final class SplitBins {
     private final int bins;
     private final int[] count;
@@ -19,7 +19,7 @@ final class SplitBins {
         costAfter = new double[bins];
     }
 
-    /** Begins anew over centres in [low, high]; false when they are too close together to be told apart. */
+    /** Clears the bins for centres in [low, high]; returns false if the interval is too narrow to be divided. */
     boolean start(double lowest, double highest) {
         low = lowest;
         scale = bins / (highest - lowest);
@@ -41,8 +41,9 @@ final class SplitBins {
     }
 
     /**
-     * The last bin of the left side, never an empty one: it costs what the one before it does. Both sides hold items: the
-     * lowest centre is in the first bin, the highest last.
+     * Returns the last bin of the left side of the cheapest split. Empty bins are skipped: a split after one costs the
+     * same as the split before it. Both sides hold items, because the lowest centre is in the first bin and the highest
+     * in the last.
      */
     int cheapest() {
         sweepFromRight();

@@ -2,23 +2,24 @@ package nephele.engine.math;
 
 import org.joml.Matrix4dc;
 
-/** How far a matrix draws things out. */
+/** Computes the maximum stretch of a matrix. */
 public final class Stretch {
     private static final int MOST_SWEEPS = 12;
 
     private Stretch() {}
 
     /**
-     * The largest singular value of the linear part: by so much, and no less, may a sphere's radius grow. Root of the
-     * largest eigenvalue of mᵀ·m, by the rotations of Jacobi 1846, which lose no digits where eigenvalues meet. Allocates
-     * nothing; not finite where the matrix is not.
+     * Returns the largest singular value of the linear part, the tight bound of the growth of a sphere's radius. It is
+     * the root of the largest eigenvalue of mᵀ·m by Jacobi rotations (Jacobi 1846), which lose no digits for multiple
+     * eigenvalues. Allocates nothing; NaN if the matrix is not finite.
      */
     public static double largest(Matrix4dc m) {
         double scale = largestEntry(m);
         if (!(scale > 0 && scale <= Double.MAX_VALUE)) {
             return scale == 0 ? 0 : Double.NaN;
         }
-        // Scaled, squares neither overflow nor vanish; divided, as the inverse of a tiny scale is infinite.
+        // Scaling prevents overflow and underflow of squares; division, because the inverse of a tiny scale is
+        // infinite.
         double x0 = m.m00() / scale;
         double x1 = m.m01() / scale;
         double x2 = m.m02() / scale;
@@ -45,7 +46,10 @@ public final class Stretch {
         return Math.max(x, Math.max(y, z));
     }
 
-    /** Of the symmetric matrix with diagonal a, b, c and d = (a, b), e = (a, c), f = (b, c) beside it. */
+    /**
+     * Returns the largest eigenvalue of the symmetric matrix with diagonal a, b, c and d = (a, b), e = (a, c), f = (b,
+     * c).
+     */
     private static double largestEigenvalue(
             double startA, double startB, double startC, double startD, double startE, double startF) {
         double a = startA;
@@ -86,7 +90,7 @@ public final class Stretch {
         return Math.max(a, Math.max(b, c));
     }
 
-    /** Of the smaller angle that turns the plane of p and q so that their common entry vanishes. */
+    /** Returns the tangent of the smaller Jacobi angle that makes the common entry of p and q vanish. */
     private static double tangent(double p, double q, double common) {
         if (common == 0) {
             return 0;

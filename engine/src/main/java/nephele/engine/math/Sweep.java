@@ -1,6 +1,6 @@
 package nephele.engine.math;
 
-/** An axis-aligned box on its way along a straight motion. */
+/** An axis-aligned box in linear motion. */
 record Sweep(Aabb box, Vec3 motion, Aabb whole) {
     /** Bound of the rounding in one slab distance and the sums before it. */
     private static final double GROWTH = 1 + 8 * 0x1p-53;
@@ -10,8 +10,8 @@ record Sweep(Aabb box, Vec3 motion, Aabb whole) {
     }
 
     /**
-     * Whether a box is touched during the motion: slabs of the box grown by the moving one (its Minkowski sum), a little
-     * too often rather than too seldom.
+     * Returns true if the moving box touches a box: slab test against the box grown by the moving one (their Minkowski
+     * sum). Errors are conservative: it may report a near miss.
      */
     boolean touches(double[] bounds, int at) {
         if (!(bounds[at] <= whole.maxX()
@@ -33,7 +33,9 @@ record Sweep(Aabb box, Vec3 motion, Aabb whole) {
         return !(enter > leave * GROWTH);
     }
 
-    /** Without motion along an axis the overlap test above has decided, and the axis bounds nothing. */
+    /**
+     * Returns the entry time; without motion along an axis the overlap test has decided and the axis bounds nothing.
+     */
     private static double enter(double low, double high, double speed) {
         return speed == 0 ? 0 : Math.max(0, (speed > 0 ? low : high) / speed);
     }

@@ -1,6 +1,6 @@
 package nephele.engine.math;
 
-/** Where a ray met a triangle; its owner uses it again for every test. The weights of the corners sum to 1. */
+/** A ray–triangle hit, reused by its owner for every test. The barycentric weights of the corners sum to 1. */
 public final class TriangleHit {
     /** γ₇ for double: the rounding of an interpolated point (Pharr, Jakob, Humphreys 2016, section 3.9.4). */
     private static final double POINT_ERROR = 7 * 0x1p-53 / (1 - 7 * 0x1p-53);
@@ -10,7 +10,7 @@ public final class TriangleHit {
     private double weightB;
     private double weightC;
 
-    /** The point of a triangle with these weights, as if a ray had met it. */
+    /** Returns the hit at the point of a triangle with these barycentric weights, with distance 0. */
     public static TriangleHit at(double weightA, double weightB, double weightC) {
         TriangleHit hit = new TriangleHit();
         hit.set(0, weightA, weightB, weightC);
@@ -24,7 +24,7 @@ public final class TriangleHit {
         weightC = c;
     }
 
-    /** Ray parameter: metres for a direction of unit length. */
+    /** Returns the ray parameter: metres for a direction of unit length. */
     public double distance() {
         return distance;
     }
@@ -41,7 +41,7 @@ public final class TriangleHit {
         return weightC;
     }
 
-    /** The point from the corners: nearer to the triangle's plane than origin + distance · direction. */
+    /** Interpolates the hit point from the corners, which is nearer to the plane than origin + distance · direction. */
     public Vec3 point(double[] corners, int at) {
         return new Vec3(mixed(corners, at), mixed(corners, at + 1), mixed(corners, at + 2));
     }
@@ -51,9 +51,9 @@ public final class TriangleHit {
     }
 
     /**
-     * An origin for a ray that goes on towards {@code direction} and does not meet this triangle again: the point moved
-     * along the normal by the bound of its rounding, then to the next representable one (Pharr, Jakob, Humphreys 2016,
-     * section 3.9.5). That bound follows the size of the coordinates, which a fixed offset cannot.
+     * Returns an origin for a ray that continues towards {@code direction} and does not hit this triangle again: the
+     * hit point moved along the normal by the bound of its rounding, then to the next representable number (Pharr,
+     * Jakob, Humphreys 2016, section 3.9.5). Unlike a fixed offset, this bound scales with the coordinates.
      */
     public Vec3 originTowards(Vec3 direction, double[] corners, int at) {
         Vec3 normal = TriangleRay.normal(corners, at);

@@ -1,17 +1,17 @@
 package nephele.engine.math;
 
 /**
- * Where a ray meets a triangle, without anything prepared for either: the signed volumes that the ray spans with the
- * edges (Plücker coordinates; Shoemake 1998). Both triangles at an edge compute the same products with opposite sign,
- * and zero counts as inside for both, so no ray passes between triangles that share their corners' bits.
+ * Ray–triangle intersection without precomputation, by the signed volumes of the ray and the edges (Plücker
+ * coordinates; Shoemake 1998). Both triangles at an edge compute the same products with opposite sign, and zero counts
+ * as inside for both, so no ray passes between triangles that share the bits of their corners.
  */
 public final class TriangleMeeting {
     private TriangleMeeting() {}
 
     /**
-     * The ray parameter, of either side, infinite for a miss; negative behind the origin.
+     * Returns the ray parameter of the hit from either side; infinite for a miss, negative behind the origin.
      *
-     * @param corners nine numbers from {@code at} on
+     * @param corners nine numbers, beginning at {@code at}
      */
     public static double parameter(Ray ray, double[] corners, int at) {
         return parameter(
@@ -25,7 +25,7 @@ public final class TriangleMeeting {
                 at);
     }
 
-    /** The same for a ray by its six numbers. */
+    /** Returns the same for a ray given by its six numbers. */
     public static double parameter(
             double oX, double oY, double oZ, double dX, double dY, double dZ, double[] corners, int at) {
         double aX = corners[at] - oX;
@@ -51,7 +51,7 @@ public final class TriangleMeeting {
         return (x * dX + y * dY + z * dZ) / (sum * (dX * dX + dY * dY + dZ * dZ));
     }
 
-    /** The weights of the corners at a point of the triangle's plane, written into {@code weights}; they sum to 1. */
+    /** Writes the barycentric weights of a point of the triangle's plane into {@code weights}; they sum to 1. */
     public static void weights(Vec3 p, double[] corners, int at, double[] weights) {
         Vec3 a = new Vec3(corners[at] - p.x(), corners[at + 1] - p.y(), corners[at + 2] - p.z());
         Vec3 b = new Vec3(corners[at + 3] - p.x(), corners[at + 4] - p.y(), corners[at + 5] - p.z());

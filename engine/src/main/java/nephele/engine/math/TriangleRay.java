@@ -1,10 +1,10 @@
 package nephele.engine.math;
 
 /**
- * A ray prepared for triangles: the test of Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection", JCGT
- * 2(1), in double. Both triangles at an edge compute the same products with opposite sign, and a rounded difference of
- * products never has the wrong sign; zero counts as inside for both. So no ray passes between them, without the higher
- * precision that the paper falls back on to tell which of the two is hit.
+ * A ray prepared for the watertight triangle test of Woop, Benthin and Wald 2013, "Watertight Ray/Triangle
+ * Intersection", JCGT 2(1), in double. Both triangles at an edge compute the same products with opposite sign, and a
+ * rounded difference of products never has the wrong sign; zero counts as inside for both. So no ray passes between
+ * them. The paper's fallback to higher precision, which decides which of the two is hit, is omitted.
  */
 public final class TriangleRay {
     /** γₙ for double. */
@@ -22,6 +22,7 @@ public final class TriangleRay {
     private final double shearZ;
     private final boolean castable;
 
+    /** Prepares a ray; one that is not castable misses every triangle. */
     public TriangleRay(Ray ray) {
         origin = new double[] {ray.originX(), ray.originY(), ray.originZ()};
         double[] direction = {ray.directionX(), ray.directionY(), ray.directionZ()};
@@ -36,10 +37,12 @@ public final class TriangleRay {
     }
 
     /**
-     * Whether the ray meets a triangle, from either side; then {@code hit} holds where. A triangle without area, seen
-     * along its plane, or nearer than the rounding of the distance is not met.
+     * Intersects the ray with a triangle from either side and stores the hit in {@code hit}. A triangle is missed if it
+     * has no area, is parallel to the ray, or is nearer than the rounding of the distance.
      *
-     * @param corners nine numbers from {@code at} on
+     * @param corners nine numbers, beginning at {@code at}
+     * @param limit greatest ray parameter that counts
+     * @return true if the ray hits
      */
     public boolean meets(double[] corners, int at, double limit, TriangleHit hit) {
         double az = corners[at + axisZ] - origin[axisZ];
@@ -70,7 +73,7 @@ public final class TriangleRay {
         return true;
     }
 
-    /** Rounding of the scaled distance (Pharr, Jakob, Humphreys 2016, section 3.9.6). */
+    /** Returns the rounding bound of the scaled distance (Pharr, Jakob, Humphreys 2016, section 3.9.6). */
     private double uncertainty(double maxZ, double maxX, double maxY, double maxE) {
         double deltaZ = GAMMA_3 * maxZ;
         double deltaX = GAMMA_5 * (maxX + maxZ * Math.abs(shearX));
@@ -83,7 +86,7 @@ public final class TriangleRay {
         return Math.max(Math.abs(a), Math.max(Math.abs(b), Math.abs(c)));
     }
 
-    /** Unit normal, counter-clockwise seen from its tip; {@code null} for a triangle without area. */
+    /** Returns the unit normal, counter-clockwise seen from its tip; {@code null} for a triangle without area. */
     public static Vec3 normal(double[] corners, int at) {
         double abX = corners[at + 3] - corners[at];
         double abY = corners[at + 4] - corners[at + 1];

@@ -1,10 +1,10 @@
 package nephele.engine.math;
 
 /**
- * Triangles as they come from a file: three vertex numbers each, counter-clockwise.
+ * Triangles as read from a file: three vertex indices each, counter-clockwise.
  *
  * @param positions x, y, z of each vertex
- * @param vertices three for each triangle
+ * @param vertices three indices for each triangle
  */
 public record TriangleSoup(double[] positions, int[] vertices) {
     public int triangleCount() {

@@ -5,13 +5,13 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * A prism between two horizontal planes in closed form: which planes meet in a corner is known, so that no tolerance,
- * which would be a share of the longest edge, can join the corners of a needle.
+ * A prism between two horizontal planes, in closed form. The planes that meet in each corner are known, so no weld
+ * tolerance, which would be relative to the longest edge, can merge the corners of a needle.
  */
 public final class UprightPrism {
     private final List<Plane> planes;
     private final int sides;
-    /** Corner i lies between sides i and i + 1. */
+    /** Corner i is between sides i and i + 1. */
     private final Vec3[] top;
 
     private final Vec3[] bottom;
@@ -24,9 +24,10 @@ public final class UprightPrism {
     }
 
     /**
-     * The same corners, to the last bit, as {@link ConvexPolyhedron#fromPlanes} finds where it can tell them apart.
+     * Returns the prism with the same corners, to the last bit, as {@link ConvexPolyhedron#fromPlanes} where that can
+     * separate them.
      *
-     * @param planes the upper, the lower, then three or more upright ones in the order of their angle from +x towards +z
+     * @param planes the upper, the lower, then three or more upright ones ordered by their angle from +x towards +z
      */
     public static ConvexPolyhedron of(List<Plane> planes) {
         return new UprightPrism(planes).polyhedron();
@@ -66,7 +67,10 @@ public final class UprightPrism {
         faces.add(new ConvexPolyhedron.Face(plane, planes.get(plane), List.copyOf(ring)));
     }
 
-    /** In the order in which triples of planes count up: side 0 meets the last one before side 1 meets side 2. */
+    /**
+     * Adds corners in the order of plane triples: the corner of side 0 and the last side precedes that of sides 1 and
+     * 2.
+     */
     private void addCorners(Vec3[] ring, List<Vec3> corners) {
         corners.add(ring[0]);
         corners.add(ring[sides - 1]);

@@ -10,6 +10,7 @@ import org.joml.Vector3dc;
 public record Vec3(double x, double y, double z) {
     public static final Vec3 ZERO = new Vec3(0, 0, 0);
 
+    /** Returns an immutable copy. */
     public static Vec3 of(Vector3dc v) {
         return new Vec3(v.x(), v.y(), v.z());
     }
@@ -53,7 +54,7 @@ public record Vec3(double x, double y, double z) {
         return Math.sqrt(dot(this));
     }
 
-    /** Writes a row as shaders read it: three floats from {@code at} on, and a fourth number. */
+    /** Writes a row in the layout of shaders: three floats at {@code at}, followed by a fourth number. */
     public void put(float[] rows, int at, double fourth) {
         rows[at] = (float) x;
         rows[at + 1] = (float) y;
@@ -61,7 +62,7 @@ public record Vec3(double x, double y, double z) {
         rows[at + 3] = (float) fourth;
     }
 
-    /** A fresh mutable copy for calculations. */
+    /** Returns a new mutable copy for calculations. */
     public Vector3d toVector() {
         return new Vector3d(x, y, z);
     }

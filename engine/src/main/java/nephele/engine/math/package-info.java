@@ -1,2 +1,2 @@
-/** Small value geometry in double precision; JOML does the linear algebra. Metres, right-handed, y up. */
+/** Small geometric value types in double precision; JOML provides the linear algebra. Metres, right-handed, y up. */
 package nephele.engine.math;

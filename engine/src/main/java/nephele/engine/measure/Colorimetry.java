@@ -1,11 +1,11 @@
 package nephele.engine.measure;
 
 /**
- * Linear sRGB, CIE XYZ relative to its white (D65, so that white is 1, 1, 1) and CIELAB (CIE 15:2004) with the chroma that
- * Hunt's effect gives (Andersson et al. 2020, equation 6).
+ * Conversions between linear sRGB, CIE XYZ relative to its white (D65, so that white is 1, 1, 1) and CIELAB (CIE
+ * 15:2004) with Hunt-adjusted chroma (Andersson et al. 2020, equation 6).
  */
 final class Colorimetry {
-    /** XYZ of linear sRGB, IEC 61966-2-1 from its primaries. */
+    /** XYZ from linear sRGB, IEC 61966-2-1, by its primaries. */
     private static final double[][] XYZ_FROM_RGB = {
         {10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
         {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
@@ -15,7 +15,7 @@ final class Colorimetry {
     private static final double[][] RGB_FROM_XYZ = inverse(XYZ_FROM_RGB);
     private static final double[] WHITE = {sum(XYZ_FROM_RGB[0]), sum(XYZ_FROM_RGB[1]), sum(XYZ_FROM_RGB[2])};
 
-    /** Where CIELAB's cube root gives way to a line. */
+    /** Below the cube of this, CIELAB replaces the cube root by a line. */
     private static final double KINK = 6.0 / 29;
 
     private Colorimetry() {}
@@ -32,7 +32,7 @@ final class Colorimetry {
         return dot(XYZ_FROM_RGB[2], red, green, blue) / WHITE[2];
     }
 
-    /** Writes L*, a*, b* of the nearest colour that a display can show: red, green and blue are first kept within 0–1. */
+    /** Writes L*, a*, b* of the nearest displayable colour: red, green and blue are clamped to 0–1 first. */
     static void huntLab(double x, double y, double z, double[] lab) {
         double red = unit(dot(RGB_FROM_XYZ[0], x * WHITE[0], y * WHITE[1], z * WHITE[2]));
         double green = unit(dot(RGB_FROM_XYZ[1], x * WHITE[0], y * WHITE[1], z * WHITE[2]));

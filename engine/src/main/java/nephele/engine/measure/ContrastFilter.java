@@ -1,11 +1,11 @@
 package nephele.engine.measure;
 
 /**
- * What an observer at {@link Flip#PIXELS_PER_DEGREE} can still see of a picture: the contrast sensitivity of the three
- * opponent channels as sums of Gaussians (Andersson et al. 2020, section 4.1.1, after Johnson and Fairchild 2003).
+ * The contrast sensitivity of an observer at {@link Flip#PIXELS_PER_DEGREE}: filters the three opponent channels by
+ * sums of Gaussians (Andersson et al. 2020, section 4.1.1, after Johnson and Fairchild 2003).
  */
 final class ContrastFilter {
-    /** One Gaussian a·√(π/b)·exp(−π²x²/b), x in degrees of visual angle. */
+    /** A Gaussian a·√(π/b)·exp(−π²x²/b), x in degrees of visual angle. */
     private record Gaussian(double a, double b) {
         double weight(double degrees) {
             return Math.exp(-Math.PI * Math.PI * degrees * degrees / b);
@@ -42,7 +42,7 @@ final class ContrastFilter {
         return Kernel.of(own, pixel -> gaussian.weight(pixel / pixelsPerDegree));
     }
 
-    /** Sum of the two-dimensional filter's unnormalised weights. */
+    /** Returns the sum of the unnormalised weights of the two-dimensional filter. */
     private double volume(Gaussian gaussian) {
         double sum = 0;
         for (int pixel = -radius; pixel <= radius; pixel++) {

@@ -5,9 +5,10 @@ import java.util.Arrays;
 /**
  * An error for each pixel.
  *
- * @param error 0, equal, to 1; rows in the order of the compared pictures
+ * @param error 0 (equal) to 1; rows in the order of the compared pictures
  */
 public record ErrorMap(int width, int height, float[] error) {
+    /** Returns the mean error of all pixels. */
     public double mean() {
         double sum = 0;
         for (float value : error) {
@@ -16,14 +17,18 @@ public record ErrorMap(int width, int height, float[] error) {
         return sum / error.length;
     }
 
-    /** @param share of the pixels that have at most this error, 0–1 */
+    /**
+     * Returns a quantile of the error.
+     *
+     * @param share fraction of the pixels that have at most this error, 0–1
+     */
     public double quantile(double share) {
         float[] sorted = error.clone();
         Arrays.sort(sorted);
         return sorted[(int) Math.min(sorted.length - 1L, (long) (share * sorted.length))];
     }
 
-    /** The greater error of both maps, pixel by pixel. */
+    /** Returns the maximum of both maps for each pixel. */
     ErrorMap greater(ErrorMap other) {
         float[] greater = new float[error.length];
         for (int i = 0; i < greater.length; i++) {

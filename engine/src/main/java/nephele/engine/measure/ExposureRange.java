@@ -3,18 +3,18 @@ package nephele.engine.measure;
 import java.util.Arrays;
 
 /**
- * Exposures under which a picture of high dynamic range is looked at: Andersson, Nilsson, Shirley and Akenine-Möller,
+ * The exposures at which high-dynamic-range pictures are compared: Andersson, Nilsson, Shirley and Akenine-Möller,
  * "Visualizing Errors in Rendered High Dynamic Range Images", 2021, section 3.
  *
- * @param startStops at which the brightest pixel is just below white
- * @param stopStops at which the median pixel is, the upper one of two as in the authors' evaluator
+ * @param startStops exposure in stops at which the brightest pixel is just below white
+ * @param stopStops likewise of the median pixel, the upper one of two as in the authors' evaluator
  * @param count at least 2, evenly spaced
  */
 public record ExposureRange(double startStops, double stopStops, int count) {
-    /** Of white: what the tone curve makes of the brightest pixel. */
+    /** Tone-mapped value of the brightest pixel, relative to white. */
     private static final double BRIGHTEST = 0.85;
 
-    /** What is darker counts as this dark: the resolution of a float at 1. */
+    /** Lower bound of luminances: the resolution of a float at 1. */
     private static final double DARKEST = 0x1p-23;
 
     public ExposureRange {
@@ -23,7 +23,7 @@ public record ExposureRange(double startStops, double stopStops, int count) {
         }
     }
 
-    /** Depends on the reference alone. */
+    /** Returns the exposures for a reference; they do not depend on the compared picture. */
     public static ExposureRange of(LinearPicture reference) {
         double[] luminances = new double[reference.pixels()];
         for (int i = 0; i < luminances.length; i++) {

@@ -1,8 +1,8 @@
 package nephele.engine.measure;
 
 /**
- * Edges and points of a picture's luminance: the lengths of the first and second derivatives of a Gaussian as wide as an
- * edge detector of human vision, 0.082 degrees (Andersson et al. 2020, section 4.2).
+ * Detects edges and points in a picture's luminance: the magnitudes of the first and second derivatives of a Gaussian
+ * with the width of an edge detector of human vision, 0.082 degrees (Andersson et al. 2020, section 4.2).
  */
 final class FeatureFilter {
     private static final double WIDTH_DEGREES = 0.082;
@@ -12,9 +12,10 @@ final class FeatureFilter {
     private final Kernel second;
 
     /**
-     * How strong both are at each pixel.
+     * The strength of edges and points at each pixel.
      *
-     * @param edges 0–1; {@code points} likewise
+     * @param edges 0–1
+     * @param points 0–1
      */
     record Features(float[] edges, float[] points) {}
 

@@ -1,17 +1,18 @@
 package nephele.engine.measure;
 
 /**
- * The difference that an observer sees who flips between two pictures: Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström and
- * Fairchild, "FLIP: A Difference Evaluator for Alternating Images", 2020. Symmetric but for rounding; 0 is equal, 1 is black against white.
+ * The difference that an observer sees when flipping between two pictures: Andersson, Nilsson, Akenine-Möller,
+ * Oskarsson, Åström and Fairchild, "FLIP: A Difference Evaluator for Alternating Images", 2020. Symmetric except for
+ * rounding; 0 is equal, 1 is black against white.
  */
 public final class Flip {
-    /** A display 0.7 m wide of 3 840 pixels, seen from 0.7 m: the authors' default. */
+    /** A display 0.7 m wide with 3 840 pixels, seen from 0.7 m: the authors' default. */
     public static final double PIXELS_PER_DEGREE = 0.7 * (3840 / 0.7) * (Math.PI / 180);
 
-    /** Compresses large colour differences. */
+    /** Exponent that compresses large colour differences. */
     private static final double COLOUR_EXPONENT = 0.7;
 
-    /** Differences below this share of the greatest one are mapped to {@link #COLOUR_TARGET} of the range. */
+    /** Differences below this fraction of the greatest one are mapped to {@link #COLOUR_TARGET} of the range. */
     private static final double COLOUR_KNEE = 0.4;
 
     private static final double COLOUR_TARGET = 0.95;
@@ -23,7 +24,13 @@ public final class Flip {
 
     private Flip() {}
 
-    /** @param reference of linear values from 0 to 1, as a display emits them; {@code test} likewise */
+    /**
+     * Returns the error of each pixel.
+     *
+     * @param reference linear values from 0 to 1, as emitted by a display
+     * @param test likewise, of the same size
+     * @throws IllegalArgumentException if the sizes differ
+     */
     public static ErrorMap ofDisplayed(LinearPicture reference, LinearPicture test) {
         reference.requireSameSize(test);
         var exact = OpponentPicture.of(reference);
@@ -43,7 +50,7 @@ public final class Flip {
         return new ErrorMap(reference.width(), reference.height(), error);
     }
 
-    /** HyAB (Abasi, Tehran and Fairchild 2020), compressed and spread over 0–1. */
+    /** Returns the HyAB distance (Abasi, Tehran and Fairchild 2020), compressed and mapped to 0–1. */
     private static double colourError(float[] exact, float[] tried, int at) {
         double lightness = Math.abs(exact[at] - tried[at]);
         double difference = Math.pow(
@@ -60,7 +67,7 @@ public final class Flip {
         return Math.pow(Math.max(edges, points) / Math.sqrt(2), FEATURE_EXPONENT);
     }
 
-    /** Between green and blue, the most different colours that a display shows. */
+    /** Returns the compressed distance of green and blue, the most different colours of a display. */
     private static double greatestColourDifference() {
         double[] green = lab(0, 1, 0);
         double[] blue = lab(0, 0, 1);

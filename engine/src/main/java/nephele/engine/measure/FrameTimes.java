@@ -4,10 +4,14 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * What a bench found.
+ * The results of a benchmark. Times are in milliseconds.
  *
- * @param cpuMsMean process CPU a frame, every thread of the JVM and of the OpenGL driver counted
- * @param wallMsP50 from the frame's start to the return of {@code glFinish}
+ * @param frames number of frames measured
+ * @param cpuMsMean process CPU time a frame, over all threads of the JVM and of the OpenGL driver
+ * @param wallMsP50 median of the wall time from the frame's start to the return of {@code glFinish}
+ * @param wallMsP95 95th percentile of the same
+ * @param draws mean number of draw calls a frame
+ * @param triangles mean number of triangles a frame
  */
 public record FrameTimes(
         long frames,
@@ -19,7 +23,7 @@ public record FrameTimes(
         double allocatedBytesPerFrame) {
     public static final String HEADER = "frames,cpuMsMean,wallMsP50,wallMsP95,draws,triangles,allocatedBytesPerFrame";
 
-    /** One line under {@link #HEADER}. */
+    /** Returns the results as one line in the order of {@link #HEADER}. */
     public String csv() {
         return String.format(
                 Locale.ROOT,
@@ -37,7 +41,7 @@ public record FrameTimes(
         return String.format(Locale.ROOT, mean == Math.rint(mean) ? "%.0f" : "%.1f", mean);
     }
 
-    /** Nearest-rank percentile of the first {@code count} values, in milliseconds. */
+    /** Returns the nearest-rank percentile of the first {@code count} values, in milliseconds. */
     public static double percentileMs(long[] nanos, int count, double share) {
         var sorted = Arrays.copyOf(nanos, count);
         Arrays.sort(sorted);

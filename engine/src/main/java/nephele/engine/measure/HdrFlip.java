@@ -2,16 +2,16 @@ package nephele.engine.measure;
 
 import java.util.stream.IntStream;
 
-/** FLIP of radiance: the greatest of its errors under a range of exposures (Andersson et al. 2021). */
+/** FLIP of radiance: the maximum of its errors over a range of exposures (Andersson et al. 2021). */
 public final class HdrFlip {
     private HdrFlip() {}
 
-    /** Under the exposures that the reference asks for. */
+    /** Returns the error of each pixel over the exposures of the reference. */
     public static ErrorMap of(LinearPicture reference, LinearPicture test) {
         return of(reference, test, ExposureRange.of(reference));
     }
 
-    /** Under given exposures, so that a series of references can be compared. */
+    /** Returns the error of each pixel over given exposures, so that several references can be compared. */
     public static ErrorMap of(LinearPicture reference, LinearPicture test, ExposureRange exposures) {
         reference.requireSameSize(test);
         return IntStream.range(0, exposures.count())

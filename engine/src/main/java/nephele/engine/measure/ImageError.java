@@ -1,13 +1,15 @@
 package nephele.engine.measure;
 
-/** Errors of radiance that FLIP hides: its energy and its mean. */
+/** Error measures of radiance that FLIP does not show: squared error and bias of the mean. */
 public final class ImageError {
-    /** Keeps black pixels of the reference from deciding alone, in squared radiance. */
+    /** Limits the weight of black reference pixels; in squared radiance. */
     private static final double FLOOR = 1e-2;
 
     private ImageError() {}
 
-    /** Mean of (test − reference)² / (reference² + 0.01) over pixels and channels (Rousselle et al. 2011). */
+    /**
+     * Returns the mean of (test − reference)² / (reference² + 0.01) over pixels and channels (Rousselle et al. 2011).
+     */
     public static double relativeSquared(LinearPicture reference, LinearPicture test) {
         reference.requireSameSize(test);
         double sum = 0;
@@ -19,7 +21,7 @@ public final class ImageError {
         return sum / reference.rgb().length;
     }
 
-    /** Mean luminance of the test over that of the reference, minus 1; 0 where both are black. */
+    /** Returns the ratio of the mean luminances of test and reference, minus 1; 0 if both are black. */
     public static double meanBias(LinearPicture reference, LinearPicture test) {
         reference.requireSameSize(test);
         double exact = meanLuminance(reference);

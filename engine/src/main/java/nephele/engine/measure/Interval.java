@@ -1,12 +1,13 @@
 package nephele.engine.measure;
 
 /**
- * A figure and where it lies with a stated confidence.
+ * An estimate with its confidence interval.
  *
- * @param low at most {@code estimate}; {@code high} at least
+ * @param low at most {@code estimate}
+ * @param high at least {@code estimate}
  */
 public record Interval(double low, double estimate, double high) {
-    /** Whether the data speak against {@code value}. */
+    /** Returns true if {@code value} is outside of the interval. */
     public boolean excludes(double value) {
         return value < low || value > high;
     }

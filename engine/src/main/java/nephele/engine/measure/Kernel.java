@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * Weights of one dimension of a separable filter, around the middle one.
+ * The weights of a separable filter in one dimension, centred. Positive and negative weights are normalised separately.
  *
  * @param weights an odd number
  */
@@ -29,7 +29,7 @@ record Kernel(float[] weights) {
         return weights.length / 2;
     }
 
-    /** Each row of {@code from} filtered along itself; what lies beyond the border is as the border. */
+    /** Filters each row of {@code from}; beyond the border the border's value is repeated. */
     void alongRows(float[] from, int width, float[] to) {
         int radius = radius();
         float[] padded = new float[width + 2 * radius];
@@ -46,7 +46,7 @@ record Kernel(float[] weights) {
         }
     }
 
-    /** As {@link #alongRows}, across the rows; {@code to} is another array than {@code from}. */
+    /** Filters each column as {@link #alongRows}; {@code to} must not be {@code from}. */
     void alongColumns(float[] from, int width, float[] to) {
         int radius = radius();
         int height = from.length / width;

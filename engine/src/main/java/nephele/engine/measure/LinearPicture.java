@@ -1,9 +1,10 @@
 package nephele.engine.measure;
 
 /**
- * Linear RGB with the primaries of sRGB, row after row; any row may come first, as long as all pictures that are compared agree.
+ * A picture of linear RGB with the primaries of sRGB, in row-major order. Rows may be from the top or from the bottom
+ * if all compared pictures agree.
  *
- * @param rgb three values a pixel, finite; radiance, or what a display emits from 0 to 1
+ * @param rgb three finite values a pixel; radiance, or what a display emits from 0 to 1
  */
 public record LinearPicture(int width, int height, float[] rgb) {
     /** Rec. 709 luminance weights of linear red, green and blue. */
@@ -22,11 +23,12 @@ public record LinearPicture(int width, int height, float[] rgb) {
         }
     }
 
+    /** Returns the number of pixels. */
     public int pixels() {
         return width * height;
     }
 
-    /** Means of blocks of {@code factor} by {@code factor} pixels; the sides must be multiples of it. */
+    /** Returns the means of blocks of {@code factor} by {@code factor} pixels; the sides must be multiples of it. */
     public LinearPicture reduced(int factor) {
         if (factor < 1 || width % factor != 0 || height % factor != 0) {
             throw new IllegalArgumentException(width + "×" + height + " pixels make no whole blocks of " + factor);

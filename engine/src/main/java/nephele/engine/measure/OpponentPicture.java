@@ -21,7 +21,7 @@ record OpponentPicture(int width, float[] y, float[] cx, float[] cz) {
         return opponent;
     }
 
-    /** Writes CIELAB with the chroma of Hunt's effect (bright colours look more colourful), three values a pixel. */
+    /** Returns CIELAB with the chroma of Hunt's effect (brighter colours look more colourful), three values a pixel. */
     float[] huntLab() {
         float[] lab = new float[3 * y.length];
         double[] colour = new double[3];

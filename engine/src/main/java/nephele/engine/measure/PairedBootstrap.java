@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 
 /**
- * Confidence intervals for medians by resampling (Efron 1979, percentile method), seeded: the same numbers give the same interval.
- * What was measured together is drawn together, so that whatever slowed both sides of a pair cancels.
+ * Confidence intervals for medians by resampling (Efron 1979, percentile method). The generator is seeded, so equal
+ * numbers give equal intervals. Paired measurements are drawn together, so that a disturbance of both sides cancels.
  */
 public final class PairedBootstrap {
     public static final double CONFIDENCE = 0.95;
@@ -21,12 +21,12 @@ public final class PairedBootstrap {
         this.seed = seed;
     }
 
-    /** As most figures are made: 10 000 resamples. */
+    /** Returns a bootstrap of 10 000 resamples, the usual number. */
     public static PairedBootstrap standard() {
         return new PairedBootstrap(10_000, 1);
     }
 
-    /** The median of tried[i] / base[i]. */
+    /** Returns the interval of the median of tried[i] / base[i]. */
     public Interval ratio(double[] base, double[] tried) {
         if (base.length != tried.length) {
             throw new IllegalArgumentException(base.length + " and " + tried.length + " measurements are not paired");
@@ -41,7 +41,7 @@ public final class PairedBootstrap {
         return median(ratios);
     }
 
-    /** The median of single values. */
+    /** Returns the interval of the median of single values. */
     public Interval median(double[] values) {
         if (values.length == 0) {
             throw new IllegalArgumentException("no measurement, no interval");

@@ -5,15 +5,15 @@ import java.util.OptionalInt;
 import java.util.stream.IntStream;
 
 /**
- * Which of several choices are worth having, as far as the measurement can tell. A choice is dominated by another one that is
- * cheaper beyond doubt and errs no more, or that seems to cost no more and errs less.
+ * The Pareto-optimal ones of several choices, within the accuracy of the measurement. A choice is dominated by another
+ * that is significantly cheaper and has no greater error, or that has no greater estimated cost and a smaller error.
  */
 public final class ParetoFront {
     private final List<Choice> choices;
     private final double errorStep;
     private final double costStep;
 
-    /** Smaller is better in both. */
+    /** A choice with its cost and error; smaller is better in both. */
     public record Choice(Interval cost, double error) {
         public Choice {
             if (!Double.isFinite(cost.low() + cost.estimate() + cost.high()) || !Double.isFinite(error)) {
@@ -22,15 +22,17 @@ public final class ParetoFront {
             }
         }
 
-        /** Of a cost that was counted. */
+        /** Returns a choice with an exact cost, such as a count. */
         public static Choice exact(double cost, double error) {
             return new Choice(new Interval(cost, cost, cost), error);
         }
     }
 
     /**
+     * Creates the front of some choices.
+     *
      * @param errorStep errors that differ by no more than this count as equal
-     * @param costStep so do costs whose intervals are apart by no more than this share
+     * @param costStep costs with intervals that are apart by no more than this fraction count as equal
      */
     public ParetoFront(List<Choice> choices, double errorStep, double costStep) {
         this.choices = List.copyOf(choices);
@@ -42,7 +44,9 @@ public final class ParetoFront {
         return dominating(index).isEmpty();
     }
 
-    /** The most accurate choice on the front that dominates this one, and of equal ones the cheapest; empty on the front. */
+    /**
+     * Returns the dominating choice of least error, and of equal ones the cheapest; empty for a choice on the front.
+     */
     public OptionalInt dominating(int index) {
         return IntStream.range(0, choices.size())
                 .filter(other -> dominates(choices.get(other), choices.get(index)))

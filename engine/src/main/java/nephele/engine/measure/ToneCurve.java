@@ -1,6 +1,6 @@
 package nephele.engine.measure;
 
-/** Narkowicz' fit of the ACES filmic curve (2015), with 0.6 of the exposure: the tone mapper of HDR-FLIP. */
+/** Narkowicz' fit of the ACES filmic curve (2015), at 0.6 of the exposure: the tone mapper of HDR-FLIP. */
 final class ToneCurve {
     private static final double EXPOSURE = 0.6;
     private static final double A2 = 2.51 * EXPOSURE * EXPOSURE;
@@ -16,7 +16,7 @@ final class ToneCurve {
         return Math.min(Math.max(mapped, 0), 1);
     }
 
-    /** The greater radiance that is mapped to {@code shown}, below 1. */
+    /** Returns the greater radiance that is mapped to {@code shown}, which is below 1. */
     static double inverse(double shown) {
         double a = A2 - shown * B2;
         double b = A1 - shown * B1;

@@ -1,2 +1,2 @@
-/** How far a picture or a number is from the exact one, and how sure a measured cost is. Uses nothing of ours. */
+/** Error measures of pictures and confidence intervals of measured costs. Independent of all other packages. */
 package nephele.engine.measure;

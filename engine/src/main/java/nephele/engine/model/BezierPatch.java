@@ -5,17 +5,17 @@ import org.joml.Vector3d;
 /**
  * A bicubic Bézier patch over the unit square.
  *
- * @param points 16 points, row by row; u runs along a row, v from row to row
+ * @param points 16 control points in row-major order; u runs along a row, v from row to row
  */
 record BezierPatch(Vector3d[] points) {
     static final int SIDE = 4;
 
-    /** The sum of all points, each weighted by its column's and its row's weight. */
+    /** Returns the sum of all points, each multiplied by its column's and its row's weight. */
     Vector3d weighted(double[] columns, double[] rows) {
         return along(across(columns), rows);
     }
 
-    /** Each row's points, weighted by their columns: the same for all places of one u. */
+    /** Returns the weighted sum of each row's points; it is the same for all points of one u. */
     Vector3d[] across(double[] columns) {
         Vector3d[] across = new Vector3d[SIDE];
         for (int row = 0; row < SIDE; row++) {
@@ -29,12 +29,12 @@ record BezierPatch(Vector3d[] points) {
         return across;
     }
 
-    /** @param across of {@link #across} */
+    /** @param across the result of {@link #across} */
     static Vector3d along(Vector3d[] across, double[] rows) {
         return symmetricSum(across[0], across[1], across[2], across[3], rows);
     }
 
-    /** To the last bit the same from both ends, so that patches meet without a gap whichever way their edges run. */
+    /** Sums bitwise equally from both ends, so that patches join without a gap for either direction of their edges. */
     private static Vector3d symmetricSum(Vector3d a, Vector3d b, Vector3d c, Vector3d d, double[] weights) {
         Vector3d outer = new Vector3d(a).mul(weights[0]).add(new Vector3d(d).mul(weights[3]));
         Vector3d inner = new Vector3d(b).mul(weights[1]).add(new Vector3d(c).mul(weights[2]));

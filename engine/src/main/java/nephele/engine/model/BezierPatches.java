@@ -3,13 +3,19 @@ package nephele.engine.model;
 import java.util.List;
 
 /**
- * A surface of bicubic patches, as a {@code .patch} file holds it.
+ * A surface of bicubic patches, as stored in a {@code .patch} file.
  *
- * @param file it came from
+ * @param file name of the file, for errors
  */
 public record BezierPatches(String file, List<BezierPatch> patches) {
     static final String SHIPPED = "models/teapot.patch";
 
+    /**
+     * Reads a {@code .patch} file.
+     *
+     * @param file its name, for errors
+     * @throws ModelFileException if the file is malformed
+     */
     public static BezierPatches read(String file, byte[] bytes) {
         return new PatchFile(file, bytes).read();
     }

@@ -5,10 +5,11 @@ import nephele.engine.model.GridTriangles.Diagonal;
 import org.joml.Vector3d;
 
 /**
- * Bézier patches as triangles. Seen from outside u runs to the left and v downward in the Utah teapot, so that
- * (1 - u, 1 - v) shows a picture upright.
+ * A tessellated surface of Bézier patches. Seen from outside, u runs to the left and v downwards in the Utah teapot, so
+ * the texture coordinates (1 - u, 1 - v) show an image upright.
  *
- * @param tessellation parts of each side of a patch
+ * @param patches the surface
+ * @param tessellation divisions of each side of a patch
  */
 public record BezierShape(BezierPatches patches, int tessellation) implements Shape {
     public BezierShape {
@@ -45,7 +46,7 @@ public record BezierShape(BezierPatches patches, int tessellation) implements Sh
         return 2 * patches.patches().size() * tessellation * tessellation;
     }
 
-    /** The first vertex is the one at u = v = 1, which is the lower left one. */
+    /** Adds a patch; the first vertex, the lower left one, is at u = v = 1. */
     private void add(MeshBuilder mesh, BezierPatch patch, CubicWeights[] weights) {
         int first = mesh.nextVertex();
         var normals = new PatchNormal(patch);
@@ -75,11 +76,11 @@ public record BezierShape(BezierPatches patches, int tessellation) implements Sh
     }
 
     /**
-     * Outward unit normals of a patch: the cross product of its derivatives, or its limit where they vanish or are parallel,
-     * as at the tip of the Utah teapot, where a whole edge of a patch is one point.
+     * Computes outward unit normals of a patch: the cross product of its derivatives, or its limit where they vanish or
+     * are parallel, as at the tip of the Utah teapot, where a whole edge of a patch is one point.
      */
     private static final class PatchNormal {
-        /** Relative to the patch's size, squared as a cross product is. */
+        /** Relative to the square of the patch's size, because a cross product scales with it. */
         private static final double VANISHING = 1e-12;
 
         private static final double[] STEPS_INWARD = {1e-4, 1e-3, 1e-2, 1e-1};
@@ -92,7 +93,7 @@ public record BezierShape(BezierPatches patches, int tessellation) implements Sh
             this.vanishing = VANISHING * squaredSize(patch);
         }
 
-        /** @param cross product of the derivatives; may be changed */
+        /** @param cross the cross product of the derivatives; may be modified */
         Vector3d unit(Vector3d cross, int column, int row, int parts) {
             if (cross.length() > vanishing) {
                 return cross.normalize();
@@ -110,8 +111,9 @@ public record BezierShape(BezierPatches patches, int tessellation) implements Sh
         }
 
         /**
-         * A step s into the patch the derivative that is 0 at its edge is s times the mixed one, which thus takes its place;
-         * from the far edge the step is a negative one.
+         * Returns the limit of the normal at an edge that is one point. A step s into the patch, the derivative that is
+         * 0 at the edge is s times the mixed derivative, which therefore replaces it; from the far edge the step is
+         * negative.
          */
         private Vector3d secondOrder(CubicWeights u, CubicWeights v, int intoColumns, int intoRows) {
             Vector3d alongU = patch.weighted(u.slope(), v.value());
@@ -122,7 +124,7 @@ public record BezierShape(BezierPatches patches, int tessellation) implements Sh
                     : alongU.cross(mixed.mul(intoColumns));
         }
 
-        /** What the normal tends to on the way to the middle; +y where the patch is a line or a point. */
+        /** Returns the normal a small step towards the middle; +y if the patch is a line or a point. */
         private Vector3d inward(double u, double v) {
             for (double step : STEPS_INWARD) {
                 Vector3d normal = cross(CubicWeights.at(u + step * (0.5 - u)), CubicWeights.at(v + step * (0.5 - v)));

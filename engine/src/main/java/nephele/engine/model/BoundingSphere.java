@@ -3,13 +3,14 @@ package nephele.engine.model;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** A sphere that holds every vertex of a mesh. */
+/** A sphere that contains every vertex of a mesh. */
 public record BoundingSphere(Vec3 centre, double radius) {
     private static final int STEPS = 32;
 
     /**
-     * Close to the smallest one: the centre starts in the middle of the box and goes 1 / (i + 1) of the way to the
-     * farthest vertex again and again (Bădoiu and Clarkson, 2003, algorithm 1); the best of these centres stays.
+     * Returns a sphere close to the smallest one. The centre starts in the middle of the box and repeatedly moves 1 /
+     * (i + 1) of the distance towards the farthest vertex (Bădoiu and Clarkson, 2003, algorithm 1); the best centre is
+     * kept.
      */
     public static BoundingSphere of(Mesh mesh) {
         float[] positions = mesh.positions();

@@ -3,7 +3,8 @@ package nephele.engine.model;
 /**
  * A cube around the origin.
  *
- * @param length of a side
+ * @param length edge length
+ * @param divisions divisions of an edge
  */
 public record BoxShape(double length, int divisions) implements Shape {
     public BoxShape {

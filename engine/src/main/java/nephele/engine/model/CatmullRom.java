@@ -5,12 +5,12 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * A curve through points that is smooth in its parameter: on each span the cubic with the points' positions and with the
- * tangents of the parabola through each point and its neighbours, which is Barry and Goldman's Catmull-Rom curve (1988)
- * for any knots. Points at one place are as good as one of them, and one point is a curve that stays there.
+ * A smooth curve through points. Each span is the cubic with the points' positions and with the tangents of the
+ * parabola through each point and its neighbours; this is Barry and Goldman's Catmull-Rom curve (1988) for any knots.
+ * Coincident points are allowed; a single point gives a constant curve.
  */
 public final class CatmullRom {
-    /** A shorter span would make its tangents meaningless. */
+    /** Shorter spans have meaningless tangents. */
     private static final double LEAST_SPAN = 1e-9;
 
     private final CurveKnots knots;
@@ -24,35 +24,35 @@ public final class CatmullRom {
         }
     }
 
-    /** Back to the first point after the last, as long on the way to each: the paths of XML scenes. Goes from 0 to 1. */
+    /** Creates a closed curve with equal spans over the parameter range 0 to 1; used for the paths of XML scenes. */
     public static CatmullRom uniformLoop(List<Vec3> points) {
         return new CatmullRom(CurveKnots.loop(points, 0));
     }
 
     /**
-     * Back to the first point after the last, without cusps and loops within a span (Yuksel, Schaefer and Keyser 2011):
-     * the paths of levels. Goes from 0 to 1.
+     * Creates a closed curve over the parameter range 0 to 1 without cusps and loops within a span (Yuksel, Schaefer
+     * and Keyser 2011); used for the paths of levels.
      */
     public static CatmullRom centripetalLoop(List<Vec3> points) {
         return new CatmullRom(CurveKnots.loop(points, 0.5));
     }
 
-    /** From the first point at 0 to the last at 1, with centripetal knots. */
+    /** Creates a curve from the first point at 0 to the last at 1, with centripetal knots. */
     public static CatmullRom centripetal(List<Vec3> points) {
         return new CatmullRom(CurveKnots.open(points, 0.5));
     }
 
     /**
-     * At each point at its time; the last one of several at one time counts.
+     * Creates a curve that is at each point at its time; of several points at one time the last counts.
      *
-     * @throws IllegalArgumentException for times that decrease or are no numbers, and without any
+     * @throws IllegalArgumentException for times that decrease or are not finite, or without any point
      */
     public static CatmullRom timed(List<Vec3> points, double[] seconds) {
         return new CatmullRom(CurveKnots.timed(points, seconds));
     }
 
     /**
-     * Where the curve is; before its beginning and after its end a loop goes on and another curve stands still. Like the
+     * Evaluates the position. Outside the parameter range a closed curve repeats and an open one is constant. Like the
      * derivatives it allocates nothing.
      */
     public Vector3d position(double parameter, Vector3d into) {
@@ -67,7 +67,7 @@ public final class CatmullRom {
         return sum(from, (1 + 2 * t) * u * u, t * u * u * span, t * t * (3 - 2 * t), -t * t * u * span, into);
     }
 
-    /** How the position changes per unit of the parameter; 0 where the curve stands still. */
+    /** Evaluates the first derivative by the parameter; 0 where the curve is constant. */
     public Vector3d derivative(double parameter, Vector3d into) {
         double at = knots.within(parameter);
         int from = knots.spanOf(at);
@@ -80,7 +80,7 @@ public final class CatmullRom {
         return sum(from, bend / span, 3 * t * t - 4 * t + 1, -bend / span, 3 * t * t - 2 * t, into);
     }
 
-    /** How the derivative changes per unit of the parameter; leaps from span to span. */
+    /** Evaluates the second derivative by the parameter; it is discontinuous at knots. */
     public Vector3d secondDerivative(double parameter, Vector3d into) {
         double at = knots.within(parameter);
         int from = knots.spanOf(at);
@@ -97,14 +97,16 @@ public final class CatmullRom {
         return span < LEAST_SPAN || at != parameter && !knots.closed();
     }
 
-    /** Hermite's form: of both ends of a span their positions and tangents, weighted. */
+    /** Evaluates the Hermite form: the weighted positions and tangents of both ends of a span. */
     private Vector3d sum(int from, double start, double leaving, double end, double arriving, Vector3d into) {
         Vector3d after = tangents[(from + 1) % tangents.length];
         into.set(knots.point(from)).mul(start);
         return into.fma(leaving, tangents[from]).fma(end, knots.point(from + 1)).fma(arriving, after);
     }
 
-    /** Of the parabola through the point and its neighbours; at an end that has none, towards the only neighbour. */
+    /**
+     * Returns the tangent of the parabola through a point and its neighbours; at an end, towards the only neighbour.
+     */
     private Vector3d tangent(int i) {
         boolean first = !knots.closed() && i == 0;
         boolean last = !knots.closed() && i == knots.spans();

@@ -2,7 +2,7 @@ package nephele.engine.model;
 
 import nephele.engine.model.GridTriangles.Diagonal;
 
-/** Stands on the xz plane around the y axis, closed below; the first slice begins at +z and goes towards +x. */
+/** A closed cone on the xz plane around the y axis. The first slice begins at +z and continues towards +x. */
 public record ConeShape(double radius, double height, int slices, int stacks) implements Shape {
     public ConeShape {
         ShapeParameter.RADIUS.check(radius);
@@ -40,7 +40,7 @@ public record ConeShape(double radius, double height, int slices, int stacks) im
         }
     }
 
-    /** The tip has no normal of its own: each slice has one there that faces along its middle. */
+    /** Adds the tip, which has no unique normal: each slice gets a vertex with the normal of its middle. */
     private void tip(MeshBuilder mesh, int ring) {
         for (int i = 0; i < slices; i++) {
             sideNormal(
@@ -52,7 +52,7 @@ public record ConeShape(double radius, double height, int slices, int stacks) im
         }
     }
 
-    /** (h sin t, r, h cos t) / √(r² + h²). */
+    /** Sets the normal (h sin t, r, h cos t) / √(r² + h²). */
     private MeshBuilder sideNormal(MeshBuilder mesh, double sine, double cosine) {
         double length = StrictMath.hypot(radius, height);
         return mesh.normal(height / length * sine, radius / length, height / length * cosine);

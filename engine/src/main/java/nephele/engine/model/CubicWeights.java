@@ -1,13 +1,15 @@
 package nephele.engine.model;
 
 /**
- * Cubic Bernstein polynomials at one parameter.
+ * The cubic Bernstein polynomials at one parameter.
  *
- * @param value of each of the four
+ * @param value values of the four polynomials
  * @param slope their first derivatives
  */
 record CubicWeights(double[] value, double[] slope) {
-    /** At {@code part / parts}: whole numbers up to the last division, so that mirrored parameters have mirrored weights. */
+    /**
+     * Evaluates at {@code part / parts} in integers up to the last division, so that mirrored parameters match bitwise.
+     */
     static CubicWeights at(int part, int parts) {
         long t = part;
         long rest = parts - part;

@@ -7,15 +7,15 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * At which parameter a curve passes which point. A closed curve's last knot is its first point again.
+ * The points of a curve and the parameters of its knots. The last knot of a closed curve is its first point again.
  *
  * @param knots one more than there are spans, increasing
  */
 record CurveKnots(List<Vector3d> points, double[] knots, boolean closed) {
-    /** Part of the longest chord that two knots are apart at least: points at one place still get a span. */
+    /** Minimum distance of two knots relative to the longest; coincident points still get a span. */
     private static final double LEAST_SHARE = 1e-3;
 
-    /** @param exponent of a chord's length in its knots' distance: 0 uniform, 1/2 centripetal */
+    /** @param exponent of the chord length in the knot distance: 0 uniform, 1/2 centripetal */
     static CurveKnots loop(List<Vec3> places, double exponent) {
         List<Vector3d> points = vectors(places);
         double[] spans = new double[points.size()];
@@ -64,7 +64,7 @@ record CurveKnots(List<Vector3d> points, double[] knots, boolean closed) {
         return knots[i];
     }
 
-    /** Length of the span after point {@code i}; 0 where there is none. */
+    /** Returns the length of the span after point {@code i}; 0 if the curve has no span. */
     double span(int i) {
         if (spans() == 0) {
             return 0;
@@ -73,7 +73,7 @@ record CurveKnots(List<Vector3d> points, double[] knots, boolean closed) {
         return knots[span + 1] - knots[span];
     }
 
-    /** The parameter on the curve: wrapped around a loop, held at the ends of another; NaN counts as its beginning. */
+    /** Maps a parameter to the curve: wrapped if closed, otherwise clamped; NaN maps to the start. */
     double within(double parameter) {
         double first = knots[0];
         double last = knots[spans()];
@@ -88,7 +88,7 @@ record CurveKnots(List<Vector3d> points, double[] knots, boolean closed) {
         return share >= 0 && share < 1 ? first + share * (last - first) : first;
     }
 
-    /** The span that holds a parameter on the curve; the last one holds the curve's end. */
+    /** Returns the span that contains a parameter; the end of the curve belongs to the last span. */
     int spanOf(double at) {
         int found = Arrays.binarySearch(knots, at);
         int span = found >= 0 ? found : -found - 2;
@@ -121,7 +121,7 @@ record CurveKnots(List<Vector3d> points, double[] knots, boolean closed) {
         return exponent == 0 ? 1 : StrictMath.pow(chord, exponent);
     }
 
-    /** Knots from 0 to 1 whose distances go as {@code spans}. */
+    /** Returns knots from 0 to 1 with distances proportional to {@code spans}. */
     private static double[] shares(double[] spans) {
         double longest = Arrays.stream(spans).max().orElse(0);
         double least = longest > 0 ? LEAST_SHARE * longest : 1;

@@ -2,7 +2,9 @@ package nephele.engine.model;
 
 import nephele.engine.model.GridTriangles.Diagonal;
 
-/** Around the y axis, centred at the origin, closed at both ends; the first slice begins at +z and goes towards +x. */
+/**
+ * A closed cylinder around the y axis, centred at the origin. The first slice begins at +z and continues towards +x.
+ */
 public record CylinderShape(double radius, double height, int slices) implements Shape {
     public CylinderShape {
         ShapeParameter.RADIUS.check(radius);

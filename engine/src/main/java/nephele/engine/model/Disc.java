@@ -1,6 +1,6 @@
 package nephele.engine.model;
 
-/** The flat end of a cone or a cylinder: a fan around its centre, with a picture upright as on a box's face. */
+/** The flat end of a cone or a cylinder: a fan around its centre, with the image orientation of a box's face. */
 enum Disc {
     UP(1),
     DOWN(-1);

@@ -2,7 +2,7 @@ package nephele.engine.model;
 
 import java.util.Arrays;
 
-/** Floats in a row that grows. */
+/** A growable list of floats. */
 final class FloatList {
     private float[] values = new float[48];
     private int size;

@@ -3,14 +3,14 @@ package nephele.engine.model;
 import java.math.BigDecimal;
 import java.math.MathContext;
 
-/** The shortest decimal text that reads back to the same float, in every version of Java and every language. */
+/** Formats a float as a decimal that reads back to the same float, independent of Java version and locale. */
 final class FloatText {
     private static final double[] TENS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
     private static final int ENOUGH_DIGITS = 9;
 
     private FloatText() {}
 
-    /** @throws IllegalArgumentException for NaN and infinities, which no file may hold */
+    /** @throws IllegalArgumentException for NaN and infinities, which no file may contain */
     static String of(float value) {
         if (!Float.isFinite(value)) {
             throw new IllegalArgumentException(value + " has no place in a file");
@@ -44,8 +44,8 @@ final class FloatText {
     }
 
     /**
-     * Every decimal of six digits survives a normal float (Matula 1968), so a shorter text is what six digits leave
-     * after stripping zeros.
+     * Tries 6 to 9 significant digits, from 1 digit for subnormals. Every decimal of six digits survives a normal float
+     * (Matula 1968), so a shorter text is the six-digit one without trailing zeros.
      */
     private static String any(float magnitude) {
         BigDecimal exact = new BigDecimal(magnitude);

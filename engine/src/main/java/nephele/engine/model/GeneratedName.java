@@ -8,8 +8,8 @@ import java.util.regex.Pattern;
 import nephele.engine.asset.ResourceAssets;
 
 /**
- * File names that say how their mesh is made: {@code sphere_1_8_8.3d} is what the generator makes of {@code sphere 1 8 8},
- * {@code bezier_10.3d} the teapot at tessellation 10.
+ * Parses file names that describe how their mesh is generated: {@code sphere_1_8_8.3d} is the generator's {@code sphere
+ * 1 8 8}, {@code bezier_10.3d} the teapot at tessellation 10.
  */
 public final class GeneratedName {
     private static final String PATCHES = "teapot.patch";
@@ -19,11 +19,11 @@ public final class GeneratedName {
     private GeneratedName() {}
 
     /**
-     * The shape that a name stands for; empty for other names.
+     * Returns the shape that a name describes; empty for other names.
      *
-     * @param neighbour the bytes of a file beside this one, {@code null} when there is none: an own teapot.patch there
-     *     comes before the one that ships
-     * @throws ModelFileException when the name is like the generator's, but its numbers are not
+     * @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none; a teapot.patch
+     *     there overrides the one that ships
+     * @throws ModelFileException if the name has the generator's form but invalid numbers
      */
     public static Optional<Shape> shape(String fileName, Function<String, byte[]> neighbour) {
         Matcher matcher = NAME.matcher(fileName);

@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Tables of numbers that meshes use: each is checked to lie within its part of a buffer. */
+/** The accessors that meshes use; each is checked to be within its buffer view. */
 final class GltfAccessors {
     private static final int UNSIGNED_BYTE = 5121;
     private static final int UNSIGNED_SHORT = 5123;
@@ -15,7 +15,7 @@ final class GltfAccessors {
 
     static final List<Integer> FLOATS = List.of(FLOAT);
 
-    /** Whole numbers that stand for 0 to 1 as well. */
+    /** Component types of numbers from 0 to 1, including normalized integers. */
     static final List<Integer> FLOATS_OR_SHARES = List.of(FLOAT, UNSIGNED_BYTE, UNSIGNED_SHORT);
 
     static final List<Integer> INDICES = List.of(UNSIGNED_BYTE, UNSIGNED_SHORT, UNSIGNED_INT);
@@ -31,7 +31,7 @@ final class GltfAccessors {
         this.buffers = buffers;
     }
 
-    /** The number of an accessor among those that are kept. */
+    /** Checks an accessor and returns its index among those kept. */
     int use(GltfValue index, String type, List<Integer> components) {
         GltfValue all = root.member("accessors");
         int number = index.index(all.size(), "accessors");
@@ -119,7 +119,7 @@ final class GltfAccessors {
         }
     }
 
-    /** A part of the one buffer that all were joined to. */
+    /** Returns the view relative to the one buffer into which all buffers are joined. */
     private JsonObject view(GltfValue view) {
         int buffer = view.member("buffer").index(buffers.starts().length, "buffers");
         int offset = view.member("byteOffset").count(0);

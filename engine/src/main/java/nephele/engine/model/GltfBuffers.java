@@ -7,16 +7,16 @@ import java.util.Base64;
 import java.util.function.Function;
 
 /**
- * The buffers of a glTF file one after the other.
+ * The concatenated buffers of a glTF file.
  *
- * @param starts of each buffer
- * @param lengths of each buffer
+ * @param starts offset of each buffer in bytes
+ * @param lengths length of each buffer in bytes
  */
 record GltfBuffers(byte[] bytes, int[] starts, int[] lengths) {
     private static final int MOST_BUFFERS = 64;
     private static final int ALIGNMENT = 4;
 
-    /** @param neighbour the bytes of a file beside this one, {@code null} when there is none */
+    /** @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none */
     static GltfBuffers of(GltfValue buffers, byte[] binary, Function<String, byte[]> neighbour) {
         if (buffers.size() > MOST_BUFFERS) {
             throw buffers.wrong("has more than " + MOST_BUFFERS + " elements");
@@ -67,7 +67,7 @@ record GltfBuffers(byte[] bytes, int[] starts, int[] lengths) {
         }
     }
 
-    /** Only a name below the file's own folder: nothing is fetched from elsewhere. */
+    /** Reads a file below the glTF file's own folder; nothing is fetched from elsewhere. */
     private static byte[] beside(GltfValue uri, String text, Function<String, byte[]> neighbour) {
         String name = decoded(uri, text);
         boolean elsewhere = name.isEmpty() || name.contains(":") || name.contains("\\") || name.startsWith("/");

@@ -5,9 +5,9 @@ import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /**
- * What a .gltf or .glb file holds: a JSON text and, in a .glb, the bytes of its first buffer.
+ * The contents of a .gltf or .glb file: the JSON text and, in a .glb, the bytes of its first buffer.
  *
- * @param binary {@code null} where there are none
+ * @param binary {@code null} if there are none
  */
 record GltfContainer(byte[] json, byte[] binary) {
     private static final int MAGIC = 0x46546C67;

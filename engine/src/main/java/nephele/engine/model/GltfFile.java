@@ -13,15 +13,15 @@ import java.nio.charset.StandardCharsets;
 import java.util.function.Function;
 
 /**
- * Reads glTF 2.0. What a mesh needs of the file is checked first – every count against the bytes that are there – and
- * only that is given to the library, so that no file makes it allocate what it can't or follow an address.
+ * Reads glTF 2.0. The parts that a mesh needs are validated first, every count against the bytes present. Only these
+ * parts are passed to the library, so that no file can make it allocate too much or follow an address.
  */
 final class GltfFile {
     private final String file;
     private final byte[] bytes;
     private final Function<String, byte[]> neighbour;
 
-    /** @param neighbour the bytes of a file beside this one, {@code null} when there is none */
+    /** @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none */
     GltfFile(String file, byte[] bytes, Function<String, byte[]> neighbour) {
         this.file = file;
         this.bytes = bytes;

@@ -13,7 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Parses the JSON of a glTF file after it was seen that its values are few enough for the memory. */
+/** Parses the JSON of a glTF file after limiting the number of its values to bound the memory. */
 final class GltfJson {
     private static final int MOST_VALUES = 200_000;
     private static final int DEEPEST = 64;

@@ -6,7 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The meshes that nodes use, checked once each; their triangles are counted once for each node. */
+/** The meshes that nodes use. Each is checked once; its triangles are counted once for each node. */
 final class GltfMeshes {
     private static final int TRIANGLES = 4;
     private static final int TRIANGLE_STRIP = 5;
@@ -24,7 +24,7 @@ final class GltfMeshes {
         this.accessors = new GltfAccessors(root, buffers);
     }
 
-    /** The number of a node's mesh among those that are kept. */
+    /** Checks a node's mesh and returns its index among those kept. */
     int use(GltfValue index) {
         GltfValue all = root.member("meshes");
         int number = index.index(all.size(), "meshes");
@@ -103,7 +103,7 @@ final class GltfMeshes {
         kept.addProperty(index.path().substring(index.path().lastIndexOf('.') + 1), accessor);
     }
 
-    /** Vertices or triangles, whichever are more. */
+    /** Returns the larger of the numbers of vertices and triangles. */
     private long cost(JsonObject primitive, int mode) {
         long vertices = accessors.count(
                 primitive.getAsJsonObject("attributes").get("POSITION").getAsInt());

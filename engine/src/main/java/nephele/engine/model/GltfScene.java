@@ -6,7 +6,9 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 
-/** What of a glTF file its shown scene needs: nodes with their frames, and their meshes. All else is left out. */
+/**
+ * Extracts the shown scene of a glTF file: nodes with their transforms, and their meshes. Everything else is dropped.
+ */
 final class GltfScene {
     private static final int MOST_NODES = 10_000;
     private static final List<String> FRAME = List.of("matrix", "translation", "rotation", "scale");
@@ -16,7 +18,7 @@ final class GltfScene {
     private final JsonArray nodes = new JsonArray();
     private final JsonArray roots = new JsonArray();
 
-    /** Whether a node was met. */
+    /** True for each node that was visited. */
     private final boolean[] met;
 
     private record Step(GltfValue index, JsonArray siblings) {}
@@ -31,7 +33,7 @@ final class GltfScene {
         this.met = new boolean[count];
     }
 
-    /** A file of its own, all of whose numbers are known to be good. */
+    /** Returns a self-contained glTF file in which all numbers are validated. */
     JsonObject checked() {
         walk();
         JsonObject all = meshes.checked();

@@ -18,7 +18,7 @@ import org.joml.Matrix3d;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
-/** Joins the meshes of a glTF scene's nodes into one, each in its node's frame. */
+/** Joins the meshes of a glTF scene's nodes into one, each transformed by its node. */
 final class GltfTriangles {
     private static final int TRIANGLES = 4;
     private static final int TRIANGLE_STRIP = 5;
@@ -37,7 +37,7 @@ final class GltfTriangles {
         this.model = model;
     }
 
-    /** Nodes come parents first, as {@link GltfScene} keeps them. */
+    /** Returns the joined mesh; {@link GltfScene} orders parents before children. */
     Mesh mesh() {
         Map<NodeModel, Matrix4d> frames = new IdentityHashMap<>();
         for (NodeModel node : model.getNodeModels()) {
@@ -107,14 +107,14 @@ final class GltfTriangles {
         }
     }
 
-    /** Zero for one that has no direction: it is computed from the triangles later. */
+    /** Returns the transformed normal; zero if it has no direction, so that it is computed from the triangles later. */
     private static Vec3 transformed(Matrix3d linear, AccessorFloatData data, int i) {
         Vec3 normal = new Vec3(data.get(i, 0), data.get(i, 1), data.get(i, 2));
         double squared = normal.toVector().lengthSquared();
         return squared > 0 && Double.isFinite(squared) ? Normals.transformed(linear, normal) : Vec3.ZERO;
     }
 
-    /** glTF counts from the picture's top. */
+    /** Adds texture coordinates; glTF's origin is the top of the image, the mesh's the bottom. */
     private void addTexture(AccessorModel texture, int count) {
         AccessorData data = texture == null ? null : texture.getAccessorData();
         for (int i = 0; i < count; i++) {

@@ -8,9 +8,9 @@ import java.util.Iterator;
 import java.util.stream.IntStream;
 
 /**
- * A value in a glTF file's JSON, with the path to it; asking for what isn't there says so by that path.
+ * A value in a glTF file's JSON, with its path, which errors name.
  *
- * @param json {@code null} where the member is missing
+ * @param json {@code null} if the member is missing
  */
 record GltfValue(String file, String path, JsonElement json) {
     boolean exists() {
@@ -24,7 +24,7 @@ record GltfValue(String file, String path, JsonElement json) {
         return new GltfValue(file, path.isEmpty() ? name : path + "." + name, object.get(name));
     }
 
-    /** Elements of an array; none of a missing one. */
+    /** Returns the number of elements of an array; 0 if it is missing. */
     int size() {
         if (json == null) {
             return 0;
@@ -66,7 +66,7 @@ record GltfValue(String file, String path, JsonElement json) {
         return value;
     }
 
-    /** A whole number from 0; {@code missing} where there is none. */
+    /** Returns a non-negative integer; {@code missing} if there is none. */
     int count(int missing) {
         if (json == null) {
             return missing;
@@ -85,7 +85,7 @@ record GltfValue(String file, String path, JsonElement json) {
         return count(0);
     }
 
-    /** A whole number below {@code limit} that says which one of {@code what}. */
+    /** Returns an integer below {@code limit}, an index into {@code what}. */
     int index(int limit, String what) {
         int index = count();
         if (index >= limit) {

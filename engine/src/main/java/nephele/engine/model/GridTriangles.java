@@ -1,18 +1,18 @@
 package nephele.engine.model;
 
-/** Rows of vertices joined by triangles; columns run to the right and rows upward, seen from outside. */
+/** Joins rows of vertices by triangles. Seen from outside, columns run to the right and rows upwards. */
 final class GridTriangles {
-    /** Which diagonal cuts a cell in two. */
+    /** The diagonal that splits a cell into two triangles. */
     enum Diagonal {
-        /** From the lower left corner to the upper right one. */
+        /** The diagonal from the lower left to the upper right corner. */
         RISING,
-        /** From the upper left corner to the lower right one. */
+        /** The diagonal from the upper left to the lower right corner. */
         FALLING
     }
 
     private GridTriangles() {}
 
-    /** Joins {@code columns + 1} vertices in each of {@code rows + 1} rows, the first of which is {@code first}. */
+    /** Joins {@code rows + 1} rows of {@code columns + 1} vertices, beginning at vertex {@code first}. */
     static void join(MeshBuilder mesh, int first, int columns, int rows, Diagonal diagonal) {
         for (int row = 0; row < rows; row++) {
             for (int column = 0; column < columns; column++) {

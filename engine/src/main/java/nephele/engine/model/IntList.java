@@ -2,7 +2,7 @@ package nephele.engine.model;
 
 import java.util.Arrays;
 
-/** Whole numbers in a row that grows. */
+/** A growable list of integers. */
 final class IntList {
     private int[] values = new int[48];
     private int size;

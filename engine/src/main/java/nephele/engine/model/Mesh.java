@@ -1,12 +1,12 @@
 package nephele.engine.model;
 
 /**
- * Triangles with normals and texture coordinates, as a drawing needs them: a point that faces with other normals or
- * other texture coordinates share is there once for each.
+ * A triangle mesh with normals and texture coordinates. A point with several normals or texture coordinates is stored
+ * as several vertices.
  *
  * @param positions x, y, z of each vertex
  * @param normals x, y, z of each vertex, of unit length, outward
- * @param textureCoordinates s, t of each vertex, from the picture's bottom-left corner
+ * @param textureCoordinates s, t of each vertex, from the bottom-left corner of the image
  * @param indices three vertices for each triangle, counter-clockwise seen from outside
  */
 public record Mesh(float[] positions, float[] normals, float[] textureCoordinates, int[] indices) {
@@ -20,6 +20,7 @@ public record Mesh(float[] positions, float[] normals, float[] textureCoordinate
         return positions.length / 3;
     }
 
+    /** Returns the number of triangles. */
     public int triangleCount() {
         return indices.length / 3;
     }

@@ -2,7 +2,7 @@ package nephele.engine.model;
 
 import java.util.Arrays;
 
-/** A mesh that grows up to a number of vertices and triangles known from the start. */
+/** A builder of a mesh with known maximum numbers of vertices and triangles. */
 final class MeshBuilder {
     private final float[] positions;
     private final float[] normals;
@@ -18,12 +18,12 @@ final class MeshBuilder {
         indices = new int[3 * mostTriangles];
     }
 
-    /** Of the vertex that comes next. */
+    /** Returns the index of the next vertex. */
     int nextVertex() {
         return vertices;
     }
 
-    /** Adds a vertex without a normal; {@link #normal} has to follow. */
+    /** Begins a vertex; {@link #normal} must follow. */
     MeshBuilder point(double x, double y, double z) {
         put(positions, x, y, z);
         return this;
@@ -34,21 +34,21 @@ final class MeshBuilder {
         return this;
     }
 
-    /** Completes the vertex; returns its index. */
+    /** Completes the vertex and returns its index. */
     int texture(double s, double t) {
         textureCoordinates[2 * vertices] = (float) s;
         textureCoordinates[2 * vertices + 1] = (float) t;
         return vertices++;
     }
 
-    /** Counter-clockwise seen from outside. */
+    /** Adds a triangle, counter-clockwise seen from outside. */
     void triangle(int a, int b, int c) {
         indices[corners++] = a;
         indices[corners++] = b;
         indices[corners++] = c;
     }
 
-    /** Leaves out a triangle of which two corners lie at one place. */
+    /** Adds a triangle unless two of its corners coincide. */
     void properTriangle(int a, int b, int c) {
         if (!samePlace(a, b) && !samePlace(b, c) && !samePlace(c, a)) {
             triangle(a, b, c);
@@ -66,7 +66,7 @@ final class MeshBuilder {
                         Arrays.copyOf(indices, corners));
     }
 
-    /** Adding 0 turns -0 into 0, which no text has to tell apart. */
+    /** Adding 0 turns -0 into 0, so that texts do not distinguish them. */
     private void put(float[] to, double x, double y, double z) {
         to[3 * vertices] = (float) x + 0f;
         to[3 * vertices + 1] = (float) y + 0f;

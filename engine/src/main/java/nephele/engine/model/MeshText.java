@@ -3,14 +3,18 @@ package nephele.engine.model;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 
-/** Writes a mesh as the text of a {@code .3d} file; reading it gives the same numbers to the last bit. */
+/** Writes a mesh as the text of a {@code .3d} file; reading it restores the same numbers to the last bit. */
 public final class MeshText {
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream(1 << 16);
     private final StringBuilder row = new StringBuilder();
 
     private MeshText() {}
 
-    /** @throws IllegalArgumentException when the text would be larger than what is read back */
+    /**
+     * Returns the text of a mesh.
+     *
+     * @throws IllegalArgumentException if the text would exceed the size limit for reading
+     */
     public static byte[] of(Mesh mesh) {
         var text = new MeshText();
         text.block("points: x y z", mesh.positions(), 3);

@@ -2,13 +2,13 @@ package nephele.engine.model;
 
 import org.joml.Vector3d;
 
-/** Gives unit normals to vertices that have none: the mean of their triangles, weighted by the angle at the vertex. */
+/** Computes missing unit vertex normals: the mean of the triangle normals, weighted by the angle at the vertex. */
 final class MissingNormals {
     private static final double VANISHING = 1e-12;
 
     private MissingNormals() {}
 
-    /** Scales normals to unit length and replaces those of length 0; a vertex without any area gets +y. */
+    /** Scales normals to unit length and computes those of length 0; a vertex without any area gets +y. */
     static void fill(float[] positions, float[] normals, int[] indices) {
         boolean[] missing = new boolean[positions.length / 3];
         boolean some = false;
@@ -68,7 +68,7 @@ final class MissingNormals {
         normals[at + 2] = (float) sum.z;
     }
 
-    /** Leaves alone what is of unit length to a float's precision, so that what was written is read back. */
+    /** Keeps a normal that has unit length to float precision, so that written meshes read back equal. */
     private static boolean normalize(float[] normals, int at) {
         double x = normals[at];
         double y = normals[at + 1];

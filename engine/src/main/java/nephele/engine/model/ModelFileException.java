@@ -2,7 +2,7 @@ package nephele.engine.model;
 
 import nephele.engine.asset.ShownText;
 
-/** A file of a mesh, a curve or a scene that cannot be used: which one, where, why, and what its author can do about it. */
+/** An unusable mesh, curve or scene file: file, line, reason, and remedy for its author. */
 public final class ModelFileException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
@@ -11,11 +11,15 @@ public final class ModelFileException extends RuntimeException {
     private final String reason;
     private final String remedy;
 
-    /** @param line the first is 1; 0 where no line is to blame */
+    /** @param line from 1; 0 if no line applies */
     public ModelFileException(String file, int line, String reason, String remedy) {
         this(file, line, reason, remedy, null);
     }
 
+    /**
+     * @param line from 1; 0 if no line applies
+     * @param cause {@code null} if there is none
+     */
     public ModelFileException(String file, int line, String reason, String remedy, Throwable cause) {
         super(file + (line > 0 ? ":" + line : "") + ": " + ShownText.shortened(reason) + "; " + remedy, cause);
         this.file = file;

@@ -4,15 +4,16 @@ import java.util.Locale;
 import java.util.function.Function;
 import nephele.engine.asset.AssetSource;
 
-/** Meshes by the ending of their file's name. */
+/** Reads meshes by the extension of their file name. */
 public final class ModelFiles {
     private ModelFiles() {}
 
     /**
      * Reads a mesh.
      *
-     * @param neighbour the bytes of a file beside this one, {@code null} when there is none
-     * @throws ModelFileException whatever is wrong with the file
+     * @param file its name, which decides the format: .3d, .obj, .gltf or .glb
+     * @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none
+     * @throws ModelFileException if the file is malformed, too large or of unknown format
      */
     public static Mesh read(String file, byte[] bytes, Function<String, byte[]> neighbour) {
         String name = file.toLowerCase(Locale.ROOT);
@@ -28,7 +29,7 @@ public final class ModelFiles {
         throw new ModelFileException(file, 0, "is no mesh that can be read", "use .3d, .obj, .gltf or .glb");
     }
 
-    /** What lies in the same folder as a file; {@code null} where nothing does. */
+    /** Returns a reader of files in the same folder as a file; it returns {@code null} for missing files. */
     public static Function<String, byte[]> besides(AssetSource assets, String file) {
         String folder = file.substring(0, file.lastIndexOf('/') + 1);
         return name -> assets.exists(folder + name) ? assets.bytes(folder + name) : null;

@@ -5,11 +5,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Reads a text file line by line as words, with what is wrong said by file and line. Lines end in LF, CRLF or CR;
- * {@code #} begins a comment.
+ * Splits a text file into lines of words; errors name file and line. Lines end in LF, CRLF or CR; {@code #} begins a
+ * comment.
  */
 final class ModelText {
-    /** A polygon's corners, the word before them, and a mark that the line goes on. */
+    /** The corners of a polygon, the keyword before them, and a continuation mark. */
     private static final int MOST_WORDS = 2 + MeshLimits.MAX_CORNERS;
 
     private static final int LONGEST_WORD = 256;
@@ -21,7 +21,7 @@ final class ModelText {
     private int at;
     private int line;
 
-    /** @param separators what stands between words beside white space */
+    /** @param separators characters that separate words in addition to white space */
     ModelText(String file, byte[] bytes, String separators) {
         this.file = file;
         this.bytes = bytes;
@@ -38,7 +38,7 @@ final class ModelText {
         }
     }
 
-    /** The byte-order mark that some editors put before UTF-8. */
+    /** Returns true if the file begins with the UTF-8 byte-order mark that some editors write. */
     private static boolean beginsWithMark(byte[] bytes) {
         return bytes.length >= MARK_BYTES
                 && bytes[0] == (byte) 0xef
@@ -54,7 +54,7 @@ final class ModelText {
         return at < bytes.length;
     }
 
-    /** The words of the next line that holds more than a comment; none when it is blank, or at the end. */
+    /** Returns the words of the next line that is not only a comment; none if it is blank, or at the end. */
     List<String> nextLine() {
         List<String> words = new ArrayList<>(4);
         boolean comment;
@@ -65,9 +65,9 @@ final class ModelText {
     }
 
     /**
-     * The same of a line of numbers, without an object for each; returns how many they are.
+     * Parses the next line as numbers, without allocating an object for each, and returns their count.
      *
-     * @param row receives the first of them
+     * @param row receives the first numbers
      */
     int nextNumbers(float[] row) {
         int[] count = new int[1];
@@ -84,7 +84,7 @@ final class ModelText {
         return count[0];
     }
 
-    /** Returns whether it ends in a comment. */
+    /** Reads a line and returns true if it ends in a comment. */
     private boolean readLine(Runnable word) {
         line++;
         boolean comment = false;
@@ -110,7 +110,7 @@ final class ModelText {
         return new ModelFileException(file, where, reason, remedy);
     }
 
-    /** A number that may be a coordinate. */
+    /** Parses a number in the range of coordinates. */
     float coordinate(String word) {
         float value = number(word);
         if (!isCoordinate(value)) {
@@ -135,7 +135,7 @@ final class ModelText {
         }
     }
 
-    /** Returns the word unless it is a number only to Java, such as 1f, 0x1p3 or NaN. */
+    /** Returns the word unless only Java accepts it as a number, such as 1f, 0x1p3 or NaN. */
     static String decimal(String word) {
         for (int i = 0; i < word.length(); i++) {
             if ("0123456789+-.eE".indexOf(word.charAt(i)) < 0) {
@@ -145,7 +145,7 @@ final class ModelText {
         return word;
     }
 
-    /** A whole number; Integer's own range bounds it. */
+    /** Parses an integer in the range of int. */
     int whole(String word) {
         try {
             return Integer.parseInt(word);
@@ -189,7 +189,7 @@ final class ModelText {
         return word;
     }
 
-    /** Returns the words unless they are too many. */
+    /** Returns the words unless there are too many. */
     List<String> atMost(List<String> words) {
         if (words.size() > MOST_WORDS) {
             throw tooManyWords();

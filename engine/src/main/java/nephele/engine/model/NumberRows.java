@@ -2,7 +2,7 @@ package nephele.engine.model;
 
 import java.util.Arrays;
 
-/** Rows of equally many numbers, each with the line that it stands in. */
+/** Rows of equally many numbers, each with its line in the file. */
 final class NumberRows {
     private final int width;
     private float[] numbers = new float[48];

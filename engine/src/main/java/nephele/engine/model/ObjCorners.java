@@ -4,11 +4,11 @@ import java.util.Arrays;
 import org.joml.Vector3d;
 
 /**
- * The triangles of an OBJ file. Corners with the same place, texture coordinates and normal become one vertex; where the
- * file gives no normal, all corners of a smoothing group at one place share the mean of their triangles.
+ * The triangles of an OBJ file. Corners with the same position, texture coordinates and normal become one vertex. Where
+ * the file gives no normal, all corners of a smoothing group at one position share the mean of their triangles.
  */
 final class ObjCorners {
-    /** No texture coordinates. */
+    /** The index of missing texture coordinates. */
     static final int NONE = -1;
 
     private final FloatList places;
@@ -17,7 +17,7 @@ final class ObjCorners {
     private final TripleIndex vertices = new TripleIndex();
     private final IntList indices = new IntList();
 
-    /** Place and smoothing group of each normal that has to be computed. */
+    /** Position and smoothing group of each normal that is to be computed. */
     private final TripleIndex smoothed = new TripleIndex();
 
     private double[] sums = new double[48];
@@ -32,7 +32,9 @@ final class ObjCorners {
         return indices.size() / 3;
     }
 
-    /** What {@link #addTriangle} takes for the normal that a smoothing group has at a place. */
+    /**
+     * Returns the normal index, for {@link #addTriangle}, of the computed normal of a smoothing group at a position.
+     */
     int computedNormal(int place, int smoothingGroup) {
         int number = smoothed.numberOf(place, smoothingGroup, 0);
         if (3 * number + 3 > sums.length) {
@@ -42,7 +44,8 @@ final class ObjCorners {
     }
 
     /**
-     * Adds a triangle unless it has no area. Each corner is place, texture coordinates or {@link #NONE}, and normal.
+     * Adds a triangle unless it has no area. Each corner has a position, texture coordinates or {@link #NONE}, and a
+     * normal.
      */
     void addTriangle(int[] a, int[] b, int[] c) {
         if (edge(a, b).cross(edge(a, c)).lengthSquared() > 0) {

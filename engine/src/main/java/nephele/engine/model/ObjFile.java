@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 
-/** Reads Wavefront OBJ: points, texture coordinates, normals, faces and smoothing groups; materials are left out. */
+/** Reads Wavefront OBJ: points, texture coordinates, normals, faces and smoothing groups; materials are ignored. */
 final class ObjFile {
     private static final Set<String> WITHOUT_EFFECT = Set.of(
             "o",
@@ -22,7 +22,7 @@ final class ObjFile {
             "shadow_obj",
             "trace_obj");
 
-    /** Corner tests of all polygons together: half a second. */
+    /** Maximum number of corner tests of all polygons together, about half a second. */
     private static final long MOST_TESTS = 50_000_000;
 
     private final ModelText text;
@@ -31,7 +31,7 @@ final class ObjFile {
     private final FloatList normals = new FloatList();
     private final ObjCorners corners = new ObjCorners(places, textures, normals);
 
-    /** Above 0 the group of that number, at 0 one group for all, below 0 a group for each face. */
+    /** The number of the smoothing group; 0 is one group for all faces, below 0 each face is its own group. */
     private int smoothingGroup;
 
     private int faces;
@@ -54,7 +54,7 @@ final class ObjFile {
         return corners.mesh();
     }
 
-    /** A backslash at its end joins a line to the next one; at the end of the file to nothing. */
+    /** Reads a line and joins it to the next while it ends in a backslash; at the end of the file nothing is joined. */
     private List<String> logicalLine() {
         List<String> words = text.nextLine();
         while (!words.isEmpty() && words.get(words.size() - 1).endsWith("\\")) {
@@ -86,7 +86,7 @@ final class ObjFile {
         }
     }
 
-    /** Takes the first {@code width} values; more may follow, such as a colour. */
+    /** Adds the first {@code width} values; further ones, such as a colour, are ignored. */
     private void add(FloatList list, List<String> values, int width, int most) {
         if (values.size() < width || values.size() > most) {
             throw text.wrong("has " + values.size() + " numbers", "write " + width + " numbers");
@@ -147,7 +147,7 @@ final class ObjFile {
         }
     }
 
-    /** {@code v}, {@code v/vt}, {@code v//vn} or {@code v/vt/vn}. */
+    /** Parses a corner: {@code v}, {@code v/vt}, {@code v//vn} or {@code v/vt/vn}. */
     private int[] corner(String word, int group) {
         String[] parts = word.split("/", -1);
         if (parts.length > 3) {
@@ -162,7 +162,7 @@ final class ObjFile {
         return new int[] {place, texture, normal};
     }
 
-    /** From 1, or from -1 backward; from 0 in what is returned. */
+    /** Parses an index from 1, or from -1 backwards, and returns it from 0. */
     private int index(String word, int count, String what) {
         int index = text.whole(word);
         int place = index < 0 ? count + index : index - 1;

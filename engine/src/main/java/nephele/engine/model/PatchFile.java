@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 
-/** Reads a {@code .patch} file: a number of patches, 16 indices a line, a number of points, a point a line. */
+/** Reads a {@code .patch} file: the number of patches, 16 indices a line, the number of points, a point a line. */
 final class PatchFile {
     private static final int MOST_PATCHES = 100_000;
     private static final int MOST_POINTS = 1_000_000;
@@ -13,7 +13,7 @@ final class PatchFile {
     private final String file;
     private final ModelText text;
 
-    /** @param indexLines where each patch's indices stand, for what turns out to be wrong with them later */
+    /** @param indexLines line of each patch's indices, for later errors */
     private record Net(List<int[]> indices, List<Integer> indexLines) {}
 
     PatchFile(String file, byte[] bytes) {

@@ -1,13 +1,13 @@
 package nephele.engine.model;
 
-/** Reads decimals such as -12.5 from bytes, faster than text is read and with the same result to the last bit. */
+/** Parses decimals such as -12.5 from bytes, faster than from strings and with the same result to the last bit. */
 final class PlainDecimal {
-    /** More may not fit into a double's 53 bits. */
+    /** Integers of more digits may not fit into a double's 53 bits. */
     private static final int MOST_DIGITS = 15;
 
     private static final double[] TENS = tens();
 
-    /** Bits that a double has and a float has not, and their value halfway between two floats. */
+    /** The mantissa bits that a double has and a float has not, and their value halfway between two floats. */
     private static final long BEYOND_FLOAT = (1L << 29) - 1;
 
     private static final long HALFWAY = 1L << 28;
@@ -23,7 +23,7 @@ final class PlainDecimal {
         return tens;
     }
 
-    /** NaN where it is none, has an exponent or too many digits, or rounding needs more care. */
+    /** Parses a decimal; NaN if it is malformed, has an exponent or too many digits, or needs exact rounding. */
     static float read(byte[] bytes, int start, int end) {
         boolean signed = start < end && (bytes[start] == '-' || bytes[start] == '+');
         long digits = 0;
@@ -49,8 +49,8 @@ final class PlainDecimal {
     }
 
     /**
-     * The quotient of two exact doubles is rounded once, and once more to a float: wrong at most where the first one
-     * ends halfway between two floats (Clinger 1990).
+     * Rounds a quotient to a float, NaN if this may be inexact. The quotient of two exact doubles is rounded once, and
+     * once more to a float; this is wrong at most if the first result is halfway between two floats (Clinger 1990).
      */
     private static float rounded(double quotient) {
         boolean isHalfway = (Double.doubleToRawLongBits(quotient) & BEYOND_FLOAT) == HALFWAY;

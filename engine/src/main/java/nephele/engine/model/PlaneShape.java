@@ -3,14 +3,16 @@ package nephele.engine.model;
 /**
  * A square in the xz plane around the origin.
  *
- * @param length of a side
+ * @param length edge length
+ * @param divisions divisions of an edge
+ * @param sides the faces of the square
  */
 public record PlaneShape(double length, int divisions, Sides sides) implements Shape {
-    /** Which faces it has. */
+    /** The faces of a plane. */
     public enum Sides {
-        /** It faces +y. */
+        /** One face towards +y. */
         TOP,
-        /** Two faces at one place, as back faces are not drawn. */
+        /** Two coincident faces, because back faces are not drawn. */
         BOTH
     }
 

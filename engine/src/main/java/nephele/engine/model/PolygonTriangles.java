@@ -3,11 +3,11 @@ package nephele.engine.model;
 import org.joml.Vector3d;
 
 /**
- * Cuts a polygon, concave or not, into triangles by clipping ears (Meisters 1975) in the plane that it fills best. A
- * polygon that crosses itself is cut as well as it can be.
+ * Triangulates a polygon, concave or not, by ear clipping (Meisters 1975) in the plane of its Newell normal. A polygon
+ * that intersects itself is cut on a best-effort basis.
  */
 final class PolygonTriangles {
-    /** Takes a triangle by the corners' places in the polygon. */
+    /** Receives a triangle by its corner indices in the polygon. */
     @FunctionalInterface
     interface Taker {
         void take(int a, int b, int c);
@@ -18,7 +18,7 @@ final class PolygonTriangles {
     private final int[] next;
     private final int[] previous;
 
-    /** What a hostile file costs. */
+    /** Number of corner tests so far; bounds the cost of hostile files. */
     private long tests;
 
     private PolygonTriangles(int corners) {
@@ -33,9 +33,9 @@ final class PolygonTriangles {
     }
 
     /**
-     * Returns how many tests of corners it took; more than {@code mostTests} when it gave up.
+     * Triangulates a polygon and returns the number of corner tests; more than {@code mostTests} if it gave up.
      *
-     * @param corners each begins with the number of its place
+     * @param corners each begins with the index of its position
      */
     static long cut(FloatList positions, int[][] corners, long mostTests, Taker triangles) {
         var polygon = new PolygonTriangles(corners.length);
@@ -44,7 +44,7 @@ final class PolygonTriangles {
         return polygon.tests;
     }
 
-    /** Onto the plane across the polygon's normal by Newell's sums; the first corner is the origin, for precision. */
+    /** Projects along the Newell normal of the polygon; the first corner is the origin, for precision. */
     private void flatten(FloatList positions, int[][] corners) {
         Vector3d[] places = new Vector3d[x.length];
         for (int i = 0; i < places.length; i++) {
@@ -94,7 +94,7 @@ final class PolygonTriangles {
         triangles.take(previous[at], at, next[at]);
     }
 
-    /** Whether the corner is convex and no other one lies in its triangle. */
+    /** Returns true if the corner is convex and its triangle contains no other corner. */
     private boolean isEar(int corner) {
         int before = previous[corner];
         int after = next[corner];
@@ -110,7 +110,10 @@ final class PolygonTriangles {
         return true;
     }
 
-    /** Corners at the same place as one of the triangle's, as where a hole is joined, are no obstacle. */
+    /**
+     * Returns true if a corner is in the triangle; corners at one of the triangle's, as at bridges to holes, do not
+     * count.
+     */
     private boolean blocks(int i, int a, int b, int c) {
         boolean inside = turn(a, b, i) >= 0 && turn(b, c, i) >= 0 && turn(c, a, i) >= 0;
         return inside && !same(i, a) && !same(i, b) && !same(i, c);
@@ -120,7 +123,7 @@ final class PolygonTriangles {
         return x[i] == x[j] && y[i] == y[j];
     }
 
-    /** Twice the area of the triangle, positive when it is counter-clockwise. */
+    /** Returns twice the signed area of the triangle, positive if counter-clockwise. */
     private double turn(int a, int b, int c) {
         return (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
     }

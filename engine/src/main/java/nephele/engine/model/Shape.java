@@ -1,10 +1,11 @@
 package nephele.engine.model;
 
-/** A surface that is known by a few numbers, and made into triangles by them. */
+/** A parametric surface that is defined by a few numbers and tessellated into triangles. */
 public sealed interface Shape
         permits PlaneShape, BoxShape, ConeShape, SphereShape, CylinderShape, TorusShape, BezierShape {
+    /** Returns the tessellated surface. */
     Mesh mesh();
 
-    /** How many triangles the mesh has, or a few more where some have no area; known before it is made. */
+    /** Returns an upper bound of the mesh's number of triangles, reached unless some have no area; needs no mesh. */
     int mostTriangles();
 }

@@ -8,7 +8,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import nephele.engine.model.PlaneShape.Sides;
 
-/** The shapes that are made of numbers alone, by the word that names each. */
+/** The shapes that are defined by numbers alone, by name. */
 public enum ShapeKind {
     PLANE(n -> new PlaneShape(n[0], (int) n[1], Sides.TOP), ShapeParameter.LENGTH, ShapeParameter.DIVISIONS),
     BOX(n -> new BoxShape(n[0], (int) n[1]), ShapeParameter.LENGTH, ShapeParameter.DIVISIONS),
@@ -43,15 +43,21 @@ public enum ShapeKind {
         this.parameters = List.of(parameters);
     }
 
+    /** Returns the kind with a lower-case name; empty for an unknown name. */
     public static Optional<ShapeKind> named(String word) {
         return Stream.of(values()).filter(kind -> kind.word().equals(word)).findFirst();
     }
 
+    /** Returns the lower-case name. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** @throws IllegalArgumentException with what is wanted instead, for users */
+    /**
+     * Creates a shape from the texts of its parameters.
+     *
+     * @throws IllegalArgumentException with a message for users that says what is expected
+     */
     public Shape shape(List<String> numbers) {
         if (numbers.size() != parameters.size()) {
             var names = new StringJoiner(" ");

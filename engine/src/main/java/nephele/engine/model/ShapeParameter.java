@@ -1,22 +1,22 @@
 package nephele.engine.model;
 
-/** A number that describes a shape: what it means and what it may be. */
+/** A parameter of a shape, with its meaning and range. Lengths are in model units. */
 public enum ShapeParameter {
-    /** Of a side, in units. */
+    /** Edge length. */
     LENGTH(0),
-    /** In units; of a torus, to the middle of the tube. */
+    /** Radius; of a torus, that of the centre line of the tube. */
     RADIUS(0),
-    /** In units. */
+    /** Height. */
     HEIGHT(0),
-    /** Radius of the tube, in units. */
+    /** Radius of the tube. */
     TUBE(0),
-    /** Parts of a side. */
+    /** Divisions of an edge. */
     DIVISIONS(1),
-    /** Parts of the circle around the y axis. */
+    /** Divisions of the circle around the y axis. */
     SLICES(3),
-    /** Parts from bottom to top or around the tube. */
+    /** Divisions from bottom to top or around the tube. */
     STACKS(1),
-    /** Parts of each side of a patch. */
+    /** Divisions of each side of a patch. */
     TESSELLATION(1);
 
     static final int MOST_PARTS = 512;
@@ -24,7 +24,7 @@ public enum ShapeParameter {
 
     private final int leastParts;
 
-    /** @param leastParts 0 for what is measured instead of counted */
+    /** @param leastParts minimum of a count; 0 for a length */
     ShapeParameter(int leastParts) {
         this.leastParts = leastParts;
     }
@@ -33,7 +33,11 @@ public enum ShapeParameter {
         return leastParts > 0;
     }
 
-    /** @throws IllegalArgumentException with what is wanted instead, for users */
+    /**
+     * Parses a value.
+     *
+     * @throws IllegalArgumentException with a message for users that says what is expected
+     */
     public double read(String word) {
         try {
             return check(Double.parseDouble(ModelText.decimal(word)));
@@ -42,7 +46,7 @@ public enum ShapeParameter {
         }
     }
 
-    /** Returns {@code value} where it may be that; otherwise says what is wanted. */
+    /** Returns {@code value} if it is in range; otherwise throws with a message that says what is expected. */
     double check(double value) {
         double least = counts() ? leastParts : LEAST_MEASURE;
         double most = counts() ? MOST_PARTS : MeshLimits.MAX_COORDINATE;

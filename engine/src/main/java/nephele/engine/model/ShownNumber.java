@@ -1,6 +1,6 @@
 package nephele.engine.model;
 
-/** Numbers as messages show them: whole ones as people write them, without a point. */
+/** Formats numbers for messages: integers without a decimal point. */
 public final class ShownNumber {
     private static final double LONGEST = 1e15;
 
@@ -10,7 +10,7 @@ public final class ShownNumber {
         return isWhole(value) ? Long.toString((long) value) : Double.toString(value);
     }
 
-    /** As of a double it would have digits that nobody wrote. */
+    /** Formats a float; as a double it would show digits that nobody wrote. */
     static String of(float value) {
         return isWhole(value) ? Long.toString((long) value) : Float.toString(value);
     }

@@ -2,7 +2,7 @@ package nephele.engine.model;
 
 import nephele.engine.model.GridTriangles.Diagonal;
 
-/** Around the origin, its poles on the y axis; the first slice begins at +z and goes towards +x. */
+/** A sphere around the origin with its poles on the y axis. The first slice begins at +z and continues towards +x. */
 public record SphereShape(double radius, int slices, int stacks) implements Shape {
     public SphereShape {
         ShapeParameter.RADIUS.check(radius);
@@ -34,7 +34,7 @@ public record SphereShape(double radius, int slices, int stacks) implements Shap
         return 2 * slices * (stacks - 1);
     }
 
-    /** One vertex for each slice, at the middle of its part of the picture. */
+    /** Adds one vertex for each slice, with the texture coordinate of the slice's middle. */
     private void pole(MeshBuilder mesh, int sign) {
         for (int i = 0; i < slices; i++) {
             mesh.point(0, sign * radius, 0).normal(0, sign, 0).texture((i + 0.5) / slices, (1 + sign) / 2);

@@ -4,8 +4,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.model.GridTriangles.Diagonal;
 
 /**
- * A face of a box, with the directions in which a picture on it runs: upright on the four sides, and with its upper edge
- * to -z on top and to +z below. Diagonals lie as in the pictures of the course that the scenes come from.
+ * A face of a box, with the orientation of an image on it: upright on the four sides, with its upper edge at -z on top
+ * and at +z below. The diagonals match the pictures of the course from which the scenes come.
  */
 enum SquareFace {
     TOP(new Vec3(1, 0, 0), new Vec3(0, 0, -1), Diagonal.FALLING),
@@ -45,7 +45,7 @@ enum SquareFace {
         GridTriangles.join(mesh, first, divisions, divisions, diagonal);
     }
 
-    /** The same magnitude from both ends, so that faces meet to the last bit. */
+    /** Returns the same magnitude from both ends, so that faces join to the last bit. */
     private static double offset(double length, int part, int divisions) {
         return length * (2 * part - divisions) / (2.0 * divisions);
     }

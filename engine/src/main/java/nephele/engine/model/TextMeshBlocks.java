@@ -4,26 +4,26 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Splits the text of a {@code .3d} file into blocks of rows. A blank line ends a block, and so does a row of one number
- * that rows of more numbers follow: it is their count.
+ * Splits the text of a {@code .3d} file into blocks of rows. A block ends at a blank line, or at a row of one number
+ * followed by rows of more numbers: that number is their count.
  */
 final class TextMeshBlocks {
     private static final int MOST_BLOCKS = 8;
 
-    /** Of one number each: indices. */
+    /** Maximum number of rows of one number, which are indices. */
     private static final int MOST_SINGLE_ROWS = 3 * MeshLimits.MAX_TRIANGLES;
 
-    /** Of more numbers: of points, and of triangles, as many are taken. */
+    /** Maximum number of rows of more numbers, the same for points and triangles. */
     private static final int MOST_ROWS = MeshLimits.MAX_VERTICES;
 
     private final ModelText text;
     private final List<NumberRows> blocks = new ArrayList<>();
     private final float[] row = new float[3];
 
-    /** The block that rows are added to; {@code null} after a blank line. */
+    /** The block to which rows are added; {@code null} after a blank line. */
     private NumberRows open;
 
-    /** Rows that the open block has to have; -1 where none are announced. */
+    /** Row count announced for the open block; -1 if none. */
     private int announced = -1;
 
     private int announcedLine;
@@ -67,7 +67,7 @@ final class TextMeshBlocks {
         return numbers;
     }
 
-    /** Within a block only after a count, or before one. */
+    /** Handles a change of width, allowed only after or before a count. */
     private void changeWidth(int width) {
         if (open.width() == 1 && open.rows() == 1 && announced < 0) {
             announced = count(open.at(0, 0), open.line(0));
@@ -111,7 +111,7 @@ final class TextMeshBlocks {
         announced = -1;
     }
 
-    /** A column of indices is a multiple of three long; one more, and the first is their count. */
+    /** Removes the leading count of a column of indices; without it, their number is a multiple of three. */
     private NumberRows withoutCount(NumberRows column) {
         if (column.rows() % 3 != 1) {
             return column;

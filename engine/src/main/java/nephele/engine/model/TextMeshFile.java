@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.function.Predicate;
 
 /**
- * Reads the text of a {@code .3d} file: points, then normals, texture coordinates and triangles, of which each may be
- * missing; docs/models.md has the grammar.
+ * Reads the text of a {@code .3d} file: points, then normals, texture coordinates and triangles, each of these
+ * optional; docs/models.md has the grammar.
  */
 final class TextMeshFile {
     private final ModelText text;
@@ -46,7 +46,7 @@ final class TextMeshFile {
         }
     }
 
-    /** @param isNormals whether a block of three numbers in a row is that; else it is triangles */
+    /** @param isNormals returns true if a block of three numbers a row holds normals, false if triangles */
     private void assign(NumberRows block, Predicate<NumberRows> isNormals) {
         if (triangles != null) {
             throw text.wrongAt(block.line(0), "a block follows the triangles", "end the file with the triangles");
@@ -62,8 +62,8 @@ final class TextMeshFile {
     }
 
     /**
-     * Whether the last block is normals: whole numbers from 0 are points' numbers, unless they have length 1 or 0, as
-     * no three different ones have.
+     * Returns true if the last block holds normals, judged by its first row. Non-negative integers are vertex indices
+     * unless their length is 1 or 0, which three distinct indices cannot have.
      */
     private boolean holdsNormals(NumberRows block) {
         float x = block.at(0, 0);

@@ -3,9 +3,11 @@ package nephele.engine.model;
 import nephele.engine.model.GridTriangles.Diagonal;
 
 /**
- * A ring around the y axis; slices begin at +z and go towards +x, stacks begin inside and go below, outside and above.
+ * A torus around the y axis. Slices begin at +z and continue towards +x; stacks begin inside and continue below,
+ * outside and above.
  *
- * @param radius of the circle in the middle of the tube
+ * @param radius of the centre line of the tube
+ * @param tube radius of the tube, less than {@code radius}
  */
 public record TorusShape(double radius, double tube, int slices, int stacks) implements Shape {
     private static final int LEAST_STACKS = 3;

@@ -1,12 +1,12 @@
 package nephele.engine.model;
 
-/** Numbers triples of whole numbers in the order in which they first come; without an object for each. */
+/** Numbers integer triples in the order of their first occurrence, without an object for each. */
 final class TripleIndex {
     private final IntList first = new IntList();
     private final IntList second = new IntList();
     private final IntList third = new IntList();
 
-    /** Numbers of triples plus one, by hash; 0 where there is none. */
+    /** A hash table of triple numbers plus one; 0 for an empty slot. */
     private int[] slots = new int[64];
 
     int size() {
@@ -25,7 +25,7 @@ final class TripleIndex {
         return third.at(number);
     }
 
-    /** The number of a triple, which is {@link #size} before the call for a new one. */
+    /** Returns the number of a triple; for a new one, {@link #size} before the call. */
     int numberOf(int a, int b, int c) {
         int slot = slot(a, b, c);
         if (slots[slot] != 0) {

@@ -1,2 +1,2 @@
-/** Meshes and curves: primitives, Bézier patches, Catmull-Rom paths, and the files that hold meshes. */
+/** Meshes and curves: primitives, Bézier patches, Catmull-Rom paths, and the file formats of meshes. */
 package nephele.engine.model;

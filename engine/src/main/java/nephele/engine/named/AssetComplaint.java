@@ -6,14 +6,15 @@ import nephele.engine.level.LevelFormatException;
 import nephele.engine.level.LevelRules;
 import nephele.engine.level.Problem;
 
-/** An asset that fails while a level is built is told as {@code check} tells it: level file, JSON path, reason. */
+/** Reports an asset failure during level building in the form of {@code check}: level file, JSON path, reason. */
 public final class AssetComplaint {
     private AssetComplaint() {}
 
     /**
-     * What {@code work} gives. The rules that open every asset run only after a failure: they cost what loading costs.
+     * Returns the result of {@code work}. After an asset failure it runs the rules that open every asset; they cost as
+     * much as loading and are therefore not run before.
      *
-     * @throws LevelFormatException where the level names what cannot be used
+     * @throws LevelFormatException if the level names an unusable asset
      */
     public static <T> T named(OpenedLevel opened, Supplier<T> work) {
         try {

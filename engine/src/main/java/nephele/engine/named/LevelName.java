@@ -13,14 +13,20 @@ import nephele.engine.sim.Replay;
 import nephele.engine.sim.WorldRules;
 import nephele.engine.terminal.CommandFailure;
 
-/** A level as a user names it: a file, or one of the jar's. */
+/**
+ * A level as named by a user: a file, or a level in the jar.
+ *
+ * @param typed the path as the user typed it
+ */
 public record LevelName(String typed) {
-    /** A level without a recorded walk stands at its start for this long. */
+    /** Length of the replay of a level without a recorded walk, in ticks at its start. */
     private static final int STANDING_TICKS = 300;
 
     private static final int LARGEST_REPLAY_BYTES = 64 << 20;
 
-    /** The file's name without folder, number and ending: "01-first-light.json" is "First light". */
+    /**
+     * Returns the file name without folder, number and extension as a title: "01-first-light.json" is "First light".
+     */
     public String title() {
         String words = fileName()
                 .replaceFirst("\\.json$", "")
@@ -29,7 +35,11 @@ public record LevelName(String typed) {
         return words.isEmpty() ? fileName() : Character.toUpperCase(words.charAt(0)) + words.substring(1);
     }
 
-    /** The level, checked by every rule that reads no picture. */
+    /**
+     * Reads the level and checks it by every rule that reads no picture.
+     *
+     * @throws LevelFormatException with all errors found
+     */
     public OpenedLevel open() throws LevelFormatException {
         var opened = new OpenedLevel(LevelFile.open(typed));
         var errors = WorldRules.errorsBeforeUse(
@@ -40,7 +50,10 @@ public record LevelName(String typed) {
         return opened;
     }
 
-    /** The level's recorded walk: that of {@code d/x.json} is {@code d/replays/x.json}. */
+    /**
+     * Returns the level's recorded walk; that of {@code d/x.json} is {@code d/replays/x.json}. Without one, it stands
+     * still.
+     */
     public Replay recordedWalk() {
         Path beside = Path.of(typed).toAbsolutePath().resolveSibling("replays").resolve(fileName());
         if (Files.isRegularFile(beside)) {
@@ -49,7 +62,11 @@ public record LevelName(String typed) {
         return Files.exists(Path.of(typed)) ? standing() : walkInJar().orElseGet(this::standing);
     }
 
-    /** Reads a replay that a user named. */
+    /**
+     * Reads a replay file named by a user.
+     *
+     * @throws CommandFailure if it is unreadable, malformed or larger than 64 MiB
+     */
     public static Replay replay(String file) {
         try {
             byte[] bytes = WholeFile.read(Path.of(file), LARGEST_REPLAY_BYTES);
@@ -62,6 +79,7 @@ public record LevelName(String typed) {
         }
     }
 
+    /** Returns the last part of the path. */
     public String fileName() {
         return typed.substring(Math.max(typed.lastIndexOf('/'), typed.lastIndexOf('\\')) + 1);
     }

@@ -9,14 +9,18 @@ import java.util.jar.JarFile;
 import java.util.stream.Stream;
 import nephele.engine.terminal.CommandFailure;
 
-/** Where levels are looked for: a checkout's {@code levels/} in the working directory first, then the jar. */
+/** Finds the game's levels: in {@code levels/} of the working directory first, then in the jar. */
 public final class LevelShelf {
     private static final Path CHECKOUT = Path.of("levels");
     private static final String NUMBERED = "[0-9]{2}-.*\\.json";
 
     private LevelShelf() {}
 
-    /** What a game without an argument starts with. */
+    /**
+     * Returns the level that a game starts with by default.
+     *
+     * @throws CommandFailure if there is none
+     */
     public static LevelName first() {
         var all = numbered();
         if (all.isEmpty()) {
@@ -26,7 +30,7 @@ public final class LevelShelf {
         return all.get(0);
     }
 
-    /** The game's levels in their order. */
+    /** Returns the game's levels in order; empty if there are none. */
     public static List<LevelName> numbered() {
         var inCheckout = inCheckout();
         return inCheckout.isEmpty() ? inJar() : inCheckout;

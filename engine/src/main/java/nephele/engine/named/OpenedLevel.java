@@ -6,7 +6,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.LevelFile;
 import nephele.engine.level.placed.PlacedLevel;
 
-/** A level that a user named, checked; what follows from it is derived when it is first asked for, and once. */
+/** A checked level that a user named. Derived data is computed lazily and once. */
 public final class OpenedLevel {
     private final LevelFile.Opened read;
     private PlacedLevel placed;
@@ -15,25 +15,31 @@ public final class OpenedLevel {
         this.read = read;
     }
 
-    /** How messages call it. */
+    /** Returns the level's name for messages. */
     public String file() {
         return read.file();
     }
 
+    /** Returns the level as read. */
     public Level level() {
         return read.level();
     }
 
+    /** Returns the level's assets. */
     public AssetSource assets() {
         return read.assets();
     }
 
-    /** What the player should know about how it was found, such as that the backup stood in. */
+    /** Returns a notice for the player about how the level was found, such as that a backup was used. */
     public Optional<String> notice() {
         return read.notice();
     }
 
-    /** @throws nephele.engine.level.LevelFormatException where the level names a mesh that cannot be used */
+    /**
+     * Returns the level with derived transforms and meshes; thread-safe.
+     *
+     * @throws nephele.engine.level.LevelFormatException if the level names an unusable mesh
+     */
     public synchronized PlacedLevel placed() {
         if (placed == null) {
             placed = AssetComplaint.named(this, () -> PlacedLevel.of(level(), assets()));

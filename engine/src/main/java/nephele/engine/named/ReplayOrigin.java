@@ -7,14 +7,16 @@ import nephele.engine.level.LevelJson;
 import nephele.engine.level.Problem;
 import nephele.engine.sim.Replay;
 
-/** Compares the level that a replay says it was recorded in with the one that it is played in. */
+/** Compares the level in which a replay was recorded with the one in which it is played. */
 public final class ReplayOrigin {
     private ReplayOrigin() {}
 
     /**
-     * @param file how messages call the replay
-     * @param warnings told when the level has changed since
-     * @throws LevelFormatException when the replay names another level
+     * Checks that a replay belongs to a level.
+     *
+     * @param file the replay's name for messages
+     * @param warnings receives a line if the level has changed since the recording
+     * @throws LevelFormatException if the replay names another level
      */
     public static void require(OpenedLevel opened, String file, Replay replay, PrintStream warnings) {
         String name = opened.level().name();

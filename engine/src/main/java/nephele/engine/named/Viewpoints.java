@@ -10,9 +10,9 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import nephele.engine.terminal.CommandFailure;
 
-/** From where a picture is taken. */
+/** Creates the views from which pictures are rendered. Aspect is width over height. */
 public final class Viewpoints {
-    /** The player sees this much from top to bottom, whatever the shape of the window. */
+    /** Vertical field of view of the player, the same for every aspect. */
     private static final double PLAYER_FOV_DEGREES = 60;
 
     private static final double NEAR_METRES = 0.05;
@@ -20,13 +20,19 @@ public final class Viewpoints {
 
     private Viewpoints() {}
 
-    /** The picture of one frame, by its number on a camera's path. */
+    /** A function from a frame number on a camera's path to a view. */
     @FunctionalInterface
     public interface OfFrame {
+        /** Returns the view of a frame. */
         View view(int frame);
     }
 
-    /** The first camera, else the player's start. */
+    /**
+     * Returns the view of the first camera, otherwise of the player's start.
+     *
+     * @param file the level's name for messages
+     * @throws CommandFailure if the level has neither
+     */
     public static OfFrame standard(Level level, String file, double aspect) {
         if (!level.cameras().isEmpty()) {
             return ofCamera(level.cameras().get(0), aspect);
@@ -39,7 +45,12 @@ public final class Viewpoints {
         return frame -> view;
     }
 
-    /** A camera by its id. */
+    /**
+     * Returns the view of the camera with an id.
+     *
+     * @param file the level's name for messages
+     * @throws CommandFailure if there is no such camera
+     */
     public static OfFrame named(Level level, String file, String id, double aspect) {
         return level.cameras().stream()
                 .filter(camera -> id.equals(camera.id()))
@@ -49,7 +60,12 @@ public final class Viewpoints {
                         file + ": cameras: there is no camera `" + id + "`; there are: " + ids(level)));
     }
 
-    /** @param horizontalFovDegrees null for the player's field of view */
+    /**
+     * Returns a view that looks from {@code eye} at {@code target} with y up.
+     *
+     * @param horizontalFovDegrees {@code null} for the player's field of view
+     * @throws CommandFailure if both points are equal
+     */
     public static View between(Vec3 eye, Vec3 target, Double horizontalFovDegrees, double aspect) {
         if (eye.equals(target)) {
             throw CommandFailure.usage("--eye and --target are the same point");
@@ -60,7 +76,7 @@ public final class Viewpoints {
         return View.lookAt(eye, target, new Vec3(0, 1, 0), projection(verticalFovRadians, aspect));
     }
 
-    /** What a player sees whose eye is there. */
+    /** Returns the view of a player with this eye and view frame. */
     public static View ofEye(Vec3 eye, Basis basis, double aspect) {
         return new View(
                 eye, basis.right(), basis.up(), basis.back(), projection(Math.toRadians(PLAYER_FOV_DEGREES), aspect));

@@ -1,2 +1,2 @@
-/** What a user names: levels, their recorded walks, and the viewpoints in them; files come first, then the jar. */
+/** Resolves names given by a user: levels, their recorded walks, and viewpoints. Files precede the jar. */
 package nephele.engine.named;

@@ -9,11 +9,15 @@ import java.time.Instant;
 import java.util.List;
 
 /**
- * What is left of a crash: a text file to attach to an issue. It holds no path below the user's home folder, only
- * {@code ~}.
+ * A crash report, a text file to attach to an issue. The user's home folder is replaced by {@code ~}.
+ *
+ * @param arguments of the command line
+ * @param when time of the crash
  */
 public record CrashReport(List<String> arguments, Instant when, Throwable crash) {
-    /** Writes the report below {@code build/} of a checkout, else into the folder for temporary files. */
+    /**
+     * Writes the report below {@code build/} of a checkout, otherwise into the temporary folder, and returns its path.
+     */
     public Path write() throws IOException {
         Path checkout = Path.of("build");
         Path folder = Files.isDirectory(checkout) ? checkout.resolve("crashes") : temporaryFolder();
@@ -22,7 +26,7 @@ public record CrashReport(List<String> arguments, Instant when, Throwable crash)
         return Files.writeString(folder.resolve("nephele-crash-" + stamp + ".txt"), text());
     }
 
-    /** The report without any path below the home folder. */
+    /** Returns the report with the home folder replaced. */
     public String text() {
         var stackTrace = new StringWriter();
         crash.printStackTrace(new PrintWriter(stackTrace));

@@ -4,7 +4,7 @@ import java.io.PrintStream;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.DoubleConsumer;
 
-/** Tells a terminal how far a long work is, in steps of ten per cent. Silent when there is nothing to do. */
+/** Prints the progress of long work in steps of ten per cent; prints nothing if there is no work. */
 public final class PrintedProgress implements DoubleConsumer {
     private static final int STEP_PERCENT = 10;
 
@@ -17,12 +17,12 @@ public final class PrintedProgress implements DoubleConsumer {
         this.work = work;
     }
 
-    /** Of the light of a level, which is baked where it is not known yet. */
+    /** Returns the progress of the bake of a level's light, which runs only if the light is not cached. */
     public static PrintedProgress ofBake(PrintStream to) {
         return new PrintedProgress(to, "baking the level's light");
     }
 
-    /** Of a reference picture. */
+    /** Returns the progress of a reference picture. */
     public static PrintedProgress ofTrace(PrintStream to) {
         return new PrintedProgress(to, "tracing the reference");
     }

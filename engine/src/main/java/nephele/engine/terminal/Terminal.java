@@ -2,5 +2,10 @@ package nephele.engine.terminal;
 
 import java.io.PrintStream;
 
-/** Where a command writes: results to {@code out}, everything about them to {@code err}. */
+/**
+ * The output streams of a command.
+ *
+ * @param out receives results
+ * @param err receives messages about them
+ */
 public record Terminal(PrintStream out, PrintStream err) {}

@@ -1,2 +1,2 @@
-/** What a command tells its user: text, exit codes, failures in plain words and crash reports. */
+/** Output of commands to the user: text, exit codes, failures in plain words, and crash reports. */
 package nephele.engine.terminal;
