@@ -8,7 +8,10 @@ import nephele.engine.math.Ray;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
 
-/** What follows from the level and the portals of a tick. Its portals are closed where the exit is no place to come out. */
+/**
+ * The space that follows from the static geometry and the portals of a tick. Portals with an obstructed exit are closed
+ * in it.
+ */
 final class PortalSpace {
     private final SeamedWorld seamed;
     private final Portals portals;
@@ -25,7 +28,7 @@ final class PortalSpace {
         return seamed;
     }
 
-    /** How much of a way is free of solids, portals aside. */
+    /** Returns the fraction of a way that is free of static solids; portals are ignored. */
     double free(Vector3dc from, Vector3dc way) {
         var ray = new Ray(from.x(), from.y(), from.z(), way.x(), way.y(), way.z());
         return cast.cast(seamed.statics(), ray, 1) ? cast.distance() : 1;
@@ -35,7 +38,7 @@ final class PortalSpace {
         return portals;
     }
 
-    /** The same as the bodies' solver asks for it. */
+    /** Returns the same space in the form that the rigid-body solver uses. */
     Surroundings surroundings() {
         return surroundings;
     }
