@@ -19,7 +19,10 @@ final class UprightViewTest {
      */
     private static final double ROUNDING = Math.toRadians(0.11);
 
-    /** Returns rooms with portals from a wall into the ceiling, from a floor into a wall, and the reverse. */
+    /**
+     * Returns rooms with portals from a wall into the ceiling, from a floor into a wall, and from a floor into the
+     * ceiling.
+     */
     private static List<Lab> turns(SimSettings settings) {
         Vec3 wall = new Vec3(0, 1.05, -8);
         Vec3 floor = new Vec3(0, 0, -3);
