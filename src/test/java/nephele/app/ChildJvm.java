@@ -10,12 +10,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
-/** A program of this class path in a process of its own, with what it printed. */
+/** The exit code and output of a program of this class path, run in its own process. */
 public record ChildJvm(int exitCode, String out, String err) {
     private static final long LONGEST_SECONDS = 120;
 
     /**
-     * Runs to the end.
+     * Runs a program to its end.
      *
      * @param environment variables to set; an empty value removes one
      * @param words JVM options, main class, arguments

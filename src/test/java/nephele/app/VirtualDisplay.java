@@ -6,7 +6,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 
-/** A display of the test's own, whatever display there may be. */
+/** An X display for tests (Xvfb), independent of any display of the machine. */
 public final class VirtualDisplay implements AutoCloseable {
     private final Process xvfb;
     private final String name;
@@ -16,7 +16,7 @@ public final class VirtualDisplay implements AutoCloseable {
         this.name = name;
     }
 
-    /** 1024 by 600 pixels. */
+    /** Starts a display of 1024 × 600 pixels. */
     public static VirtualDisplay start() throws IOException {
         Process xvfb = null;
         try {
@@ -30,7 +30,7 @@ public final class VirtualDisplay implements AutoCloseable {
         return new VirtualDisplay(xvfb, ":" + reader.readLine());
     }
 
-    /** What {@code DISPLAY} has to be. */
+    /** Returns the value of {@code DISPLAY}. */
     public String name() {
         return name;
     }

@@ -19,7 +19,7 @@ import com.tngtech.archunit.lang.SimpleConditionEvent;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** What compiled classes must keep to; {@link DeterminismRules} and {@link SourceRules} hold the rest. */
+/** The rules for compiled classes; {@link DeterminismRules} and {@link SourceRules} hold the others. */
 final class CodeRules {
     private static final Pattern BANNED_NAME =
             Pattern.compile("Abstract.*|.*(Manager|Helper|Utils?|Info|Impl|Handler|Data)");
@@ -137,7 +137,7 @@ final class CodeRules {
         };
     }
 
-    /** Superclasses come from libraries (Swing, exceptions, call-backs), or are an enum of ours with bodies. */
+    /** Permits only superclasses from libraries (Swing, exceptions, callbacks), and our enums with constant bodies. */
     private static ArchCondition<JavaClass> inheritNothingOfOurs() {
         return new ArchCondition<>("extend no class of ours") {
             @Override
@@ -154,7 +154,7 @@ final class CodeRules {
         };
     }
 
-    /** Library types that exist to be extended and have no interface instead. */
+    /** Returns true for library types that are meant to be extended and have no interface instead. */
     private static boolean isCallBack(JavaClass parent) {
         return parent.getPackageName().startsWith("org.lwjgl")
                 || parent.getPackageName().startsWith("javax.imageio")

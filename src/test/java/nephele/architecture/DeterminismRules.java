@@ -9,8 +9,9 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /**
- * What the simulation must not do, for the same level and input to give the same bits on every machine: read a clock,
- * draw unseeded randomness, depend on hash order, or call a transcendental that processors round differently.
+ * The rules that make the simulation give the same bits for the same level and input on every machine: it must not read
+ * a clock, draw unseeded randomness, depend on hash order, or call a transcendental function that processors round
+ * differently.
  */
 final class DeterminismRules {
     private static final String[] SIMULATION = {
@@ -29,9 +30,9 @@ final class DeterminismRules {
                     + "|sinh|cosh|tanh|exp|expm1|log|log10|log1p|pow|cbrt|hypot)");
 
     /**
-     * JOML's methods whose bodies reach sin, cos, tan, acos, asin or atan2, by name; its own Math as a whole. Compared
-     * with the call graph of JOML 1.10.9: of 705 such methods only those that take an AxisAngle4 have other names, and
-     * that type is listed.
+     * The names of JOML methods that reach sin, cos, tan, acos, asin or atan2; its own Math as a whole. Compared with
+     * the call graph of JOML 1.10.9: of 705 such methods only those that take an AxisAngle4 have other names, and that
+     * type is listed.
      */
     private static final Pattern JOML_TRIGONOMETRY = Pattern.compile("org\\.joml\\.Math\\..*"
             + "|org\\.joml\\.AxisAngle4.*"
@@ -39,7 +40,7 @@ final class DeterminismRules {
             + "|\\w*[pP]erspective\\w*|\\w*[fF]ov\\w*|arcball\\w*|lookAlong|\\w*[oO]blique\\w*|orthoCrop|difference"
             + "|nlerpIterative|trapezoidCrop|shadow|reflect\\w*|getScale\\w*|random\\w*)");
 
-    /** Their order depends on addresses, or on a salt that differs in every process. */
+    /** Collections with an order that depends on addresses, or on a salt that differs in every process. */
     private static final Pattern HASH_ORDER = Pattern.compile(
             "java\\.util\\.(HashMap|HashSet|IdentityHashMap|WeakHashMap|Hashtable|concurrent\\.ConcurrentHashMap)\\.<init>"
                 + "|java\\.util\\.(Map|Set)\\.(of|ofEntries|copyOf)"

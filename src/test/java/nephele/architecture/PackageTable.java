@@ -12,7 +12,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** The table of docs/ARCHITECTURE.md: which package uses which. "Uses" is transitive; a subpackage belongs to the row above it. */
+/**
+ * The dependency table of docs/ARCHITECTURE.md. Dependencies are transitive; a subpackage belongs to the row above it.
+ */
 final class PackageTable {
     private static final String ENGINE = "nephele.engine.";
 
@@ -52,7 +54,7 @@ final class PackageTable {
                 .toList();
     }
 
-    /** The longest row that holds the package; {@code null} for one that the table does not know. */
+    /** Returns the longest row that contains the package; {@code null} if there is none. */
     static String row(String packageName) {
         String best = null;
         for (String row : USES.keySet()) {
@@ -64,7 +66,7 @@ final class PackageTable {
         return best;
     }
 
-    /** A row itself and everything it may use. */
+    /** Returns a row and everything that it may use. */
     static Set<String> closure(String row) {
         Set<String> reached = new TreeSet<>();
         reach(row, reached);
@@ -77,7 +79,7 @@ final class PackageTable {
         }
     }
 
-    /** One slice for each row, pass and package outside the engine. */
+    /** Returns one slice for each row, pass and package outside the engine. */
     static SliceAssignment slices() {
         return new SliceAssignment() {
             @Override
@@ -119,7 +121,10 @@ final class PackageTable {
         };
     }
 
-    /** {@code render.pass.x} and {@code render.pass.y} never meet; the shared {@code render.pass.cloud} is excepted. */
+    /**
+     * Forbids dependencies between {@code render.pass.x} and {@code render.pass.y}; the shared {@code
+     * render.pass.cloud} is excepted.
+     */
     static ArchCondition<JavaClass> useNoOtherPass() {
         return new ArchCondition<>("use no other pass") {
             @Override

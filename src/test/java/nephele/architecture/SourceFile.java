@@ -9,11 +9,15 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** @param path relative to the repository, with slashes */
+/**
+ * A source file of the checkout.
+ *
+ * @param path relative to the repository, with slashes
+ */
 record SourceFile(String path, String text) {
     private static final List<String> ROOTS = List.of("engine/src", "lab/src", "editor/src", "app/src", "src/test");
 
-    /** Every Java file and shader of the checkout. */
+    /** Returns every Java file and shader of the checkout. */
     static List<SourceFile> all() throws IOException {
         List<SourceFile> files = new ArrayList<>();
         for (String root : ROOTS) {
@@ -37,7 +41,7 @@ record SourceFile(String path, String text) {
         return file.substring(0, file.lastIndexOf('.'));
     }
 
-    /** Each occurrence as {@code path:line: text}. */
+    /** Returns each match as {@code path:line: text}. */
     List<String> matches(Pattern pattern) {
         List<String> found = new ArrayList<>();
         Matcher matcher = pattern.matcher(text);

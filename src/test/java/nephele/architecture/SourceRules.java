@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** What only the source text shows: constants are inlined, comments and line counts are not compiled at all. */
+/** The rules that need the source text: constants are inlined, and comments and line counts are not compiled. */
 enum SourceRules {
     AT_MOST_400_LINES {
         @Override
@@ -53,7 +53,10 @@ enum SourceRules {
         }
     };
 
-    /** The core profile up to 4.1, what makes a context current, and the debug call-back behind its check. */
+    /**
+     * The permitted LWJGL classes: the core profile up to 4.1, context creation, and the debug callback behind its
+     * check.
+     */
     private static final String FLOOR = "(GL[123]\\dC?|GL4[01]C?|GL|GLCapabilities|KHRDebug|GLDebugMessageCallback)";
 
     abstract List<String> violations(SourceFile file);

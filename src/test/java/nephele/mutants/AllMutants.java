@@ -7,8 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * Judges mutants, all of them or COUNT from number FROM on, a line each: {@code killed} or {@code SURVIVED}, area, name,
- * test, evidence.
+ * Runs mutants, all of them or COUNT from number FROM on, and prints a line for each: {@code killed} or {@code
+ * SURVIVED}, area, name, test, evidence.
  */
 public final class AllMutants {
     private AllMutants() {}

@@ -5,7 +5,7 @@ import static nephele.mutants.Mutants.ENGINE;
 
 import java.util.List;
 
-/** Faults in sweeps, separations, portal openings and rigid bodies' formulas. */
+/** Faults in sweeps, separations, portal openings and the formulas of rigid bodies. */
 final class CollisionMutants {
     static final List<Mutant> ALL = List.of(
             new Mutant(

@@ -5,7 +5,7 @@ import static nephele.mutants.Mutants.ENGINE;
 
 import java.util.List;
 
-/** Faults in reading levels and in their rules. */
+/** Faults in the reading of levels and in their rules. */
 final class LevelMutants {
     static final List<Mutant> ALL = List.of(
             new Mutant(

@@ -5,11 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * One planted fault.
+ * A planted fault.
  *
  * @param file a Java source or shader, relative to the repository
- * @param text what is replaced; stands in the file exactly once
- * @param killer the test class that must fail, by its simple name; folders tell it from others of that name
+ * @param text the replaced text, which occurs in the file exactly once
+ * @param killer the test class that must fail, by its simple name, with folders before it if the name is not unique
  */
 record Mutant(Area area, String name, String file, String text, String replacement, String killer) {
     enum Area {
@@ -26,7 +26,7 @@ record Mutant(Area area, String name, String file, String text, String replaceme
         MODEL
     }
 
-    /** The file with the fault in it. */
+    /** Returns the file's text with the fault. */
     String mutated() throws IOException {
         String source = Files.readString(Path.of(file));
         int at = source.indexOf(text);
@@ -44,7 +44,7 @@ record Mutant(Area area, String name, String file, String text, String replaceme
         return file.endsWith(".java");
     }
 
-    /** The file's place on a class path. */
+    /** Returns the file's place on a class path. */
     String resource() {
         return file.substring(file.indexOf("/nephele/") + 1);
     }

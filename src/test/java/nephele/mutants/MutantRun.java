@@ -13,14 +13,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
-/** Puts a mutant before everything else on the class path of a new Java process, which runs the one test class. */
+/** Runs one test class in a new Java process that has a mutant first on its class path. */
 final class MutantRun {
-    /** What became of a mutant; {@code evidence} is the first assertion that failed, or why none did. */
+    /** The result for a mutant; {@code evidence} is the first failed assertion, or the reason why none failed. */
     record Verdict(Mutant mutant, boolean killed, String evidence) {}
 
     private static final int TESTS_FAILED = 1;
 
-    /** A fault may make a loop endless; no test of a mutant takes a tenth of this. */
+    /** The limit for one run, as a fault may make a loop endless; no test of a mutant needs a tenth of this. */
     private static final long MOST_MINUTES = 10;
 
     private static final Path TESTS = Path.of("src/test/java");
@@ -32,9 +32,9 @@ final class MutantRun {
     }
 
     /**
-     * Runs the test classes of these mutants without any fault: a test that fails anyway would kill whatever is planted.
+     * Runs the test classes of these mutants without any fault: a test that fails anyway would kill every mutant.
      *
-     * @throws IOException when one fails
+     * @throws IOException if one fails
      */
     void requireGreen(List<Mutant> mutants) throws IOException, InterruptedException {
         Set<String> tests = new TreeSet<>();
@@ -93,8 +93,10 @@ final class MutantRun {
     }
 
     /**
-     * @param killer simple name of a test class, with as many folders before it as tell it from others: {@code sim/WalkTest}
-     * @throws IOException unless there is just one
+     * Returns the class name of a test.
+     *
+     * @param killer simple name of a test class, preceded by as many folders as make it unique: {@code sim/WalkTest}
+     * @throws IOException unless exactly one class matches
      */
     static String testClass(String killer) throws IOException {
         try (Stream<Path> tests = Files.walk(TESTS)) {

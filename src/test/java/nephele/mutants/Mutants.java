@@ -3,7 +3,7 @@ package nephele.mutants;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The planted faults. Each is one that has been made in earnest: a sign, a corner, a factor, an order. */
+/** The planted faults. Each is of a kind that has occurred in development: a sign, a corner, a factor, an order. */
 final class Mutants {
     static final String ENGINE = "engine/src/main/java/nephele/engine/";
     static final String SHADERS = "engine/src/main/resources/nephele/engine/render/";

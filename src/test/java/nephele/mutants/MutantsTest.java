@@ -32,7 +32,10 @@ class MutantsTest {
         assertEquals(new MutantsProof().claim().fullCount(), Mutants.ALL.size());
     }
 
-    /** Sources and tests that have changed make it refused, never killed or survived. */
+    /**
+     * A mutant is refused, neither killed nor survived, if its text does not occur exactly once, its replacement
+     * changes nothing, or its test is not found.
+     */
     @ParameterizedTest
     @CsvSource({
         "no such text, x, math/Vec3Test",
@@ -46,7 +49,7 @@ class MutantsTest {
         assertThrows(IOException.class, () -> new MutantRun(folder).judge(mutant));
     }
 
-    /** All of them are judged by {@code ./nephele prove mutants}. */
+    /** These planted faults are found; {@code ./nephele prove mutants} runs all of them. */
     @ParameterizedTest
     @ValueSource(strings = {"a leaf drops the item after a hidden one", "light is added where it should be covered"})
     void aPlantedFaultIsFound(String name) throws IOException, InterruptedException {

@@ -5,7 +5,7 @@ import static nephele.mutants.Mutants.ENGINE;
 
 import java.util.List;
 
-/** Faults in portals, paths through them and the places of shots. */
+/** Faults in portals, paths through them and the placement of shot portals. */
 final class PlacementMutants {
     static final List<Mutant> ALL = List.of(
             new Mutant(

@@ -5,7 +5,7 @@ import static nephele.mutants.Mutants.ENGINE;
 
 import java.util.List;
 
-/** Faults in the player's motion, hands and time. */
+/** Faults in the player's motion, the hands and the handling of time. */
 final class SimulationMutants {
     static final List<Mutant> ALL = List.of(
             new Mutant(

@@ -7,7 +7,7 @@ import static nephele.mutants.Mutants.SHADERS;
 
 import java.util.List;
 
-/** Faults in the light of surfaces and in its shadows. */
+/** Faults in surface lighting and its shadows. */
 final class SurfaceLightMutants {
     static final List<Mutant> ALL = List.of(
             new Mutant(

@@ -8,7 +8,7 @@ import java.util.Locale;
 import nephele.app.command.CommandLineFront;
 import nephele.engine.terminal.Terminal;
 
-/** The front of the jar. */
+/** The main class of the jar. */
 public final class Main {
     private Main() {}
 
@@ -22,7 +22,10 @@ public final class Main {
         System.exit(exitCode.number());
     }
 
-    /** LWJGL keeps its libraries under their version; hashing them again costs 20 ms of every start. */
+    /**
+     * Turns off LWJGL's hash check of extracted libraries, which costs 20 ms of every start; LWJGL extracts them into a
+     * folder named by their version.
+     */
     private static void trustExtractedLibraries() {
         if (System.getProperty("org.lwjgl.util.NoHashChecks") == null) {
             System.setProperty("org.lwjgl.util.NoHashChecks", "true");

@@ -1,2 +1,2 @@
-/** Command line, game, HUD, audio and trade reports: what a user starts. */
+/** The program that a user starts: command line, game, HUD, scene viewer and reports. */
 package nephele.app;

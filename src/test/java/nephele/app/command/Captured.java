@@ -5,7 +5,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import nephele.engine.terminal.Terminal;
 
-/** A command run in this process, with what it printed. */
+/** The exit code and output of a command run in this process. */
 record Captured(int exitCode, String out, String err) {
     static Captured run(String... arguments) {
         var out = new ByteArrayOutputStream();

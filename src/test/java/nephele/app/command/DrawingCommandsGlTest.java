@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The contract of `render`, and what `bench` and `play` refuse. */
+/** The contract of `render`, and the usage that `bench` and `play` reject. */
 class DrawingCommandsGlTest {
     private static final String SKY =
             "{\"format\": \"nephele-level\", \"version\": 1, \"environment\": {\"sky\": {\"kind\": \"constant\","
@@ -29,7 +29,7 @@ class DrawingCommandsGlTest {
         return Files.writeString(folder.resolve("sky.json"), SKY).toString();
     }
 
-    /** An empty folder with the name of a picture. */
+    /** Makes an empty folder with the name of a picture. */
     private String taken() throws IOException {
         return Files.createDirectories(folder.resolve("taken.png")).toString();
     }

@@ -15,7 +15,7 @@ import nephele.engine.level.LevelFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is left on the disk when a scene becomes a level. */
+/** The files on the disk after a scene is imported as a level. */
 class ImportCommandTest {
     private static final String SCENE = "<scene>\n<models><model file=\"box_2_3.3d\"/>"
             + "<model file=\"own/tri.3d\" texture=\"own/t.png\"/>\n<model file=\"nowhere.3d\"/></models></scene>";
@@ -123,7 +123,7 @@ class ImportCommandTest {
         assertFalse(Files.exists(taken.resolveSibling("own")), "a folder was made");
     }
 
-    /** It stops at the first that is too many, before the others are made. */
+    /** The import stops at the first model that exceeds the limit, before the others are made. */
     @Test
     void aSceneOfTooManyTrianglesIsToldByItsLineAndLeavesNothing() throws IOException {
         StringBuilder models = new StringBuilder();
@@ -137,7 +137,7 @@ class ImportCommandTest {
         assertFalse(Files.exists(to.getParent()), "something was written");
     }
 
-    /** Course projects keep their meshes in a folder beside that of their scenes. */
+    /** A generated mesh named in another folder, as course projects do, is written beside the level. */
     @Test
     void aGeneratedMeshOfAnotherFolderLiesBesideTheLevel() throws IOException {
         Path level = folder.resolve("to/level.json");
@@ -147,7 +147,7 @@ class ImportCommandTest {
         assertEquals(List.of("box_2_3.3d", "level.json"), names(level.getParent()));
     }
 
-    /** A level would not look for them where they are. */
+    /** A level does not look for files in the folder above, so they are copied. */
     @Test
     void filesOfTheFolderAboveAreCopiedUnderNamesThatALevelMayGive() throws IOException {
         Path scene = scene("<scene><models><model file='../my models/a b.3d' texture='../my models/own t.png'/>"
@@ -177,7 +177,7 @@ class ImportCommandTest {
         assertTrue(imported(scene, spaced).out().endsWith(" nephele play \"" + spaced + "\"" + System.lineSeparator()));
     }
 
-    /** Outside of a checkout: here no file has that name. */
+    /** A scene of the jar is found by its name; no file here has it. */
     @Test
     void aSceneOfTheJarIsFoundByItsName() throws IOException {
         Path level = folder.resolve("to/level.json");

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** `render --reference` beside `render`: the same surfaces, the same light, the same development. */
+/** `render --reference` and `render` show the same surfaces, light and tone mapping. */
 class ReferenceGlTest {
     private static final int WIDTH = 128;
     private static final int HEIGHT = 72;
@@ -37,7 +37,7 @@ class ReferenceGlTest {
         return file;
     }
 
-    /** No pixel shows another solid than the oracle's, except within one pixel of an edge. */
+    /** No pixel shows another solid than that of the reference path tracer, except within one pixel of an edge. */
     @ParameterizedTest
     @ValueSource(strings = {"01-courtyard", "samples/solid-wedge", "samples/sky-visibility", "samples/portalable"})
     void everyPixelShowsTheSolidThatTheOracleSees(String name) throws IOException {
@@ -65,7 +65,7 @@ class ReferenceGlTest {
         return false;
     }
 
-    /** The bound is on the mean radiance; what the engine approximates is told in docs/decisions.md. */
+    /** The mean radiance agrees within a bound; docs/decisions.md lists the engine's approximations. */
     @ParameterizedTest
     @CsvSource({
         "01-courtyard, 0.012",
@@ -91,7 +91,7 @@ class ReferenceGlTest {
         return sum / count;
     }
 
-    /** Exposure, tone curve, sRGB and dither: a sky without surfaces comes out alike, code for code but for rounding. */
+    /** Exposure, tone curve, sRGB and dither agree: a sky without surfaces has the same codes except for rounding. */
     @Test
     void developmentIsTheEngines() throws IOException {
         var level = "levels/samples/tone-filmic.json";

@@ -71,7 +71,7 @@ class SceneCommandGlTest {
         assertEquals(0xff0000, rgb(edges, 5, 100), "the x axis");
     }
 
-    /** Where the scene has nothing, there is its background; the entity rests three units along z. */
+    /** The background fills the pixels that the scene leaves empty; the entity rests three units along z. */
     @Test
     void entityAndBackgroundAreShown() throws IOException {
         Path background = folder.resolve("back.png");

@@ -9,9 +9,9 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** `nephele trade` from the command line, with OpenGL: GlContext.offscreen. */
+/** `nephele trade` runs from the command line with an offscreen OpenGL context. */
 class TradeGlTest {
-    /** Two doors that face each other in the plainest light there is: little to compile. */
+    /** Two doors that face each other in the simplest light, which leaves little to compile. */
     private static final String TWO_DOORS =
             """
             {
@@ -49,7 +49,7 @@ class TradeGlTest {
         assertTrue(page.contains("data:image/jpeg;base64,") && page.contains("copy_area"));
         var lines = Files.readAllLines(out.resolve("trade.csv"));
         assertEquals(5, lines.size());
-        // All techniques show the same picture: the same error to the last digit.
+        // All techniques draw the same picture: the same error to the last digit.
         assertEquals(
                 1,
                 lines.stream()

@@ -10,7 +10,7 @@ import nephele.app.ChildJvm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Whatever {@code check} accepts is drawn, simulated and played, in ten seconds of CPU and 256 MiB of heap. */
+/** Every level that {@code check} accepts is drawn, simulated and played, in ten seconds of CPU and 256 MiB of heap. */
 class AcceptedLevelsGlTest {
     private static final Map<String, String> NO_DISPLAY = Map.of("DISPLAY", "", "WAYLAND_DISPLAY", "");
 

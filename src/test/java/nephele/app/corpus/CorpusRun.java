@@ -15,7 +15,7 @@ import nephele.app.command.CommandLineFront;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 
-/** Checks level files and shows those that are accepted; a process of its own, to bound its memory. */
+/** Checks level files and shows the accepted ones; runs in its own process, to bound its memory. */
 final class CorpusRun {
     private static final double MOST_CPU_SECONDS = 10;
 
@@ -27,9 +27,9 @@ final class CorpusRun {
     }
 
     /**
-     * Prints what is refused and what went wrong, a line each, and what each file took on the error stream.
+     * Prints a line for each rejected file and each failure, and on the error stream the costs of each file.
      *
-     * @param files of levels; without any, the odd levels are written into the working directory
+     * @param files level files; without any, the odd levels are written into the working directory
      */
     public static void main(String[] files) throws IOException {
         var run = new CorpusRun(Files.createDirectories(Path.of("shown")).toAbsolutePath());
@@ -46,7 +46,7 @@ final class CorpusRun {
                 + "}]}";
     }
 
-    /** What is told of one file: that it is refused, and what is wrong with the answers about it. */
+    /** Returns the lines of one file: that it is rejected, and any failure of the commands run on it. */
     private List<String> show(String file) {
         List<String> told = new ArrayList<>();
         long before = process.getProcessCpuTime();

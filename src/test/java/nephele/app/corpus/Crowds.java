@@ -8,8 +8,8 @@ import static nephele.app.corpus.OddLevel.vector;
 import java.util.List;
 
 /**
- * Levels of thousands of solids that touch or overlap: as many as tell near-linear work from quadratic work. Ten thousand
- * are in the tests of what finds neighbours, ways out and shadows.
+ * Levels of thousands of solids that touch or overlap: enough to distinguish near-linear work from quadratic work. Ten
+ * thousand are in the tests of neighbour search, depenetration and shadows.
  */
 final class Crowds {
     static final List<OddLevel> ALL = List.of(

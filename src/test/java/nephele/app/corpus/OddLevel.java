@@ -5,19 +5,19 @@ import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** A level that is unlike what an author draws, as the text of its file. */
+/** A level unlike those that authors make, as the text of its file. */
 record OddLevel(String name, String text) {
     static final String CAMERA = "\"cameras\": [{\"id\": \"main\", \"position\": [0, 1.6, 5], \"target\": [0, 1, 0]}]";
     private static final String FLOOR =
             "{\"id\": \"floor\", \"kind\": \"box\", \"centre\": [0, -0.5, 0], \"size\": [20, 1, 20]}";
 
-    /** With these sections and no others. */
+    /** Returns a level with these sections and no others. */
     static OddLevel bare(String name, String sections) {
         String comma = sections.isEmpty() ? "" : ", ";
         return new OddLevel(name, "{\"format\": \"nephele-level\", \"version\": 1" + comma + sections + "}");
     }
 
-    /** With these sections, a sun, a camera and a player. */
+    /** Returns a level with these sections, a sun, a camera and a player. */
     static OddLevel seen(String name, String sections) {
         String environment = sections.contains("\"environment\"")
                 ? ""
@@ -27,7 +27,7 @@ record OddLevel(String name, String text) {
         return bare(name, sections + environment + player + camera);
     }
 
-    /** On a floor, with these further solids. */
+    /** Returns a level with a floor and these further solids. */
     static OddLevel solids(String name, String solids) {
         return seen(name, floorAnd(solids));
     }
@@ -45,7 +45,7 @@ record OddLevel(String name, String text) {
                 + ", \"massKilograms\": " + kilograms + "}";
     }
 
-    /** @param measures the rest of the record: normal, width and so on */
+    /** @param measures the remaining fields of the record: normal, width and so on */
     static String portal(String id, String linkedTo, String centre, String measures) {
         return "{\"id\": \"" + id + "\", \"linkedTo\": \"" + linkedTo + "\", \"centre\": " + centre + ", " + measures
                 + "}";

@@ -18,7 +18,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.asset.SamplePictures;
 
-/** Levels at the ends of what a file may say; {@code check} accepts some of them and refuses the others. */
+/** Levels at the limits of the file format; {@code check} accepts some of them and rejects the others. */
 final class OddLevels {
     private static final String AHEAD = "\"normal\": [0, 0, 1], \"widthMetres\": 1, \"heightMetres\": 2";
     private static final String BACK = "\"normal\": [0, 0, -1], \"widthMetres\": 1, \"heightMetres\": 2";
@@ -27,7 +27,7 @@ final class OddLevels {
 
     private OddLevels() {}
 
-    /** Writes all of them, and the assets that they name, into a folder; returns the levels' file names. */
+    /** Writes all levels, and the assets that they name, into a folder. Returns the levels' file names. */
     static List<String> write(Path folder) throws IOException {
         Files.write(folder.resolve("pixel.png"), SamplePictures.png(1, 1, 8, 2, 1));
         Files.write(folder.resolve("wide.png"), SamplePictures.png(5, 2, 16, 2, 1));
@@ -188,7 +188,7 @@ final class OddLevels {
                         many(200, i -> body("b" + i, around(i), "[0.2, 0.2, 0.2]", "1"))));
     }
 
-    /** Places of a grid of 20.1 cm with room for the player in its middle. */
+    /** Returns the centre of a box in a grid of 20.1 cm, with room for the player in the grid's middle. */
     private static String around(int box) {
         int column = box % 50 % 7;
         int row = box % 50 / 7;

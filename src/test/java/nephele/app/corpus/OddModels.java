@@ -12,7 +12,7 @@ import java.nio.file.Path;
 import java.util.List;
 import nephele.engine.model.MeshTexts;
 
-/** Levels with models at the ends of what a mesh file may say. */
+/** Levels with models at the limits of the mesh file formats. */
 final class OddModels {
     static final List<OddLevel> ALL = List.of(
             models("a model larger than the world", model("m", "sphere_1_8_8.3d", scale("[2e7, 2e7, 2e7]"))),
@@ -36,7 +36,7 @@ final class OddModels {
 
     private OddModels() {}
 
-    /** Writes the meshes that they name into a folder. */
+    /** Writes the meshes that the levels name into a folder. */
     static void write(Path folder) throws IOException {
         Files.writeString(folder.resolve("l.obj"), L_SHAPE);
         Files.writeString(folder.resolve("backslash.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 \\");

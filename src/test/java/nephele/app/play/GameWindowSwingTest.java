@@ -18,7 +18,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The window on a display of its own: Xvfb is started here, whatever display there may be. */
+/** The window works on a display of its own: Xvfb is started here, whatever display the machine has. */
 class GameWindowSwingTest {
     private static final String LOADED_CLASSES = "-Xlog:class+load:file=loaded.txt";
 
@@ -66,7 +66,7 @@ class GameWindowSwingTest {
                 loaded.lines().filter(line -> line.contains("nephele.lab.")).toList());
     }
 
-    /** The walk before the restart and the one after it. */
+    /** Returns the length of a recorded walk; there is one before the restart and one after it. */
     private long recordedTicks(String name) throws IOException {
         return Replay.read(name, Files.readAllBytes(folder.resolve(name))).ticks();
     }

@@ -36,7 +36,7 @@ class LiveInputTest {
         assertTrue(walk.state().player().feet().z() < 5, "walked");
     }
 
-    /** From the window's counts to the view there is no drift and no jump, whatever the mouse says. */
+    /** Mouse counts turn the view without drift or jump: opposite turns end at the initial view angles. */
     @Test
     void turningThereAndBackEndsWhereItBegan() {
         var before = walk.state().player().heading();

@@ -47,7 +47,7 @@ class MenuControlTest {
         assertEquals("Nephele", control.page().title());
     }
 
-    /** Every pixel row down the middle: entries in their order, each as high as the others, nothing beside them. */
+    /** Clicks on every pixel row in the middle choose the entry below them: each entry has the same height. */
     @Test
     void aClickChoosesTheRowUnderIt() {
         int quits = 0;
@@ -72,7 +72,7 @@ class MenuControlTest {
         assertEquals(0, control.page().selected());
     }
 
-    /** The system puts the pointer back where the game took it, over whatever lies there. */
+    /** The system puts a released pointer back to an arbitrary place; a click there chooses nothing. */
     @Test
     void aClickBeforeThePointerMovesChoosesNothing() {
         for (int y = 0; y < 720; y++) {
@@ -84,7 +84,7 @@ class MenuControlTest {
         }
     }
 
-    /** It selects what it would choose. */
+    /** A click before the pointer moves selects the entry that the next click chooses. */
     @Test
     void thatClickShowsWhatTheNextOneChooses() {
         input.point(640, row(5));
@@ -96,7 +96,7 @@ class MenuControlTest {
         assertInstanceOf(Menu.Choice.Quit.class, control.choiceOf(AREA, 1));
     }
 
-    /** A double click on a row does not choose what the next page has there. */
+    /** A double click on an entry that opens a page chooses nothing on that page. */
     @Test
     void aClickThatTurnsThePageDoesNotGoOnThere() {
         input.point(640, row(3));
@@ -108,7 +108,7 @@ class MenuControlTest {
         assertEquals("Choose a level", control.page().title());
     }
 
-    /** A slow frame hears of a click and of the way that the pointer went after it. */
+    /** In a slow frame the pointer may move after a click; the click counts where the button went down. */
     @Test
     void aClickMeansTheRowWhereTheButtonWentDown() {
         input.point(640, row(1));
@@ -130,7 +130,7 @@ class MenuControlTest {
         assertInstanceOf(Menu.Choice.Continue.class, control.choiceOf(Control.MENU));
     }
 
-    /** The middle of a row of the pause menu, counted from 1. */
+    /** Returns the middle of a row of the pause menu, counted from 1. */
     private static double row(int number) {
         int rows = Menu.pause().entries().size();
         int y = 0;

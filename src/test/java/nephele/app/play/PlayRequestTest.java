@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 class PlayRequestTest {
     private static final SimSettings DEFAULTS = SimSettings.DEFAULT;
 
-    /** A replay that is played again keeps its own settings, however often it is restarted. */
+    /** A replay keeps its own settings, however often it is restarted. */
     @Test
     void aRestartTakesChangedSettingsOnlyWherePlayersPlay() {
         var byHand = request(null);

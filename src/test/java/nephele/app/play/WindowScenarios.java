@@ -16,8 +16,8 @@ import nephele.engine.sim.SimSettings;
 import org.lwjgl.system.MemoryUtil;
 
 /**
- * The game in a real window, run by {@link GameWindowSwingTest} in a process that has a display. Prints a line a
- * scenario: its name and "ok", or what was wrong.
+ * The game in a real window, run by {@link GameWindowSwingTest} in a process that has a display. Prints a line for each
+ * scenario: its name and "ok", or the failure.
  */
 public final class WindowScenarios {
     private static final int MOST_FRAMES = 400;
@@ -40,7 +40,7 @@ public final class WindowScenarios {
                 input);
     }
 
-    /** What is done, then what must hold within a number of frames. */
+    /** An action, and a condition that must hold within a number of frames. */
     private record Scenario(String name, Runnable act, BooleanSupplier holds) {}
 
     public static void main(String[] args) {
@@ -128,7 +128,7 @@ public final class WindowScenarios {
         return glfwGetInputMode(handle, GLFW_CURSOR);
     }
 
-    /** Without a window manager nobody minimises: the game is told as GLFW would tell it. */
+    /** Minimises the window by its callback, as there is no window manager that could. */
     private void minimise(boolean minimised) {
         var listener = glfwSetWindowIconifyCallback(handle, null);
         listener.invoke(handle, minimised);
@@ -142,7 +142,7 @@ public final class WindowScenarios {
         return other;
     }
 
-    /** The walk until then was recorded. */
+    /** Returns true if the level runs again and the earlier walk was recorded. */
     private boolean hasRestarted() {
         return loop.stage() == Stage.RUNNING && Path.of("walk.json").toFile().exists();
     }

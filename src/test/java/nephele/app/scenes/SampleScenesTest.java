@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The scenes that come with the viewer are without fault, and the invalid ones say what they promise to say. */
+/** The sample scenes have no fault, and each invalid scene raises the message that it announces. */
 class SampleScenesTest {
     private static final Path SCENES = Path.of("scenes");
     private static final Path INVALID = SCENES.resolve("invalid");
@@ -62,7 +62,7 @@ class SampleScenesTest {
         assertEquals(promised, String.join("\n", told(file)));
     }
 
-    /** What a user is told, without the file's name. */
+    /** Returns the messages for a file, without the file's name. */
     private static List<String> told(Path file) {
         List<String> lines = new ArrayList<>();
         String prefix = slashed(file) + ":";
@@ -111,7 +111,7 @@ class SampleScenesTest {
         assertEquals("Two worlds", new SceneName("a\\b/two-worlds.XML").title());
     }
 
-    /** Reads every mesh and picture; returns how many models there are. */
+    /** Reads every mesh and picture. Returns the number of models. */
     private static int load(Source source) {
         var posed = PosedScene.of(source.scene());
         for (int i = 0; i < posed.modelCount(); i++) {

@@ -13,7 +13,7 @@ import nephele.app.VirtualDisplay;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The viewer in a real window, and without any. */
+/** The viewer works in a real window, and without a display. */
 class SceneViewerSwingTest {
     @TempDir
     Path folder;

@@ -9,12 +9,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Any cut of the time leads to the same place, and that place is the rope's. */
+/** Any subdivision of the time gives the same result, and it is that of a towed rope. */
 class SpringTest {
     private static final double SPEED = 6;
     private static final SeededNoise NOISE = new SeededNoise(53);
 
-    /** A spring with how far the camera has gone by it. */
+    /** A spring and the accumulated motion of its camera. */
     private record Track(Spring spring, double cameraRight, double cameraAhead) {
         static Track atRest() {
             return new Track(Spring.atRest(1), 0, 0);
@@ -95,7 +95,10 @@ class SpringTest {
         assertEquals(returning.cameraAhead, moved.cameraAhead, 1e-12, "it goes alone again");
     }
 
-    /** Small steps of a rope that gives nothing: the force grows by the way and is cut back to its length. */
+    /**
+     * The closed form agrees with small steps of an inextensible rope: the displacement grows by the step and is cut
+     * back to the rope's length.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {10, 60, 89, 120, 179})
     void towingIsARopeThatIsPulled(double degrees) {
@@ -131,7 +134,7 @@ class SpringTest {
         }
     }
 
-    /** A second's splits are the same for every rate; with them come the ends of all phases. */
+    /** Steps of one second agree with those of every frame rate, across the ends of all phases. */
     @ParameterizedTest
     @ValueSource(ints = {1, 3, 30, 60, 144, 240, 1000})
     void everyFrameRateLeadsToTheSamePlace(int framesPerSecond) {
@@ -200,7 +203,7 @@ class SpringTest {
         assertEquals(0, step.spring().shownAhead());
     }
 
-    /** At rest, alone, towed, paused or returning. */
+    /** Returns a state at rest, moving alone, towed, paused or returning. */
     private static Track anyState(int round) {
         var track = Track.atRest();
         for (int i = 0; i < round % 4; i++) {

@@ -9,7 +9,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Where camera and entity are, and how they are turned. */
+/** The places and orientations of camera and entity. */
 class ThirdPersonTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Heading ALONG_Z = Heading.between(Vec3.ZERO, new Vec3(0, 0, 1), UP);

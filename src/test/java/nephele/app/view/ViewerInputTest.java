@@ -8,7 +8,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.lwjgl.glfw.GLFW;
 
-/** What the window tells becomes what the viewer asks. */
+/** Window events become the input that the viewer queries. */
 class ViewerInputTest {
     private final ViewerInput input = new ViewerInput();
 

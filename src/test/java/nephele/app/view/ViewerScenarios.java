@@ -14,8 +14,8 @@ import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
 
 /**
- * The viewer in a real window, run by {@link SceneViewerSwingTest} in a process that has a display. Prints a line a
- * scenario: its name and "ok", or what was wrong.
+ * The viewer in a real window, run by {@link SceneViewerSwingTest} in a process that has a display. Prints a line for
+ * each scenario: its name and "ok", or the failure.
  */
 public final class ViewerScenarios {
     private static final int MOST_FRAMES = 400;
@@ -32,7 +32,7 @@ public final class ViewerScenarios {
         viewer = new SceneViewer(new SceneStart(opened, SceneLook.USUAL, 0), window, input, gl);
     }
 
-    /** What is done, then what must hold within a number of frames. */
+    /** An action, and a condition that must hold within a number of frames. */
     private record Scenario(String name, Runnable act, BooleanSupplier holds) {}
 
     public static void main(String[] args) {

@@ -15,12 +15,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The same keys lead to the same place, whatever the frames; and each key does what the hints say. */
+/** The same keys give the same place at every frame rate, and each key does what its hint says. */
 class ViewingTest {
     private static final XmlScene.Eye EYE =
             new XmlScene.Eye(Vec3.ZERO, new Vec3(0, 0, 1), new Vec3(0, 1, 0), 45, 1, 1000);
 
-    /** Keys held for a time, after presses. */
+    /** Keys held for a time (seconds), after presses. */
     private record Leg(List<ViewerKey> presses, double seconds, Set<ViewerKey> held) {}
 
     private static final List<Leg> FLIGHT = List.of(
@@ -80,7 +80,9 @@ class ViewingTest {
         assertSamePlace(flown(1), uneven);
     }
 
-    /** Bit for bit, on every machine: nothing here reads a clock, and angles go through StrictMath. */
+    /**
+     * A replay ends bit for bit at the same place on every machine: nothing reads a clock, and angles use StrictMath.
+     */
     @Test
     void aReplayEndsWhereItAlwaysHas() {
         var place = flown(60).place();

@@ -51,7 +51,7 @@ class InputTest {
         assertNull(input.nextPressed());
     }
 
-    /** What is pressed while the menu closes belongs to the game. */
+    /** Keys pressed while the menu closes are kept for the game. */
     @Test
     void aMouseThatChangesHandsKeepsTheKeys() {
         input.look(0, 0);
@@ -97,7 +97,9 @@ class InputTest {
         assertEquals(64, waiting);
     }
 
-    /** Slow frames hold several ticks, or none: a press between two of them is not lost. */
+    /**
+     * A press and release between two ticks is reported once, as a slow frame has several ticks and a fast one none.
+     */
     @Test
     void aShortPressIsToldOnce() {
         input.key(InputListener.MOUSE + GLFW.GLFW_MOUSE_BUTTON_RIGHT, true);
@@ -120,7 +122,7 @@ class InputTest {
         assertFalse(input.takeHold(Control.FIRE_FIRST));
     }
 
-    /** Where the system puts a pointer back nobody meant it to be: that click points, the next one clicks. */
+    /** The first click of a released pointer that has not moved only points; the next one clicks. */
     @Test
     void aPointerThatNobodyMovedDoesNotClick() {
         input.point(30, 40);
@@ -141,7 +143,10 @@ class InputTest {
         assertEquals(new Input.Click(30, 40), input.takeClick());
     }
 
-    /** So the menu's first row stays chosen when it opens. */
+    /**
+     * A mouse that is released keeps its pointer's position and reports no motion, so that the menu's first row stays
+     * selected.
+     */
     @Test
     void aMouseThatChangesHandsLeavesThePointerWhereItLies() {
         input.point(30, 40);

@@ -8,7 +8,7 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** What each assist gives, and that nothing of it happens without. */
+/** Each assist has its effect, and without it the effect is absent. */
 final class AssistTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
@@ -18,7 +18,7 @@ final class AssistTest {
         return new SimSettings(120, List.of(assists));
     }
 
-    /** Through the wall ahead at walking speed, out of the floor. */
+    /** A wall portal ahead, entered at walking speed, leads out of a floor portal. */
     private static Lab wallToFloor(SimSettings settings) {
         return Lab.hall()
                 .pair(new Vec3(0, 1.05, -8), BACK, new Vec3(4, 0, 3), UP)
@@ -35,7 +35,9 @@ final class AssistTest {
         return count[0];
     }
 
-    /** Out of a floor portal at walking speed, assist on: lands on the rim, no falling back. */
+    /**
+     * With the assist, a player that leaves a floor portal at walking speed lands on the rim and does not fall back.
+     */
     @Test
     void outOfAFloorAtWalkingSpeedOneLandsOnTheRim() {
         for (int percent : new int[] {100, 60, 30}) {
@@ -61,7 +63,7 @@ final class AssistTest {
         assertEquals(Assists.LEAST_FLOOR_EXIT_SPEED, speed[0], 1e-12);
     }
 
-    /** Falls without end, with the cap: exactly the cap, and nothing slower is changed. */
+    /** An endless fall has exactly the cap's speed with the cap, and more without it. */
     @Test
     void nothingIsFasterThanTheCap() {
         for (boolean capped : new boolean[] {true, false}) {
@@ -75,7 +77,10 @@ final class AssistTest {
         }
     }
 
-    /** Falls beside a floor portal and looks at it: in with the funnel, onto the floor without, or with a key held. */
+    /**
+     * A player that falls beside a floor portal and looks at it enters it with the funnel, and lands on the floor
+     * without it or with a key held.
+     */
     @Test
     void aFallIsLedIntoThePortalThatIsLookedAt() {
         for (double aside : new double[] {0, 0.7, 1.2, -1.2}) {
@@ -87,7 +92,7 @@ final class AssistTest {
         assertFalse(falls(2.5, -89, with(Assist.FUNNEL), PlayerInput.NONE));
     }
 
-    /** Between floor and ceiling the sway dies down, however often one falls past. */
+    /** In an endless fall between floor and ceiling the funnel damps the lateral sway to zero. */
     @Test
     void theFunnelCalms() {
         Lab lab = Lab.hall()
@@ -113,7 +118,7 @@ final class AssistTest {
         return crossed[0];
     }
 
-    /** Without portals, bodies or assists, an assist changes no bit. */
+    /** Without portals and bodies the assists change no bit of the state. */
     @Test
     void assistsChangeNothingElse() {
         PlayerInput running = PlayerInput.FORWARD.holding(Action.RUN).holding(Action.JUMP);

@@ -10,7 +10,7 @@ import nephele.engine.level.LevelJson;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** A body whose motion is no number is frozen, told once, and counted in the state. */
+/** A body with a motion that is not finite is frozen, reported once, and counted in the state. */
 class BodyFaultTest {
     private static final String LEVEL = "{\"format\": \"nephele-level\", \"version\": 1,"
             + "\"solids\": [{\"id\": \"f\", \"kind\": \"box\", \"centre\": [0, -1, 0], \"size\": [50, 2, 50]}],"

@@ -13,8 +13,8 @@ final class BodyObstaclesTest {
     private static final Vector3d STILL = new Vector3d();
 
     /**
-     * A world with bodies was asked for, then one without near an open portal, whose solids are cut into more pieces
-     * than the first world had: none of them is a body.
+     * After a world with bodies, a world without any near an open portal is requested, with more solids than the first.
+     * None of its solids is a body.
      */
     @Test
     void whatABodyIsFollowsTheWorldThatWasGivenLast() {

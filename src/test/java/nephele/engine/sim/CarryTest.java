@@ -10,11 +10,11 @@ import nephele.engine.sim.TickEvent.Handled;
 import nephele.engine.sim.TickEvent.Handled.Kind;
 import org.junit.jupiter.api.Test;
 
-/** Hands without portals: reach, weight, holding still, letting go, throwing. */
+/** Carrying without portals: reach, weight, steadiness, dropping, throwing. */
 final class CarryTest {
     private static final double HALF = 0.25;
 
-    /** A cube of 50 cm on the floor 2 m ahead, and the player looks down at it. */
+    /** A cube of 50 cm on the floor 2 m ahead; the player looks down at it. */
     private static Lab atCube(double kilograms) {
         return Lab.hall()
                 .cube(new Vec3(0, HALF + 0.001, -2), 2 * HALF, kilograms)
@@ -77,7 +77,7 @@ final class CarryTest {
         assertFalse(behindPane.holding().isHolding());
     }
 
-    /** Only pressing counts: who keeps the key down neither drops nor picks up again. */
+    /** Only a new press counts: a key held down neither drops nor picks up again. */
     @Test
     void aKeyThatStaysDownActsOnce() {
         Lab lab = atCube(20).hold(PlayerInput.NONE.holding(Action.CARRY), 0.5);
@@ -85,7 +85,7 @@ final class CarryTest {
         assertTrue(lab.holding().isHolding());
     }
 
-    /** Row 27: the line of sight breaks for longer than the grace, and not before. */
+    /** The body is dropped after its line of sight is broken for longer than the grace time, and not before. */
     @Test
     void whatIsOutOfSightIsLostAfterTheGrace() {
         Lab lab = Lab.hall()
@@ -109,7 +109,7 @@ final class CarryTest {
         assertTrue(lab.body(0).x() <= 0.801, "the wall holds: " + lab.body(0));
     }
 
-    /** Let go of within the player, a body falls through it and is solid again when it is out. */
+    /** A body dropped within the player falls through it, and collides with it again once it is outside. */
     @Test
     void whatIsLetGoWithinThePlayerLeavesCalmly() {
         Lab lab = atCube(20).press(Action.CARRY).hold(PlayerInput.NONE, 0.3);
@@ -128,7 +128,7 @@ final class CarryTest {
         assertTrue(lab.player().feet().z() - lab.body(0).z() > 0.5, "solid again");
     }
 
-    /** The player's own weight rests on nothing that it holds, and what it holds does not stop it. */
+    /** The held body does not bear the player's weight, and does not obstruct the player. */
     @Test
     void holderAndHeldDoNotPush() {
         Lab lab = atCube(45).press(Action.CARRY).hold(PlayerInput.NONE, 0.5);

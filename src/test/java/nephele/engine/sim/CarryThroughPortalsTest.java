@@ -12,15 +12,18 @@ import nephele.engine.sim.TickEvent.Handled;
 import nephele.engine.sim.TickEvent.Handled.Kind;
 import org.junit.jupiter.api.Test;
 
-/** A held cube, either first, several portals, one moved in between. */
+/** Carrying through portals: player or cube first, several portals, one moved in between. */
 final class CarryThroughPortalsTest {
     private static final Vec3 BACK = new Vec3(0, 0, 1);
     private static final Vec3 LEFT = new Vec3(-1, 0, 0);
     private static final Vec3 RIGHT = new Vec3(1, 0, 0);
-    /** From the eye to a held cube of 40 cm. */
+    /** The distance from the eye to a held cube of 40 cm: radius, gap and half the diagonal. */
     private static final double HELD_METRES = 0.3 + 0.35 + 0.2 * Math.sqrt(3);
 
-    /** 0 in the wall ahead leads to 1 in the wall to the right; 2 in the wall to the left leads to 3 in the one behind. */
+    /**
+     * Portal 0 in the wall ahead leads to 1 in the wall to the right; 2 in the wall to the left leads to 3 in the one
+     * behind.
+     */
     private static Lab hall() {
         return Lab.hall()
                 .pair(new Vec3(0, 1.05, -8), BACK, new Vec3(8, 1.05, 0), LEFT)
@@ -48,7 +51,7 @@ final class CarryThroughPortalsTest {
         lab.hold(PlayerInput.FORWARD, 0.65);
         assertEquals(List.of(0), letters(lab.holding().word()));
         assertTrue(lab.body(0).x() > 7, "beyond: " + lab.body(0));
-        // Waiting there keeps it where it is.
+        // A wait does not move it.
         lab.hold(PlayerInput.NONE, 1);
         Vec3 waiting = lab.body(0);
         lab.hold(PlayerInput.NONE, 1);
@@ -75,7 +78,7 @@ final class CarryThroughPortalsTest {
         assertStillHeld(lab);
     }
 
-    /** Half-way, back, and half-way again. */
+    /** A player that steps forward and back leads the cube through the portal and back, three times. */
     @Test
     void steppingBackTakesItBack() {
         Lab lab = holding(hall().cube(new Vec3(0, 1.65, -6.3), 0.4, 20).startAt(0, 0, -5, 0, 0));
@@ -96,7 +99,7 @@ final class CarryThroughPortalsTest {
                 PlayerInput.FORWARD,
                 7,
                 state -> crossings[0] += state.around().trace().playerCrossed().length());
-        // Ahead into 0, out of 1 towards −x, into 2, out of 3 towards −z.
+        // Into 0 ahead, out of 1 towards −x, into 2, out of 3 towards −z.
         assertEquals(2, crossings[0]);
         assertEquals(3, lab.player().feet().x(), 0.01);
         assertStillHeld(lab);
@@ -113,7 +116,7 @@ final class CarryThroughPortalsTest {
         assertStillHeld(lab);
     }
 
-    /** A cube whose centre is beyond sticks out on this side: there it can be grasped, too. */
+    /** A cube with its centre beyond a portal sticks out on this side, where it can be picked up too. */
     @Test
     void whatSticksOutIsGrasped() {
         Lab lab = hall().cube(new Vec3(7.95, 1.65, 0), 0.4, 20)
@@ -123,7 +126,7 @@ final class CarryThroughPortalsTest {
         assertEquals(List.of(0), letters(lab.holding().word()));
     }
 
-    /** A throw through a portal flies on there. */
+    /** A cube thrown into a portal continues in the space behind it. */
     @Test
     void athrowGoesThrough() {
         Lab lab = holding(hall().cube(new Vec3(0, 1.65, -5.3), 0.4, 20).startAt(0, 0, -4, 0, 0));
@@ -134,7 +137,7 @@ final class CarryThroughPortalsTest {
         assertTrue(lab.body(0).x() < 8 && lab.body(0).x() > 6);
     }
 
-    /** The way back is gone: after the grace, and not before, nothing is held; the cube stays in the free. */
+    /** If a portal on the line moves away, the cube is dropped within the grace time and remains in free space. */
     @Test
     void aPortalMovedInBetweenBreaksTheLine() {
         Lab lab = holding(Lab.hall()
@@ -147,7 +150,7 @@ final class CarryThroughPortalsTest {
                 .press(Action.FIRE_FIRST)
                 .turn(-90, 5));
         int before = lab.told().size();
-        // Into the first portal, in the wall to the left, with the cube ahead.
+        // Into the first portal, in the wall to the left, while the cube is ahead.
         lab.turn(90, 0).hold(PlayerInput.FORWARD, 1.85).hold(PlayerInput.NONE, 0.5);
         assertEquals(1, lab.holding().word().length(), lab.player().toString());
         lab.turn(-90, 0);

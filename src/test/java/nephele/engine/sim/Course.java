@@ -16,7 +16,7 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
-/** A small place to walk in, built by the test, and the player in it. Floors have their top at y = 0 unless said. */
+/** A small world built by a test, and the player in it. Floors have their top at y = 0 unless stated. */
 final class Course {
     private final List<Collider> colliders = new ArrayList<>();
     private final Vec3 origin;
@@ -31,13 +31,13 @@ final class Course {
         this(Vec3.ZERO);
     }
 
-    /** The same place somewhere else. */
+    /** Creates an empty world translated to {@code origin}. */
     Course(Vec3 origin) {
         this.origin = origin;
         start = new PlayerStart(origin, 0, 0);
     }
 
-    /** A place that stands already. */
+    /** Creates a world of existing colliders. */
     Course(CollisionWorld ready, Vec3 origin) {
         this(origin);
         for (int i = 0; i < ready.size(); i++) {
@@ -58,14 +58,14 @@ final class Course {
         return this;
     }
 
-    /** By its lower and upper corner. */
+    /** Adds a box by its lower and upper corner. */
     Course box(double x0, double y0, double z0, double x1, double y1, double z1) {
         Vec3 centre = at((x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2);
         return solid(new Solid.Box(
                 "box" + colliders.size(), null, false, null, centre, new Vec3(x1 - x0, y1 - y0, z1 - z0), Map.of()));
     }
 
-    /** A slope that rises towards −z, the direction of yaw 0, from z = {@code z1} at y = 0 to z = {@code z0}. */
+    /** Adds a slope that rises towards −z, the direction of yaw 0, from z = {@code z1} at y = 0 to z = {@code z0}. */
     Course slope(double z0, double z1, double degrees) {
         double height = (z1 - z0) * StrictMath.tan(Math.toRadians(degrees));
         Vec3 centre = at(0, height / 2, (z0 + z1) / 2);
@@ -80,7 +80,7 @@ final class Course {
                 Map.of()));
     }
 
-    /** Two linked rectangular openings, 1.2 m wide and 2.1 m high, each by centre, normal and up. */
+    /** Adds two linked rectangular portals, 1.2 m wide and 2.1 m high, each by centre, normal and up. */
     Course pair(Vec3[] a, Vec3[] b) {
         return pair(a, b, Aperture.of(PortalShape.RECTANGLE, 1.2, 2.1));
     }
@@ -141,7 +141,7 @@ final class Course {
         return hold(input, seconds, ignored -> {});
     }
 
-    /** Holds the input and looks at the state after every tick. */
+    /** Holds the input and passes the state after every tick to {@code look}. */
     Course hold(PlayerInput input, double seconds, Consumer<PlayerState> look) {
         simulation();
         long ticks = Math.round(seconds * settings.ticksPerSecond());

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * A pair of portals back to back on a wall is a doorway without depth. A walk or a fall through it goes as
+ * A pair of portals back to back on a wall is a doorway without depth: a walk or a fall through it has the same path as
  * through a hole in a thin wall.
  */
 final class DoorwayTest {
@@ -36,7 +36,7 @@ final class DoorwayTest {
                 .box(-0.6, 2.1, -half, 0.6, 9, half);
     }
 
-    /** The way of the capsule's centre, as if the wall had no thickness. */
+    /** Returns the path of the feet as if the wall had no thickness. */
     private static List<Vec3> unfolded(Course course, PlayerInput input, double seconds, Vec3 thickness) {
         List<Vec3> way = new ArrayList<>();
         boolean hasPortals = course.portals().size() > 0;
@@ -60,7 +60,9 @@ final class DoorwayTest {
         return most;
     }
 
-    /** The capsule's path within 1 mm; straight, off the middle, slanted against either jamb, at three rates. */
+    /**
+     * The capsule's path agrees within 1 mm: straight, off-centre, oblique against either jamb, at three tick rates.
+     */
     @ParameterizedTest
     @CsvSource({
         "1, 0, false, 0.0, 0.01",
@@ -90,7 +92,7 @@ final class DoorwayTest {
         }
     }
 
-    /** Through a floor, straight and sliding down an edge. */
+    /** The path of a fall through a floor agrees, straight and sliding down an edge. */
     @ParameterizedTest
     @CsvSource({"0, 0.0", "0, 0.25", "0, 0.35", "-12, 0.1"})
     void fallsAsThroughAHole(int right, double x) {
@@ -119,7 +121,7 @@ final class DoorwayTest {
         }
     }
 
-    /** Waiting half-way changes no bit; then back out, as from a doorway. */
+    /** A wait half-way changes no bit; the way back agrees with that of a doorway. */
     @Test
     void waitsHalfWayAndStepsBack() {
         for (double z : new double[] {0.5, 0.9}) {

@@ -23,17 +23,17 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The surface under a portal is taken away or takes no portals any more: the portal closes, and who stands in it is
- * treated as when it is moved. The centre's side decides, or the edit is refused.
+ * An edit removes the surface under a portal or makes it unportalable: the portal closes, and its occupants are treated
+ * as when it is moved. The centre decides their side, or the edit is refused.
  */
 final class EditedLevelTest {
     private static final double EDGE = 0.5;
-    /** The solid of {@link Lab#hall} whose face is at z = −8. */
+    /** The index of the solid of {@link Lab#hall} with its face at z = −8. */
     private static final int WALL_AHEAD = 4;
 
     private static final double WALL = -8;
 
-    /** What is done to the wall under the first portal. */
+    /** The edit of the wall under the first portal. */
     private enum Edit {
         NOT_PORTALABLE,
         GONE;
@@ -88,7 +88,7 @@ final class EditedLevelTest {
         assertEquals(new Shots(Shots.UNFIRED, 0), state.around().shots());
         assertEquals(lab.state().around().portals().portal(1), portals.portal(0));
         assertEquals(lab.player(), state.player());
-        // The gun shoots on: in the wall to the left the first portal finds its place again, and both are open.
+        // The gun still works: the first portal is placed in the wall to the left, and both are open.
         SimState again = edited.step(state, PlayerInput.NONE.turning(80_000, 0).holding(Action.FIRE_FIRST));
         again = after(edited, again, 1);
         again = edited.step(again, PlayerInput.NONE.turning(80_000, 0).holding(Action.FIRE_FIRST));
@@ -96,7 +96,7 @@ final class EditedLevelTest {
                 again.around().portals().isOpen(0) && again.around().portals().isOpen(1));
     }
 
-    /** The cube stands beyond the plane by up to a quarter of its edge; the push ends at the skin before the wall. */
+    /** The cube reaches beyond the plane; it is pushed to the skin's distance before the wall. */
     @ParameterizedTest
     @ValueSource(doubles = {0.002, 0.1, 0.2})
     void aCubeInItIsPutOnItsCentresSide(double before) {
@@ -121,7 +121,7 @@ final class EditedLevelTest {
         assertTrue(state.player().feet().z() >= WALL + 0.3);
     }
 
-    /** The solid in front leaves the cube no way out: the level stays as it was. */
+    /** If a solid in front of the cube leaves it no room, the edit is refused. */
     @Test
     void withoutRoomTheEditIsRefused() {
         Lab lab = withCubeAt(Lab.twoPortals(EDGE), 0.05);
@@ -136,7 +136,7 @@ final class EditedLevelTest {
         assertNotNull(lab.simulation().continuedIn(edited(lab.level(), solids), lab.state()));
     }
 
-    /** Half of the aperture is enough, and so is a thing that now stands against it. */
+    /** A portal closes if a new solid covers only the edge of its aperture; one beside the aperture leaves it open. */
     @Test
     void whatOnlyPartlyHoldsCloses() {
         Lab lab = Lab.twoPortals(EDGE);
@@ -159,7 +159,9 @@ final class EditedLevelTest {
                 state.around().portals().isOpen(0) && state.around().portals().isOpen(1));
     }
 
-    /** What is held along a line through the portal is lost with it, and kept where the edit is elsewhere. */
+    /**
+     * A body held along a line through the portal is dropped when the portal closes, and kept if the edit is elsewhere.
+     */
     @Test
     void theLineToWhatIsHeldGoesWithThePortal() {
         Lab lab = Lab.twoPortals(EDGE);
@@ -172,7 +174,7 @@ final class EditedLevelTest {
         assertEquals(Holding.NOTHING, lost.around().holding());
     }
 
-    /** Nothing changed: every bit goes on as without the edit. */
+    /** An edit that changes nothing leaves every bit of the later states as without it. */
     @Test
     void theSameLevelGoesOnBitByBit() {
         Lab lab = Lab.hall()

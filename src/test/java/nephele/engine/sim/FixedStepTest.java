@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Frame times of 0, negative, 1e-9, 10 s; what results equals a replay of pure ticks. */
+/** Frame times of 0, below 0, 1e-9 s and 10 s are handled; the states equal those of a replay of the same ticks. */
 class FixedStepTest {
     private static final long SECOND = 1_000_000_000L;
 

@@ -6,7 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
-/** Yaw in [−π, π), pitch to ±89.9°, no jump greater than the input in 1e6 deltas, ±1e6 counts too. */
+/**
+ * Yaw stays in [−π, π) and pitch within ±89.9°, without a change greater than the input in 1e6 turns, also for ±1e6
+ * counts.
+ */
 class HeadingTest {
     @Test
     void turnsByWhatTheMouseSaysAndNoMore() {
@@ -48,7 +51,7 @@ class HeadingTest {
         assertEquals(Math.PI / 2, new Heading(90_000, 0).yawRadians(), 1e-15);
     }
 
-    /** A slow hand turns as far as a fast one: what is less than a thousandth of a degree is kept. */
+    /** Slow mouse motion turns as far as fast motion: remainders below a thousandth of a degree are kept. */
     @Test
     void theMouseLosesNothing() {
         MouseLook look = new MouseLook(0.0001234);

@@ -24,12 +24,15 @@ final class Lab {
         this.room = room;
     }
 
-    /** {@link RoomLevel#hall}. */
+    /** Returns the room of {@link RoomLevel#hall}. */
     static Lab hall() {
         return new Lab(RoomLevel.hall());
     }
 
-    /** The first portal in the wall ahead, the second in the wall to the left, both down to the floor; a cube aside. */
+    /**
+     * Returns a hall with the first portal in the wall ahead and the second in the wall to the left, both down to the
+     * floor, and a cube aside.
+     */
     static Lab twoPortals(double cubeEdge) {
         return hall().gun()
                 .cube(new Vec3(3, cubeEdge / 2, 3), cubeEdge, 10)
@@ -39,7 +42,7 @@ final class Lab {
                 .press(Action.FIRE_SECOND);
     }
 
-    /** By its lower and upper corner. */
+    /** Adds a box by its lower and upper corner. */
     Lab box(double x0, double y0, double z0, double x1, double y1, double z1) {
         return box(x0, y0, z0, x1, y1, z1, true);
     }
@@ -54,7 +57,7 @@ final class Lab {
         return this;
     }
 
-    /** Two fixed ones of 1.2 m × 2.1 m that lead to each other. */
+    /** Adds two linked fixed portals of 1.2 m × 2.1 m. */
     Lab pair(Vec3 centreA, Vec3 normalA, Vec3 centreB, Vec3 normalB) {
         room.pair(centreA, normalA, centreB, normalB);
         return this;
@@ -115,7 +118,7 @@ final class Lab {
         return state().around().bodies().state(body).centre();
     }
 
-    /** Everything that happened so far. */
+    /** Returns all events so far. */
     List<TickEvent> told() {
         return told;
     }
@@ -139,12 +142,12 @@ final class Lab {
         return this;
     }
 
-    /** Presses and lets go. */
+    /** Presses an action for one tick and releases it. */
     Lab press(Action action) {
         return tick(PlayerInput.NONE.holding(action)).tick(PlayerInput.NONE);
     }
 
-    /** Turns at once. */
+    /** Turns within one tick. */
     Lab turn(double leftDegrees, double upDegrees) {
         return tick(PlayerInput.NONE.turning((int) Math.round(1000 * leftDegrees), (int) Math.round(1000 * upDegrees)));
     }

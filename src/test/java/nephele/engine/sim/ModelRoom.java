@@ -9,7 +9,7 @@ import nephele.engine.level.placed.NoFiles;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 
-/** A level of models, written as an author would, and the player in it. */
+/** A level of models in the form that an author writes, and the player in it. */
 final class ModelRoom {
     private final List<String> models = new ArrayList<>();
     private final List<String> solids = new ArrayList<>();
@@ -19,7 +19,7 @@ final class ModelRoom {
     private Simulation simulation;
     private SimState state;
 
-    /** @param steps of the transform, without brackets */
+    /** @param steps the steps of the transform, without brackets */
     ModelRoom model(String file, String steps) {
         return model(file, steps, "");
     }
@@ -48,7 +48,7 @@ final class ModelRoom {
         return this;
     }
 
-    /** A floor whose top is at y = 0. */
+    /** Adds a floor with its top at y = 0. */
     ModelRoom floor() {
         return box(0, -0.5, 0, 60, 1, 60);
     }

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Stories of players and bodies among models. Forward is −z. */
+/** Scenarios of players and bodies among models. Forward is −z. */
 class ModelWalkTest {
     private static final PlayerInput FORWARD = PlayerInput.FORWARD;
     private static final PlayerInput JUMP = FORWARD.holding(Action.JUMP);
@@ -20,7 +20,9 @@ class ModelWalkTest {
         assertEquals(0, expected.toVector().distance(found.x(), found.y(), found.z()), metres, found::toString);
     }
 
-    /** Walking into a box, jumping on it and off again, as a solid and as models of several meshes. */
+    /**
+     * A box model stops a walk and bears a player that jumps on it and off again, as a solid does, with several meshes.
+     */
     @ParameterizedTest
     @ValueSource(strings = {"box_1_1.3d", "box_1_3.3d"})
     void aBoxModelIsABox(String file) {
@@ -41,7 +43,7 @@ class ModelWalkTest {
         assertNear(solid.feet(), mirrored.feet(), 1e-9);
     }
 
-    /** A sheet of many triangles is as level as a floor, and as fast. */
+    /** A plane model of many triangles is as level and as fast to walk on as a floor. */
     @ParameterizedTest
     @ValueSource(strings = {"plane_40_1.3d", "plane_40_67.3d"})
     void aPlaneModelIsAFloor(String file) {
@@ -74,7 +76,10 @@ class ModelWalkTest {
                 StrictMath.tan(StrictMath.toRadians(20)) * (-5 - z), ramp.feet().y(), 0.05);
     }
 
-    /** From so high that a tick is longer than the sheet is thick, fifty times. */
+    /**
+     * No fall passes through a sheet, from a height at which a tick's displacement exceeds the sheet's thickness, fifty
+     * times.
+     */
     @Test
     void nobodyFallsThroughASheet() {
         ModelRoom room = new ModelRoom()
@@ -86,7 +91,7 @@ class ModelWalkTest {
         assertEquals(0.25, room.body(0).y(), 2e-3);
     }
 
-    /** Cubes rest on meshes as on solids, also across their triangles' edges. */
+    /** Cubes rest on meshes as on solids, also across the edges of triangles. */
     @Test
     void bodiesRestOnModels() {
         ModelRoom room = new ModelRoom()

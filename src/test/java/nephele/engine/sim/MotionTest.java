@@ -8,11 +8,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The laws of motion, whatever the tick. */
+/** The laws of motion hold at every tick rate. */
 class MotionTest {
     private static final PlayerInput JUMP = PlayerInput.NONE.holding(Action.JUMP);
 
-    /** The apex of a jump is right to 0.05 % at 60 ticks a second, and at no rate much worse. */
+    /**
+     * The apex of a jump is within 0.05 % of the jump height from 60 ticks a second on; below that it misses at most
+     * what can fall between two ticks.
+     */
     @ParameterizedTest
     @ValueSource(ints = {30, 60, 120, 240})
     void aJumpReachesItsHeight(int rate) {
@@ -27,7 +30,7 @@ class MotionTest {
         assertEquals(PlayerBody.JUMP_HEIGHT, highest[0], bound * PlayerBody.JUMP_HEIGHT);
     }
 
-    /** Every tick of a fall lies on the parabola. */
+    /** The positions of a fall are on the parabola at every tick. */
     @ParameterizedTest
     @ValueSource(ints = {30, 60, 120, 240})
     void aFallIsAParabola(int rate) {
@@ -41,7 +44,7 @@ class MotionTest {
         assertEquals(5 - 9.81 * 4, course.state().player().velocity().y(), 1e-9);
     }
 
-    /** Approach by 1 − exp(−k dt): no overshoot up to k dt = 1000, the same at any rate. */
+    /** The approach by 1 − exp(−k dt) does not overshoot up to k dt = 1000. */
     @Test
     void dampingNeverOvershoots() {
         for (double product = 1e-6; product <= 1000; product *= 1.7) {
@@ -78,7 +81,7 @@ class MotionTest {
         assertEquals(z[1], z[2], 1e-12);
     }
 
-    /** Steering in the air neither brakes a flight nor speeds it up beyond running. */
+    /** Steering in the air neither brakes a flight nor accelerates it beyond running speed. */
     @Test
     void steeringInTheAirIsModest() {
         Course course = Course.onFloor().startAt(0, 400, 0);

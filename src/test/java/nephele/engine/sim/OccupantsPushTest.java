@@ -12,11 +12,11 @@ import org.joml.Quaterniond;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Exactly where bodies are put that stood in a portal when it was moved away. */
+/** A body in a portal that is moved away is pushed to an exactly known place. */
 final class OccupantsPushTest {
     private static final double EDGE = 0.5;
 
-    /** Out of the old portal's plane, which is the wall's, and the skin before it. */
+    /** The cube is pushed out of the old portal's plane, which is the wall's, to the skin's distance. */
     @ParameterizedTest
     @ValueSource(doubles = {0.002, 0.1, 0.2})
     void aCubeEndsTheSkinBeforeTheWall(double before) {

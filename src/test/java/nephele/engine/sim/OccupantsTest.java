@@ -20,7 +20,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Bodies and player in portals that move: nobody ever ends in a solid. */
+/** Bodies and player in portals that move never end in a solid. */
 final class OccupantsTest {
     private static final double EDGE = 0.5;
 
@@ -34,7 +34,10 @@ final class OccupantsTest {
         return lab.set(lab.state().with(lab.state().around().with(bodies.with(0, moved))));
     }
 
-    /** Row 12, a cube: its centre's side decides; a cube in the other portal stays where it is. */
+    /**
+     * The side of a cube's centre decides where it goes when its portal moves; a cube in the other portal stays where
+     * it is.
+     */
     @Test
     void aCubeInAMovedPortalIsPutOnTheCentresSide() {
         for (double before : new double[] {0.002, 0.1, 0.2}) {
@@ -54,7 +57,7 @@ final class OccupantsTest {
         }
     }
 
-    /** Row 28: a portal that opens under a sleeping cube wakes it, and it falls. */
+    /** A portal that opens under a sleeping cube wakes it, and it falls. */
     @Test
     void aPortalUnderASleepingCubeLetsItFall() {
         Lab lab = Lab.hall()
@@ -65,7 +68,7 @@ final class OccupantsTest {
                 .press(Action.FIRE_FIRST)
                 .hold(PlayerInput.NONE, 2);
         assertTrue(lab.state().around().bodies().isAsleep(0));
-        // Beside the cube, where the portal still reaches under it.
+        // Aimed beside the cube, where the portal still reaches under it.
         lab.turn(-90, 5 - 50.5);
         lab.press(Action.FIRE_SECOND);
         assertInstanceOf(PortalOpened.class, lab.told().get(1), lab.told().toString());
@@ -74,7 +77,7 @@ final class OccupantsTest {
         assertEquals(6, lab.body(1).x(), 1e-3);
     }
 
-    /** Anything is pressed at any time, for half a minute each, where portals can be nearly everywhere. */
+    /** Random input, half a minute each, in rooms where portals fit nearly everywhere, leaves nothing in a solid. */
     @Test
     void whateverIsPressedNobodyEndsInASolid() {
         int opened = 0;
@@ -140,7 +143,7 @@ final class OccupantsTest {
                 p.toString());
     }
 
-    /** By how much anybody reaches into the solids that it meets. */
+    /** Returns the greatest penetration of the player or a body into the solids near it. */
     private double deepest(Lab lab) {
         Changeable around = lab.state().around();
         if (level == null) {

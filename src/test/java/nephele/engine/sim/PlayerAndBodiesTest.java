@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Players and bodies are solid for each other, on this side of a portal and through it. */
+/** Player and bodies collide with each other, on one side of a portal and through it. */
 final class PlayerAndBodiesTest {
     private static Lab cubeAhead(double kilograms) {
         return Lab.hall().cube(new Vec3(0, 0.501, -2), 1, kilograms).hold(PlayerInput.NONE, 0.5);
@@ -31,7 +31,7 @@ final class PlayerAndBodiesTest {
     @Test
     void whatIsLightIsPushedAlong() {
         Lab lab = cubeAhead(20).hold(PlayerInput.FORWARD, 1.2);
-        // Legs push 80 kg and 20 kg with 400 N against 118 N of friction.
+        // The legs push 80 kg and 20 kg with 400 N against 118 N of friction.
         double acceleration = (400 - 0.6 * 20 * 9.81) / 100;
         assertEquals(acceleration * 0.1, speedGained(lab, 0.1), 0.01);
         lab.hold(PlayerInput.FORWARD, 0.6);
@@ -111,7 +111,7 @@ final class PlayerAndBodiesTest {
                 .cube(new Vec3(-7.4, 0.501, 0), 1, 3000)
                 .startAt(0, 0, -6, 0, 0);
         lab.hold(PlayerInput.FORWARD, 2);
-        // The cube's near face is 10 cm before the exit: the capsule's front goes that far through.
+        // The cube's near face is 10 cm before the exit: the capsule's front reaches that far through.
         assertEquals(
                 -8 + PlayerBody.RADIUS - 0.1 + Sweep.SKIN_METRES,
                 lab.player().feet().z(),

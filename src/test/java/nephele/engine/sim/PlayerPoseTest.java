@@ -7,7 +7,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** What is drawn between two ticks when a portal was gone through in between. */
+/** The pose between two ticks is correct when the player went through a portal in between. */
 final class PlayerPoseTest {
     private static final Vec3 A = new Vec3(0, 1.05, -8);
     private static final Vec3 B = new Vec3(8, 1.05, 3);
@@ -16,14 +16,16 @@ final class PlayerPoseTest {
         return Lab.hall().pair(A, new Vec3(0, 0, 1), B, new Vec3(-1, 0, 0)).startAt(0, 0, -7, 0, 0);
     }
 
-    /** Metres walked along the path through the portal: in front of the entry negative, beyond the exit positive. */
+    /**
+     * Returns the metres walked along the path through the portal: negative before the entry, positive beyond the exit.
+     */
     private static double along(Vec3 eye) {
         boolean beforeEntry = Math.abs(eye.x()) < 1;
         assertTrue(beforeEntry || Math.abs(eye.z() - 3) < 1, "between the portals: " + eye);
         return beforeEntry ? -8 - eye.z() : 8 - eye.x();
     }
 
-    /** The eye goes along the path at an even pace; it never sweeps through the room. */
+    /** The eye moves along the path at an even pace and never sweeps through the room. */
     @Test
     void theEyeStaysOnThePath() {
         Lab lab = hall();
@@ -44,7 +46,7 @@ final class PlayerPoseTest {
         assertTrue(crossed[0]);
     }
 
-    /** Before the crossing the view looks into the entry, after it away from the exit; never in between. */
+    /** The view is directed into the entry before the crossing and away from the exit after it, never in between. */
     @Test
     void theViewTurnsWithThePortal() {
         Lab lab = hall();
@@ -62,7 +64,7 @@ final class PlayerPoseTest {
         }
     }
 
-    /** The eye may be beyond a portal that the body is before: it is drawn from there. */
+    /** An eye beyond a portal that the body is before is drawn from the space beyond. */
     @Test
     void anEyeBeyondIsDrawnFromBeyond() {
         Lab lab = Lab.hall().pair(new Vec3(0, 3, 0), new Vec3(0, -1, 0), new Vec3(4, 0, 4), new Vec3(0, 1, 0));

@@ -18,11 +18,14 @@ import nephele.engine.sim.TickEvent.PortalOpened;
 import nephele.engine.sim.TickEvent.PortalRefused;
 import org.junit.jupiter.api.Test;
 
-/** Shots: what they make, what they leave alone, and who stands in what they move. */
+/** The effects of shots: the portals that they place or refuse, and the occupants of portals that they move. */
 final class PortalGunTest {
     private static final PlayerInput FORWARD = PlayerInput.FORWARD;
 
-    /** The first portal in the wall ahead, the second in the wall to the right, both down to the floor. */
+    /**
+     * Returns a hall with the first portal in the wall ahead and the second in the wall to the right, both down to the
+     * floor.
+     */
     private static Lab twoPortals() {
         return Lab.hall()
                 .gun()
@@ -43,7 +46,7 @@ final class PortalGunTest {
         assertNull(lab.simulation().aim(lab.state(), Colour.FIRST));
     }
 
-    /** Row 22: one alone is closed and solid. */
+    /** A single portal is closed and solid; two lead to each other. */
     @Test
     void oneAloneIsSolidAndTwoLeadToEachOther() {
         Lab lab = Lab.hall().gun().startAt(0, 0, 0, 0, -5).press(Action.FIRE_FIRST);
@@ -107,7 +110,7 @@ final class PortalGunTest {
         assertEquals(Refusal.MOVING_SURFACE, ((PortalRefused) lab.told().get(0)).reason());
     }
 
-    /** What the ghost shows is what the shot does. */
+    /** The portal preview shows the portal that the shot places. */
     @Test
     void theGhostIsTheShot() {
         Lab lab = Lab.hall().gun().startAt(1, 0, 2, 37, -20);
@@ -116,13 +119,13 @@ final class PortalGunTest {
         assertEquals(ghost.portal(), portals(lab).portal(0));
     }
 
-    /** A shot goes through no portal: aimed into one, it stays in this room. */
+    /** A shot goes through no portal: aimed into one, it ends in this room. */
     @Test
     void aShotGoesThroughNoPortal() {
         Lab lab = twoPortals();
         Portals before = portals(lab);
         lab.turn(90, 0).press(Action.FIRE_SECOND);
-        // Through the first it would have come out of the second and hit the wall to the left.
+        // Through the first portal it would have come out of the second and hit the wall to the left.
         PortalRefused inTheWay = (PortalRefused) lab.told().get(2);
         assertEquals(Refusal.OVERLAPS_OTHER, inTheWay.reason());
         assertEquals(-8, inTheWay.where().z(), 1e-9);
@@ -135,7 +138,7 @@ final class PortalGunTest {
         assertEquals(-4, refused.where().z(), 1e-9);
     }
 
-    /** Row 33: straight down there is an orientation too, and it turns with the view. */
+    /** A portal shot straight down has a finite orientation, which follows the yaw. */
     @Test
     void straightDownIsFinite() {
         for (double yaw : new double[] {0, 33, 90, -170}) {
@@ -149,7 +152,7 @@ final class PortalGunTest {
         }
     }
 
-    /** Row 12: who stands in a portal that is moved is put on the side of the centre, at once, and never into a wall. */
+    /** A player in a portal that is moved is put on its centre's side within the tick, and never into a wall. */
     @Test
     void whoStandsInAMovedPortalIsPutOnTheCentresSide() {
         for (double before : new double[] {0.002, 0.1, 0.2, 0.29}) {
@@ -160,7 +163,7 @@ final class PortalGunTest {
                 lab.set(lab.state().withPlayer(lab.player().withFeet(feet)));
                 lab.hold(PlayerInput.NONE, 0.1);
                 assertEquals(before, lab.player().feet().z() + 8, 1e-9);
-                // To the left, where no portal is yet.
+                // Aimed to the left, where no portal is yet.
                 lab.turn(180, 0).tick(PlayerInput.NONE.holding(moved));
                 assertInstanceOf(
                         PortalOpened.class, lab.told().get(2), lab.told().toString());
@@ -174,7 +177,7 @@ final class PortalGunTest {
         }
     }
 
-    /** Row 12: without room there the portal stays where it is. */
+    /** If the player in it has no room, the portal stays where it is. */
     @Test
     void withoutRoomTheShotIsRefused() {
         Lab lab = twoPortals();

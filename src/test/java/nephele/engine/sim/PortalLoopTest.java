@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Endless falls of the player: speed, height and sideways motion are kept at every tick rate. */
+/** Endless falls of the player keep speed, height and lateral motion at every tick rate. */
 final class PortalLoopTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
@@ -20,12 +20,15 @@ final class PortalLoopTest {
         return v.x() * v.x() + v.y() * v.y() + v.z() * v.z();
     }
 
-    /** Twice the energy of the capsule's centre for a unit of mass. */
+    /** Returns twice the energy of the capsule's centre per unit of mass. */
     private static double energy(PlayerState p, double level) {
         return speedSquared(p) + 2 * G * (p.centre().y() - level);
     }
 
-    /** From 2 m over one floor portal the player comes out of the other and back, at any rate. */
+    /**
+     * A player that falls from 2 m above one floor portal comes out of the other and back at the same height, at every
+     * rate.
+     */
     @ParameterizedTest
     @ValueSource(ints = {30, 60, 120, 240})
     void floorToFloorKeepsItsHeight(int rate) {
@@ -47,7 +50,7 @@ final class PortalLoopTest {
         assertEquals(0, course.state().faults());
     }
 
-    /** After k hops of H metres v² = 2 g H k to 1e-9, as long as eight hops a tick are enough; then the speed stays. */
+    /** After k passes of H metres v² = 2 g H k within 1e-9, as long as a tick has at most eight crossings. */
     @Test
     void floorToCeilingGainsWhatItFalls() {
         Course course = Course.onFloor()
@@ -67,7 +70,7 @@ final class PortalLoopTest {
         assertEquals(0, course.state().faults());
     }
 
-    /** More than eight hops a tick: the rest of the tick is dropped and told, the speed stays. */
+    /** With more than eight crossings in a tick the rest of the tick is dropped and reported; the speed stays. */
     @Test
     void dropsTimeAtTooManyHops() {
         Course course = Course.onFloor()
@@ -83,7 +86,7 @@ final class PortalLoopTest {
         assertEquals(0, course.state().player().feet().x(), 1e-9);
     }
 
-    /** A slanted endless fall keeps its sideways speed; it drifts until it meets the rim. */
+    /** An oblique endless fall keeps its lateral speed until it touches the rim. */
     @Test
     void sidewaysSpeedIsKept() {
         Course course = Course.onFloor()
@@ -100,7 +103,7 @@ final class PortalLoopTest {
         assertEquals(-0.1, end.feet().z(), 1e-9);
     }
 
-    /** Whatever the speed and the rate, the exit is the same. */
+    /** For each speed the exit is the same at every tick rate. */
     @ParameterizedTest
     @ValueSource(doubles = {0.001, 0.1, 10, 1000})
     void exitsAlikeAtEveryRate(double speed) {

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The player at pairs in awkward places. */
+/** The player near portal pairs in difficult places. */
 final class PortalPlayerTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SOUTH = new Vec3(0, 0, 1);
@@ -29,7 +29,7 @@ final class PortalPlayerTest {
         return new Vec3[] {new Vec3(x, y, z), normal, up};
     }
 
-    /** Within the seamed world the capsule is free after every tick, and on the floor or above. */
+    /** The capsule is free of the solids of the opened world after every tick, and on the floor or above. */
     private static Course walkFreely(Course course, PlayerInput input, double seconds) {
         Recovery recovery = new Recovery();
         SeamedWorld seamed = SeamedWorld.of(course.world(), course.portals());
@@ -47,7 +47,7 @@ final class PortalPlayerTest {
                 + p.velocity().z() * p.velocity().z());
     }
 
-    /** Through one of two that stand side by side, out of the other, with the shoulders in both. */
+    /** A player walks into one of two adjacent portals and out of the other, with its shoulders in both. */
     @Test
     void sideBySide() {
         for (double x : new double[] {-0.6, -0.3, 0, 0.3}) {
@@ -59,14 +59,17 @@ final class PortalPlayerTest {
             PlayerState end = course.state().player();
             assertTrue(horizontalSpeed(end) <= PlayerBody.WALK_SPEED + 1e-9, "no explosion: " + end);
             if (x != 0) {
-                // In at one, out of the other, looking back: it walks away to the south.
+                // In at one and out of the other, looking back: it walks away to the south.
                 assertTrue(end.feet().z() > 3, "through: " + end);
                 assertEquals(-180_000, end.heading().yawMillidegrees());
             }
         }
     }
 
-    /** Between portals that face each other 0.2 m apart a player is in both and meets itself as space. */
+    /**
+     * Between portals that face each other at 0.2 m a player is in both; it can stand still and walk, as it does not
+     * collide with itself.
+     */
     @Test
     void facingNearby() {
         Course course = new Course()
@@ -86,7 +89,7 @@ final class PortalPlayerTest {
         assertTrue(horizontalSpeed(course.state().player()) <= PlayerBody.WALK_SPEED + 1e-9, "energy not increased");
     }
 
-    /** Two portals in a corner that share its edge. */
+    /** A player does not get stuck at two portals in a corner that share an edge. */
     @Test
     void cornerWithASharedEdge() {
         for (int right = -100; right <= 100; right += 50) {
@@ -97,7 +100,7 @@ final class PortalPlayerTest {
                         .pair(end(-0.6, 1.05, 0, SOUTH, UP), end(0, 1.05, 0.6, new Vec3(-1, 0, 0), UP))
                         .startAt(x, 0, 0.5);
                 walkFreely(course, PlayerInput.NONE.walking(100, right), 1.5);
-                // Not stuck: from where it got to, turned away from the nearest wall, it walks as fast as ever.
+                // From its last place, turned away from the nearest wall, it walks at full speed.
                 walkFreely(course, PlayerInput.NONE, 0.5);
                 double least = freeMetres(course);
                 assertTrue(
@@ -108,7 +111,7 @@ final class PortalPlayerTest {
         }
     }
 
-    /** How far it gets in half a second in the best of eight directions, walking freely. */
+    /** Returns how far it walks in half a second in the best of eight directions, always free of solids. */
     private static double freeMetres(Course course) {
         SimState from = course.state();
         Vec3 feet = course.feet();
@@ -122,7 +125,7 @@ final class PortalPlayerTest {
         return most;
     }
 
-    /** A single portal, and one whose exit lies in a solid, are wall. */
+    /** A single portal, and one with its exit in a solid, are closed and solid. */
     @Test
     void closedPortalsAreSolid() {
         Course open = Course.onFloor()
@@ -140,7 +143,7 @@ final class PortalPlayerTest {
         assertEquals(0.301, blocked.feet().z(), 1e-6);
     }
 
-    /** At 10 km the same walk within 1e-6 m, ten times through. */
+    /** At 10 km from the origin a walk agrees within 1e-6 m after ten crossings. */
     @Test
     void farOutTheSame() {
         List<Course> courses = new ArrayList<>();
@@ -162,7 +165,7 @@ final class PortalPlayerTest {
         assertEquals(near.z(), far.z() + 10_000, 1e-6);
     }
 
-    /** What is not finite stops and is told, near a portal too. */
+    /** A velocity that is not finite stops the player and is reported, near a portal too. */
     @ParameterizedTest
     @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 1e308})
     void brokenVelocitiesStop(double speed) {
@@ -177,7 +180,7 @@ final class PortalPlayerTest {
         assertTrue(course.state().faults() > 0);
     }
 
-    /** The view goes through exactly; body and view are upright again later; nothing jumps in between. */
+    /** A portal maps the view exactly; body and view are upright again later, without a jump in between. */
     @ParameterizedTest
     @ValueSource(ints = {-80, -30, 0, 45, 89})
     void theViewIsMappedAndThenTurnsUpright(int pitch) {
@@ -225,7 +228,7 @@ final class PortalPlayerTest {
         return new Look(player.heading(), player.tilt()).view();
     }
 
-    /** A body that lies where there is no head room stays as it lies, and stands up in the open. */
+    /** A tilted body without head room stays tilted, and turns upright in the open. */
     @Test
     void turnsAsRoomAllows() {
         Course course = Course.onFloor().box(-3, 0.8, -3, 3, 1, 3).startAt(0, 0, 0);

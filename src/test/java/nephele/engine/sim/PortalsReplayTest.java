@@ -16,8 +16,9 @@ import nephele.engine.sim.TickEvent.PortalOpened;
 import org.junit.jupiter.api.Test;
 
 /**
- * The sample level of portals and its recorded game: a cube is carried through the doors, a hundred falls follow, and a
- * portal is moved in mid-fall. A golden hash changes only when the rules of motion are meant to change.
+ * The sample level of portals and its recorded game give the golden hashes: a cube is carried through the doors, a
+ * hundred falls follow, and a portal is moved during a fall. A golden hash changes only when the rules of motion are
+ * meant to change.
  */
 class PortalsReplayTest {
     private static final Path SAMPLES = Path.of("levels", "samples");

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class RobustTest {
-    /** The same steps a thousand kilometres out end within a micrometre. */
+    /** The same walk a thousand kilometres away ends within a micrometre. */
     @ParameterizedTest
     @CsvSource({"1048576, 0, -1048576", "-1000000, 1000, 1000000", "1000000.3, 0.7, 999999.9"})
     void farOutIsAsNearTheOrigin(double x, double y, double z) {
@@ -37,7 +37,7 @@ class RobustTest {
         assertTrue(worst <= 1e-6, "off by " + worst + " m");
     }
 
-    /** Whoever starts inside solids gets out, a little each tick. */
+    /** A player that starts inside a solid is pushed out, a little each tick. */
     @ParameterizedTest
     @ValueSource(doubles = {0.001, 0.1, 0.29, 0.31, 0.5, 1, 1.5})
     void aStartInsideASolidIsLeft(double depth) {
@@ -64,7 +64,7 @@ class RobustTest {
         assertEquals(0, course.state().faults());
     }
 
-    /** NaN keeps the last valid place, and is told. */
+    /** NaN keeps the last valid place, and is reported. */
     @Test
     void whatIsNotANumberIsUndoneAndTold() {
         List<String> told = new ArrayList<>();

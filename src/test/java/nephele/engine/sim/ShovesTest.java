@@ -6,7 +6,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** What a walker's legs add to what it walks into. */
+/** The push of a walker on the bodies that it runs into. */
 class ShovesTest {
     private static final double TICK = 1 / 120.0;
     private static final Vector3d NORTH = new Vector3d(0, 0, -1);
@@ -28,7 +28,7 @@ class ShovesTest {
         return new Vector3d(shoves.push());
     }
 
-    /** Two bodies in one row, or one met twice, are pushed no harder than one. */
+    /** Two contacts with the same normal are pushed no harder than one. */
     @Test
     void whatIsMetTwiceIsPushedOnce() {
         Vector3d once = push(NORTH, new Vector3d(0, 0, 1));

@@ -15,7 +15,7 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** Bodies that start in something, and those that only seem to. */
+/** Bodies that start in an overlap are reported, and those that only seem to are not. */
 class StartRulesTest {
     private static final Vec3 AHEAD = new Vec3(0, 0, 1);
     private static final Vec3 LEFT = new Vec3(1, 0, 0);
@@ -40,7 +40,7 @@ class StartRulesTest {
         assertTrue(errors.get(0).startsWith(start), errors.get(0));
     }
 
-    /** A hall whose wall ahead leads to the wall on the left. */
+    /** A hall with a portal in the wall ahead that leads to the wall on the left. */
     private static RoomLevel portals() {
         return RoomLevel.hall().startAt(6, 0, 6, 0, 0).pair(new Vec3(0, 1.05, -8), AHEAD, new Vec3(-8, 1.05, 0), LEFT);
     }
@@ -100,7 +100,7 @@ class StartRulesTest {
         assertTold(both, "bodies[1].centre the body starts 200 mm deep in bodies[0] ('cube0') through a portal");
     }
 
-    /** Behind the exit's wall, where the body would be if it were not cut off by the portal. */
+    /** A body behind the exit's wall does not overlap one that reaches into the portal. */
     @Test
     void whatIsBehindTheExitsWallIsNotMet() {
         RoomLevel outside = portals().cube(new Vec3(0, 1, -7.7), 0.8, 5);

@@ -8,7 +8,10 @@ import java.math.BigInteger;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** After 10 h, 100 h and a year the phase is right to 1e-4 rad, and tick 0 equals N periods. */
+/**
+ * After 10 h, 100 h and a year the phase is exact to 1e-6 rad and the time to 1e-4 s, and tick 0 equals any number of
+ * whole periods.
+ */
 class TickClockTest {
     private static final long PERIOD = TickClock.PERIOD_SECONDS * 120L;
 

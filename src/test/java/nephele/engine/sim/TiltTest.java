@@ -11,7 +11,10 @@ import org.junit.jupiter.api.Test;
 class TiltTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
-    /** A quaternion and its opposite are one rotation: both turn upright by what is asked, by the shorter way. */
+    /**
+     * A quaternion and its negative are the same rotation: both turn upright by the requested angle, by the shorter
+     * way.
+     */
     @Test
     void theViewTurnsUprightByTheShorterWay() {
         var random = new SplittableRandom(4);

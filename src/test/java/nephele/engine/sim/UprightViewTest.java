@@ -11,13 +11,18 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Out of a ceiling and through turned portals the view eases upright and never flips. */
+/** After a ceiling portal or a rotated pair the view turns upright gradually and never flips. */
 final class UprightViewTest {
     private static final double TICK = 1.0 / 120;
-    /** A heading is a whole thousandth of a degree, and pitch ends a tenth of one before the vertical. */
+    /**
+     * View angles are rounded to a thousandth of a degree, and the pitch ends a tenth of a degree before the vertical.
+     */
     private static final double ROUNDING = Math.toRadians(0.11);
 
-    /** From a wall into the ceiling, from a floor into a wall, and the other way round. */
+    /**
+     * Returns rooms with portals from a wall into the ceiling, from a floor into a wall, and from a floor into the
+     * ceiling.
+     */
     private static List<Lab> turns(SimSettings settings) {
         Vec3 wall = new Vec3(0, 1.05, -8);
         Vec3 floor = new Vec3(0, 0, -3);
@@ -51,7 +56,7 @@ final class UprightViewTest {
         return 2 * StrictMath.atan2(Math.sqrt(d.x * d.x + d.y * d.y + d.z * d.z), Math.abs(d.w));
     }
 
-    /** No tick turns the view by more than the rate says, the one of the crossing included. */
+    /** No tick turns the view by more than the rate, not even the one of the crossing. */
     @Test
     void theViewEases() {
         for (int degrees : new int[] {45, 360, 900}) {
@@ -72,7 +77,7 @@ final class UprightViewTest {
         }
     }
 
-    /** The faster the rate, the sooner it is level; in the end it is, for every rate. */
+    /** The faster the rate, the sooner the view is level; at every rate it finally is. */
     @Test
     void theRateSaysHowLongItTakes() {
         for (int kind = 0; kind < 3; kind++) {
@@ -101,7 +106,10 @@ final class UprightViewTest {
         return leaning;
     }
 
-    /** Whoever steers while the view turns goes where it looks, or, looking straight down, where its picture's top is. */
+    /**
+     * While the view turns upright, a steered player accelerates in the direction of the view, or of the picture's top
+     * if it looks straight down.
+     */
     @Test
     void inputFollowsTheView() {
         int steered = 0;
@@ -125,7 +133,7 @@ final class UprightViewTest {
         assertTrue(steered > 10, steered + " ticks with an effect");
     }
 
-    /** Straight up and down: at the steepest pitch the mouse turns the view as far as it says and no farther. */
+    /** At the steepest pitch, up and down, the mouse turns the view by no more than its own turn. */
     @Test
     void nothingFlipsAtTheVertical() {
         for (Lab lab : turns(rate(360))) {
@@ -142,7 +150,7 @@ final class UprightViewTest {
         }
     }
 
-    /** What is said of a rate is written down, and of the usual one nothing: old replays stay as they are. */
+    /** A replay stores a rate that differs from the default, and omits the default: old replays stay as they are. */
     @Test
     void aReplayKeepsTheRate() {
         var recorder = new ReplayRecorder("lab.json", rate(45), null).record(PlayerInput.FORWARD);

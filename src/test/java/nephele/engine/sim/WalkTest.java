@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Stories of a player on foot. Forward is −z. */
+/** Scenarios of a player on foot. Forward is −z. */
 class WalkTest {
     private static final PlayerInput FORWARD = PlayerInput.FORWARD;
     private static final PlayerInput RUN = FORWARD.holding(Action.RUN);
@@ -75,7 +75,10 @@ class WalkTest {
         assertTrue(course.feet().z() < -8);
     }
 
-    /** Feet jump from tread to tread; the eye rises by hardly more in a tick than a ramp of that slope would lift it. */
+    /**
+     * On stairs the eye rises in a tick by less than 1.5 times as much as on a ramp of the same slope, although the
+     * feet jump from tread to tread.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0.15, 0.3, 0.4})
     void theEyeGlidesOverStairs(double rise) {
@@ -147,7 +150,7 @@ class WalkTest {
         assertEquals(0, course.feet().y(), 1e-6);
     }
 
-    /** Along the slope, up and, half a second after turning round, down. */
+    /** The speed along a slope is the walking speed, up and, half a second after the turn, down. */
     @Test
     void slopesAreWalkedAtWalkingSpeed() {
         for (double degrees : new double[] {15, 30, 45}) {

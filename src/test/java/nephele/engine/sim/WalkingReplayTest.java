@@ -14,8 +14,8 @@ import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
 /**
- * The sample level of walking and its recorded walk. A golden hash changes only when the rules of motion are meant to
- * change; then the new lines are those that the failure shows.
+ * The sample level of walking and its recorded walk give the golden hashes. They change only when the rules of motion
+ * are meant to change; the new lines are then those that the failure shows.
  */
 class WalkingReplayTest {
     private static final Path SAMPLES = Path.of("levels", "samples");

@@ -7,16 +7,16 @@ import java.util.stream.Collectors;
 import nephele.engine.sim.Assist;
 import nephele.engine.terminal.CommandFailure;
 
-/** The assists that a person names on the command line. */
+/** Parses the assists named on the command line. */
 final class AssistNames {
-    /** Somebody who plays for the puzzle wants to land where the portal is; the speed is their own affair. */
+    /** The default: it helps the player to hit portals, and leaves the speed uncapped. */
     private static final List<Assist> DEFAULT = List.of(Assist.FUNNEL, Assist.FLOOR_EXIT_SPEED);
 
     private static final String NONE = "none";
 
     private AssistNames() {}
 
-    /** @param names {@code null}: not named, the default */
+    /** @param names {@code null} for the default */
     static List<Assist> parse(List<String> names) {
         if (names == null) {
             return DEFAULT;

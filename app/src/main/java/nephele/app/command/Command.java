@@ -3,7 +3,7 @@ package nephele.app.command;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 
-/** One command of the jar; picocli fills its annotated fields before it runs. */
+/** A command of the jar; picocli fills its annotated fields before it runs. */
 public interface Command {
     ExitCode run(Terminal terminal) throws Exception;
 }

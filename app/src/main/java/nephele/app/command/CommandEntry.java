@@ -3,9 +3,9 @@ package nephele.app.command;
 import java.util.function.Supplier;
 
 /**
- * A command by name; it is built, and its classes loaded, only when it is asked for.
+ * A command by name; it is built, and its classes loaded, only on demand.
  *
- * @param preload what is begun before its options are read
+ * @param preload starts background loading before the options are read
  */
 public record CommandEntry(String name, String summary, Supplier<Command> build, Supplier<Preload> preload) {
     CommandEntry(String name, String summary, Supplier<Command> build) {

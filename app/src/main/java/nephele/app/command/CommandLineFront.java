@@ -14,7 +14,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 
-/** From arguments to an exit code: finds the command, lets picocli read its options, runs it and explains failures. */
+/** Maps arguments to an exit code: finds the command, lets picocli read its options, runs it and reports failures. */
 public final class CommandLineFront {
     private static final int NAME_WIDTH = 10;
     private static final int FARTHEST_TYPING_ERROR = 2;
@@ -25,7 +25,7 @@ public final class CommandLineFront {
         this.terminal = terminal;
     }
 
-    /** What the arguments ask for, and exit code 3 where its output could not be written. */
+    /** Runs the command of the arguments. Returns exit code 3 if its output could not be written. */
     public ExitCode run(String... arguments) {
         var exitCode = answer(arguments);
         if (!terminal.out().checkError()) {
@@ -111,7 +111,7 @@ public final class CommandLineFront {
         return "unknown command `" + word + "`" + nearest + "\n`nephele --help` lists the commands.";
     }
 
-    /** Levenshtein (1966): the least number of letters to insert, drop or change. */
+    /** Returns the edit distance of Levenshtein (1966): the least number of letters to insert, remove or replace. */
     private static int editDistance(String a, String b) {
         int[] previous = new int[b.length() + 1];
         for (int j = 0; j <= b.length(); j++) {

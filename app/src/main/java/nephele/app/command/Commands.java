@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Every command in the order of the help text; the only registration. Lambdas, because a constructor reference loads and
- * links the command, and with BenchCommand the lab.
+ * All commands in the order of the help text; the only registration. The entries are lambdas, because a constructor
+ * reference loads and links the command's class, and with BenchCommand the lab module.
  */
 public final class Commands {
     public static final List<CommandEntry> ALL = List.of(

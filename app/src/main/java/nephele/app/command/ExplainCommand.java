@@ -8,7 +8,7 @@ import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Parameters;
 
-/** Says which features a level requires, and why. */
+/** Prints which features a level requires, and why. */
 @picocli.CommandLine.Command
 final class ExplainCommand implements Command {
     @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")

@@ -15,7 +15,7 @@ import nephele.engine.terminal.CrashReport;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 
-/** A failure in plain words: the only place that decides what an exception means to a user. */
+/** A failure in plain words: the only place that maps exceptions to exit codes and messages for the user. */
 record Explanation(ExitCode exitCode, String message, Throwable failure) {
     static Explanation of(Throwable failure, List<String> arguments) {
         if (failure instanceof CommandFailure known) {

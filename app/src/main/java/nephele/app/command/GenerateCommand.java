@@ -121,7 +121,7 @@ final class GenerateCommand implements Command {
         }
     }
 
-    /** What the numbers make impossible is wrong use. */
+    /** Reports an illegal argument, which the numbers caused, as wrong usage. */
     private static <T> T usage(Supplier<T> made) {
         try {
             return made.get();

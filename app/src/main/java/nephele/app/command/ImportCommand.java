@@ -34,7 +34,7 @@ final class ImportCommand implements Command {
         return ExitCode.DONE;
     }
 
-    /** One word of a command line, for shells of any system. */
+    /** Returns a file as one word of a command line, quoted if necessary for shells of any system. */
     private static String word(Path file) {
         String text = file.toString();
         return text.matches("[\\p{L}\\p{N}._/\\\\:-]+") ? text : '"' + text + '"';

@@ -5,7 +5,7 @@ import nephele.engine.math.Vec3;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Finite numbers written with commas between them. */
+/** Parses finite numbers separated by commas. */
 final class NumberList {
     private NumberList() {}
 

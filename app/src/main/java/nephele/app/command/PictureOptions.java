@@ -13,7 +13,7 @@ import nephele.engine.terminal.PrintedProgress;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Which picture of a level is drawn offscreen: what measuring and saving have in common. */
+/** The options of an offscreen picture of a level, shared by measuring and saving. */
 final class PictureOptions {
     @Option(
             names = "--size",
@@ -31,7 +31,7 @@ final class PictureOptions {
     @Mixin
     private QualityOptions quality;
 
-    /** Complains about settings that do not exist. */
+    /** Checks the settings; throws a usage failure for unknown ones. */
     void check() {
         quality.choice();
     }
@@ -44,12 +44,12 @@ final class PictureOptions {
         return (double) size.width() / size.height();
     }
 
-    /** What was asked for, or null. */
+    /** Returns the requested output, or null. */
     Output output() {
         return output;
     }
 
-    /** What was asked for, else what the level requires. */
+    /** Returns the requested output, else the one that the level requires. */
     Output output(OpenedLevel opened) {
         return output != null ? output : choice().output(opened.level());
     }
@@ -62,7 +62,7 @@ final class PictureOptions {
         return RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, size.width(), size.height());
     }
 
-    /** @param forced instead of what was asked for, or null */
+    /** @param forced replaces the requested output, or null */
     Renderer renderer(OpenedLevel opened, GlContext gl, Output forced, PrintedProgress progress) {
         var choice = choice();
         var settings = choice.settings(

@@ -21,12 +21,12 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** The game; without a display the level's recorded walk, drawn offscreen. */
+/** Runs the game; without a display it draws the level's recorded walk offscreen. */
 @picocli.CommandLine.Command
 final class PlayCommand implements Command {
     private static final Path PICTURES = Path.of("build", "pictures");
 
-    /** Begins to count as soon as the command exists, before its options are read. */
+    /** Starts timing when the command is created, before its options are read. */
     private final StartProfile profile = new StartProfile();
 
     @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file (default: level 01).")

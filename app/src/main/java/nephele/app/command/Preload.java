@@ -2,7 +2,7 @@ package nephele.app.command;
 
 import nephele.engine.render.gl.GlContext;
 
-/** Loads native libraries on a thread of its own while the main one reads options and levels. */
+/** Loads native libraries on a separate thread while the main one reads options and levels. */
 final class Preload {
     private final Thread thread;
 
@@ -21,7 +21,7 @@ final class Preload {
         return new Preload(thread);
     }
 
-    /** Waits for the end: a process must not exit while a driver is still being loaded. */
+    /** Waits for the end of loading: the process must not exit while a driver is being loaded. */
     void finish() {
         boolean interrupted = false;
         while (thread != null && thread.isAlive()) {

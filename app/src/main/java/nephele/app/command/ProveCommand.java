@@ -17,7 +17,7 @@ import nephele.lab.prove.Surroundings;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Runs the proofs at full count; a stopped run goes on where it was. */
+/** Runs the proofs at full count; a stopped run resumes where it was. */
 @picocli.CommandLine.Command
 final class ProveCommand implements Command {
     private static final Path STATE_FOLDER = Path.of("build", "prove");

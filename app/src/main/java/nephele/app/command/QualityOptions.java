@@ -5,7 +5,7 @@ import java.util.Map;
 import nephele.engine.draw.QualityChoice;
 import picocli.CommandLine.Option;
 
-/** How well a picture is drawn: the options that all drawing commands share. */
+/** The quality options that all drawing commands share. */
 final class QualityOptions {
     @Option(
             names = "--quality",

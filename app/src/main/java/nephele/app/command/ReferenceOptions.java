@@ -14,7 +14,7 @@ import nephele.engine.terminal.Terminal;
 import nephele.lab.oracle.ReferenceEye;
 import picocli.CommandLine.Option;
 
-/** Whether the exact twin takes the picture: rays on all cores instead of OpenGL. */
+/** The options of the reference path tracer, which traces rays on all cores instead of drawing with OpenGL. */
 final class ReferenceOptions {
     private static final int USUAL_SAMPLES = 64;
     private static final int MOST_SAMPLES = 1 << 20;
@@ -41,7 +41,10 @@ final class ReferenceOptions {
         return reference;
     }
 
-    /** Linear radiance, the bottom row first. Of ids one sample is taken, in the middle of each pixel: they do not mix. */
+    /**
+     * Returns linear radiance, the bottom row first. A picture of ids has one sample, in the centre of each pixel, as
+     * ids must not be averaged.
+     */
     float[] trace(OpenedLevel opened, View view, PictureOptions picture, Terminal terminal) {
         var shown = picture.choice().shown(opened);
         var decoding = picture.output(opened) == Output.PLAIN ? Decoding.AS_STORED : Decoding.SRGB;

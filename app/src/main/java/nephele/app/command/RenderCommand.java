@@ -24,7 +24,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Takes one picture offscreen: drawn as the game draws it, or by the exact twin. */
+/** Saves one offscreen picture: drawn as the game draws it, or traced by the reference path tracer. */
 @picocli.CommandLine.Command
 final class RenderCommand implements Command {
     @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
@@ -90,7 +90,7 @@ final class RenderCommand implements Command {
         return picture.renderer(opened, gl, isPfm() ? Output.HDR : null, PrintedProgress.ofBake(terminal.err()));
     }
 
-    /** Neither moving surroundings nor clouds are built yet, so no level can follow what governs them. */
+    /** Returns a notice for options without effect: neither animated environments nor clouds are implemented. */
     private Optional<String> ignored() {
         var options = new ArrayList<String>();
         if (timeSeconds != 0) {
@@ -155,7 +155,7 @@ final class RenderCommand implements Command {
         return out.toString().toLowerCase(Locale.ROOT);
     }
 
-    /** From where. */
+    /** The options of the viewpoint. */
     static final class ViewOptions {
         @Option(names = "--camera", paramLabel = "ID", description = "One of the level's cameras.")
         private String camera;

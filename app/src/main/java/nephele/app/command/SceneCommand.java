@@ -27,7 +27,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Shows an XML scene: in a window, or a picture of it offscreen. */
+/** Shows an XML scene in a window, or saves pictures of it offscreen. */
 @picocli.CommandLine.Command
 final class SceneCommand implements Command {
     private static final Path PICTURES = Path.of("build", "pictures");
@@ -72,7 +72,7 @@ final class SceneCommand implements Command {
     @Mixin
     private LookOptions look;
 
-    /** Wireframe has an option of its own. */
+    /** Returns the words of {@code --shading}; wireframe has an option of its own. */
     static EnumSet<Shading> shadings() {
         return EnumSet.complementOf(EnumSet.of(Shading.WIREFRAME));
     }
@@ -129,7 +129,7 @@ final class SceneCommand implements Command {
         }
     }
 
-    /** How it is shown. */
+    /** The options of the scene's appearance. */
     static final class LookOptions {
         @Option(names = "--wireframe", description = "Only the edges of triangles.")
         private boolean wireframe;

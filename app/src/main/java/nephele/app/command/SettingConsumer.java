@@ -8,7 +8,7 @@ import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
-/** Reads `--set key=value …`: every following word that looks like a setting belongs to it, so a level may follow. */
+/** Parses `--set key=value …`: it consumes all following words of this form, so that a level may follow. */
 final class SettingConsumer implements IParameterConsumer {
     private static final Pattern SETTING = Pattern.compile("([A-Za-z][A-Za-z0-9.]*)=(.*)");
 

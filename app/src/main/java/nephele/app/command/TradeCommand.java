@@ -22,7 +22,7 @@ import nephele.lab.trade.run.Trades;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Measures what each knob costs and how wrong each of its settings is, and writes a report; a stopped run goes on. */
+/** Measures cost and error of each setting of each subject, and writes a report; a stopped run resumes where it was. */
 @picocli.CommandLine.Command
 final class TradeCommand implements Command {
     private static final String WITHOUT_LEVEL_TWO = "levels/samples/portals.json";

@@ -6,7 +6,7 @@ import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Unmatched;
 
-/** A command of the design that has no body yet: it answers --help and otherwise says so. */
+/** A planned command that is not implemented: it answers --help and otherwise fails with a message. */
 @picocli.CommandLine.Command(synopsisHeading = "Usage (not built yet): ")
 final class UnbuiltCommand implements Command {
     @Unmatched

@@ -3,7 +3,7 @@ package nephele.app.command;
 import nephele.engine.sim.SimSettings;
 import nephele.engine.terminal.CommandFailure;
 
-/** The rate of {@code --upright-rate}. */
+/** Parses the rate of {@code --upright-rate}, in degrees per second. */
 final class UprightRate {
     private static final String INSTANT = "instant";
 

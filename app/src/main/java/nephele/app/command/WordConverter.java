@@ -6,9 +6,9 @@ import java.util.stream.Collectors;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** One of some words; messages list them as they are typed, in lower case. */
+/** Parses one of a set of words, ignoring case; messages list them in lower case. */
 record WordConverter<E extends Enum<E>>(EnumSet<E> words) implements ITypeConverter<E> {
-    /** Any of an enum's. */
+    /** Accepts every constant of an enum. */
     WordConverter(Class<E> type) {
         this(EnumSet.allOf(type));
     }

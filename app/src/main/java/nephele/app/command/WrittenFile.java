@@ -6,11 +6,11 @@ import java.nio.file.Path;
 import nephele.engine.asset.WholeFile;
 import nephele.engine.terminal.CommandFailure;
 
-/** Files that a user asked for; their folder is made when it is missing. */
+/** Writes the files that a user requested; a missing folder is made. */
 final class WrittenFile {
     private WrittenFile() {}
 
-    /** Writes a file in one step; its failures name the file and why. */
+    /** Writes a file atomically; its failures name the file and the reason. */
     @FunctionalInterface
     interface Writer {
         void write(Path file) throws IOException;
@@ -20,7 +20,7 @@ final class WrittenFile {
         write(file, to -> WholeFile.write(to, content.getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** A failure is the environment's (exit code 3). */
+    /** Writes a file; a failure is reported as one of the environment (exit code 3). */
     static void write(Path file, Writer writer) {
         try {
             writer.write(file);

@@ -1,2 +1,2 @@
-/** The command line: one class a command, built only when it is named. */
+/** The command line: one class for each command, loaded only when the command is named. */
 package nephele.app.command;

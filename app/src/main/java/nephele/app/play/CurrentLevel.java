@@ -4,7 +4,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.SimSettings;
 import nephele.engine.terminal.CommandFailure;
 
-/** The level being played, if there is one yet, with its figures and what is recorded of it. */
+/** The level being played, if any, with its figures and its recording. */
 final class CurrentLevel implements AutoCloseable {
     private final FiguresControl figures;
     private final Recordings recordings;
@@ -17,7 +17,7 @@ final class CurrentLevel implements AutoCloseable {
         this.message = message;
     }
 
-    /** Null before the first level. */
+    /** Returns the session; null before the first level. */
     Session session() {
         return session;
     }
@@ -32,7 +32,7 @@ final class CurrentLevel implements AutoCloseable {
         }
     }
 
-    /** Keeps what was recorded of the level before and takes its place. */
+    /** Saves the recording of the previous level and replaces it. */
     void become(Session loaded) {
         keepRecordingOrSay();
         closeSession();
@@ -40,7 +40,7 @@ final class CurrentLevel implements AutoCloseable {
         session.notice().ifPresent(message::say);
     }
 
-    /** The same level from its beginning; what was played so far is a recording of its own. */
+    /** Restarts the level; the part played so far is saved as a recording of its own. */
     void restart(SimSettings settings) {
         keepRecordingOrSay();
         session.restart(settings);
@@ -68,7 +68,7 @@ final class CurrentLevel implements AutoCloseable {
         }
     }
 
-    /** Keeps the recording, whatever becomes of the rest. */
+    /** Saves the recording, also if the rest fails. */
     @Override
     public void close() {
         try {

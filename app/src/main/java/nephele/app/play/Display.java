@@ -11,9 +11,9 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayPass;
 
-/** Draws frames into a window: the level, then the overlay, and takes pictures in between. */
+/** Draws frames into a window: the level, then the overlay; takes screenshots in between. */
 final class Display implements AutoCloseable {
-    /** When a picture is to be taken of the next frame. */
+    /** The screenshot to take of the next frame. */
     enum Shot {
         NONE,
         WITH_OVERLAY,
@@ -35,7 +35,7 @@ final class Display implements AutoCloseable {
         overlay = new OverlayPass(gl, lettering);
     }
 
-    /** One frame on the window; returns where a picture of it was saved, or null. */
+    /** Draws one frame. Returns the message of a screenshot, or null. */
     String draw(Session session, HudContent content, StepListener listener, Shot shot) {
         var picture = target();
         double aspect = (double) picture.width() / picture.height();
@@ -53,7 +53,7 @@ final class Display implements AutoCloseable {
         return saved;
     }
 
-    /** The window's picture in points. */
+    /** Returns the window's size in points. */
     Area area() {
         return new Area(window.width() / window.scale(), window.height() / window.scale());
     }

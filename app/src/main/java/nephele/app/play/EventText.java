@@ -5,7 +5,7 @@ import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.TickEvent;
 import nephele.engine.sim.TickEvent.Handled;
 
-/** What a player is told of a tick's events: only why something did not happen. */
+/** The message for an event of a tick: only events that prevented an action have one. */
 final class EventText {
     private EventText() {}
 

@@ -8,7 +8,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.timing.StepTimer;
 import nephele.engine.walk.Walk;
 
-/** The F3 panel: nothing is timed while it is closed. */
+/** The F3 panel; nothing is timed while it is closed. */
 final class FiguresControl implements AutoCloseable {
     private final GlContext gl;
 
@@ -19,7 +19,7 @@ final class FiguresControl implements AutoCloseable {
         this.gl = gl;
     }
 
-    /** Opens it for what {@code renderer} draws, or closes it. */
+    /** Opens the panel for {@code renderer}, or closes it. */
     void toggle(Renderer renderer) {
         boolean closes = figures != null;
         close();
@@ -29,12 +29,12 @@ final class FiguresControl implements AutoCloseable {
         }
     }
 
-    /** Of the last frames; empty when the panel is closed. */
+    /** Returns the lines for the last frames; empty if the panel is closed. */
     List<HudContent.Figure> lines() {
         return lines;
     }
 
-    /** Begins to time a frame, if anybody looks. */
+    /** Starts to time a frame, if the panel is open. */
     StepListener frameBegins() {
         if (figures == null) {
             return StepListener.NONE;

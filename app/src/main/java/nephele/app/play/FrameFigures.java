@@ -9,7 +9,7 @@ import nephele.engine.render.Renderer;
 import nephele.engine.render.timing.StepTimer;
 import nephele.engine.walk.Walk;
 
-/** What the F3 panel says, averaged over a quarter of a second so that it can be read. */
+/** The figures of the F3 panel, averaged over a quarter of a second so that they are readable. */
 final class FrameFigures implements AutoCloseable {
     private static final long INTERVAL_NANOS = 250_000_000L;
 
@@ -28,12 +28,12 @@ final class FrameFigures implements AutoCloseable {
         stepNames = renderer.stepNames();
     }
 
-    /** To be told of each step of the frames. */
+    /** Returns the listener for the steps of the frames. */
     StepTimer timer() {
         return timer;
     }
 
-    /** After each frame: the lines of the panel. */
+    /** Returns the panel's lines; called after each frame. */
     List<Figure> afterFrame(Walk walk) {
         frames++;
         long now = System.nanoTime();

@@ -10,7 +10,7 @@ import nephele.app.window.Input;
 import nephele.app.window.Screenshots;
 import nephele.engine.render.gl.GlContext;
 
-/** The game from its first level to its end: what happens in a frame, and how one stage leads to the next. */
+/** The game loop, from the first level to the end: the work of a frame, and the transitions between stages. */
 public final class GameLoop implements AutoCloseable {
     private static final double HIDDEN_WAIT_SECONDS = 0.1;
     private static final double PREPARATION_WAIT_SECONDS = 0.02;
@@ -31,7 +31,7 @@ public final class GameLoop implements AutoCloseable {
     private Display.Shot shot = Display.Shot.NONE;
     private long lastNanos;
 
-    /** Begins to read the level; {@link #run} plays it. */
+    /** Starts to read the level; {@link #run} plays it. */
     public GameLoop(PlayRequest request, GameWindow window, GlContext gl, Input input) {
         this.request = request;
         this.window = window;
@@ -43,14 +43,14 @@ public final class GameLoop implements AutoCloseable {
         start(request);
     }
 
-    /** Runs until the player leaves. */
+    /** Runs until the player quits. */
     public void run() {
         while (!stages.in(Stage.LEAVING)) {
             frame();
         }
     }
 
-    /** One frame. */
+    /** Runs one frame. */
     void frame() {
         poll();
         obeyKeys();
@@ -100,7 +100,10 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
-    /** The key that chooses is spent: who continues with the space bar does not jump. */
+    /**
+     * Handles a menu key. A key that chose is released, so that the space bar which continues the game does not also
+     * jump.
+     */
     private void chooseByKey(Control key) {
         var choice = menu.choiceOf(key);
         if (choice != null) {
@@ -124,7 +127,7 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
-    /** @param choice null when nothing was chosen */
+    /** @param choice null if nothing was chosen */
     private void choose(Menu.Choice choice) {
         if (choice instanceof Menu.Choice.Continue) {
             resume(Stage.RUNNING);
@@ -142,7 +145,10 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
-    /** A walk that has begun keeps its rate: its recording names one for all of it. */
+    /**
+     * Changes the rate at which the view turns upright, from the next start on. A running walk keeps its rate, as its
+     * recording stores one for all of it.
+     */
     private void turnUpright(int degreesPerSecond) {
         request = request.with(request.simulation().withUprightDegreesPerSecond(degreesPerSecond));
         menu.rewrite(SettingsPage.of(request.simulation()));
@@ -184,7 +190,9 @@ public final class GameLoop implements AutoCloseable {
         window.waitForEvents(PREPARATION_WAIT_SECONDS);
     }
 
-    /** The old level stays until the new one is complete: a level that fails leads back to the menu. */
+    /**
+     * Replaces the level. The old one is kept until the new one is complete: after a level that fails the menu opens.
+     */
     private void load() {
         try {
             current.become(loading.session(gl, input));
@@ -235,7 +243,7 @@ public final class GameLoop implements AutoCloseable {
         current.figures().frameEnds(session.walk());
     }
 
-    /** However the game ends, what was recorded is kept. */
+    /** Saves the recording, however the game ends. */
     @Override
     public void close() {
         try {

@@ -7,7 +7,9 @@ import nephele.engine.sim.MouseLook;
 import nephele.engine.sim.PlayerInput;
 import nephele.engine.walk.TickInput;
 
-/** Keyboard and mouse as whole numbers for a tick. All motion since the last tick belongs to the next one. */
+/**
+ * Converts keyboard and mouse to the integer input of a tick. All motion since the last tick belongs to the next one.
+ */
 final class LiveInput implements TickInput {
     private static final double DEGREES_PER_COUNT = 0.08;
     private static final int FULL_SPEED = 100;

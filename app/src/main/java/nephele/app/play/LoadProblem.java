@@ -6,11 +6,11 @@ import nephele.engine.level.LevelFormatException;
 import nephele.engine.render.gl.GlException;
 import nephele.engine.render.gl.GlUnavailableException;
 
-/** What a player is told when a level cannot be loaded. */
+/** The message for a level that cannot be loaded. */
 final class LoadProblem {
     private LoadProblem() {}
 
-    /** One line for the failures after which the game goes on; nothing for a bug. */
+    /** Returns one line for failures after which the game continues; empty for a bug. */
     static Optional<String> line(RuntimeException failure) {
         boolean goesOn = failure instanceof LevelFormatException
                 || failure instanceof AssetException

@@ -6,7 +6,7 @@ import nephele.app.window.Input;
 import nephele.engine.draw.Preparation;
 import nephele.engine.render.gl.GlContext;
 
-/** A level on its way to be played: prepared on a thread of its own, then made a session where OpenGL is. */
+/** A level being loaded: prepared on a separate thread, then made a session on the thread of the OpenGL context. */
 final class Loading {
     private final PlayRequest request;
     private final AtomicInteger bakedPercent = new AtomicInteger();
@@ -28,13 +28,13 @@ final class Loading {
         return preparation.isDone();
     }
 
-    /** What takes long, in words; empty while nothing does. */
+    /** Returns the progress of a long part in words; empty while there is none. */
     Optional<String> progress() {
         int percent = bakedPercent.get();
         return percent > 0 ? Optional.of("baking the light: " + percent + " %") : Optional.empty();
     }
 
-    /** The level ready to be played; its problems are thrown before anything is kept. */
+    /** Returns the session of the prepared level; its problems are thrown before anything is allocated. */
     Session session(GlContext gl, Input input) {
         return Session.load(gl, request, preparation, input);
     }

@@ -7,7 +7,7 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.named.LevelShelf;
 
-/** Turns keys and pointer into what the player chooses in the menu; pages lead to each other here. */
+/** Maps keys and pointer to choices in the menu, and switches between its pages. */
 final class MenuControl {
     private final Input input;
     private Menu menu;
@@ -20,13 +20,13 @@ final class MenuControl {
         turnTo(Menu.pause());
     }
 
-    /** What lies under the pointer now is another entry than the one that it was put on. */
+    /** Opens a page. The pointer is reset, as it is now over another entry than the player placed it on. */
     void turnTo(Menu page) {
         menu = page;
         input.forgetMouse();
     }
 
-    /** The same page with other words. */
+    /** Replaces the page by one with other labels; the selection stays. */
     void rewrite(Menu page) {
         menu = page.pointedAt(menu.selected());
     }
@@ -35,12 +35,12 @@ final class MenuControl {
         menu = null;
     }
 
-    /** The page that is open, or null. */
+    /** Returns the open page, or null. */
     Menu page() {
         return menu;
     }
 
-    /** What this key chooses, or null. */
+    /** Returns the choice made with this key, or null. */
     Menu.Choice choiceOf(Control key) {
         switch (key) {
             case FORWARD -> menu = menu.moved(-1);
@@ -57,7 +57,7 @@ final class MenuControl {
     }
 
     /**
-     * What the pointer chooses, or null.
+     * Returns the choice made with the pointer, or null.
      *
      * @param pixelsPerPoint the overlay's scale
      */
@@ -75,7 +75,7 @@ final class MenuControl {
         return followed(menu.chosen());
     }
 
-    /** Choices that only turn a page end here. */
+    /** Handles choices that only open a page; returns the others. */
     private Menu.Choice followed(Menu.Choice choice) {
         if (choice instanceof Menu.Choice.SelectLevel) {
             turnTo(Menu.levels(LevelShelf.numbered()));

@@ -1,6 +1,6 @@
 package nephele.app.play;
 
-/** A line for the player that goes away by itself. */
+/** A line for the player that disappears after four seconds. */
 final class Message {
     private static final long SHOWN_NANOS = 4_000_000_000L;
 
@@ -12,7 +12,7 @@ final class Message {
         untilNanos = System.nanoTime() + SHOWN_NANOS;
     }
 
-    /** The line, or null. */
+    /** Returns the line, or null. */
     String text() {
         if (text != null && System.nanoTime() - untilNanos > 0) {
             text = null;

@@ -18,9 +18,12 @@ import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.walk.ReplayInput;
 import nephele.engine.walk.Walk;
 
-/** What `play` does without a display: the recorded walk drawn offscreen, three pictures and figures. */
+/** Runs `play` without a display: draws the recorded walk offscreen, and saves three pictures and figures. */
 public final class OffscreenWalk {
-    /** A software rasteriser draws some ten frames a second: enough to see the walk, not to wait for it. */
+    /**
+     * The greatest number of frames. A software rasteriser draws about ten in a second: enough for a look at the walk
+     * without a long wait.
+     */
     private static final int MOST_FRAMES = 160;
 
     private static final double[] PICTURES_AT = {0.05, 0.5, 0.95};
@@ -36,7 +39,7 @@ public final class OffscreenWalk {
         this.out = out;
     }
 
-    /** Walks to the end of the replay. */
+    /** Plays the replay to its end. */
     public void run() throws IOException {
         var preparation = Preparation.begin(request.level(), request.quality(), PrintedProgress.ofBake(System.err));
         try (var gl = GlContext.offscreen();
@@ -53,7 +56,7 @@ public final class OffscreenWalk {
         }
     }
 
-    /** Draws the first frame only and says where the time went. */
+    /** Draws only the first frame and reports the time of each part of the start. */
     public void profileStart(StartProfile profile) {
         profile.done("arguments");
         var preparation = Preparation.begin(request.level(), request.quality(), PrintedProgress.ofBake(System.err));
@@ -138,7 +141,7 @@ public final class OffscreenWalk {
         return (double) request.picture().width() / request.picture().height();
     }
 
-    /** What the frames cost. */
+    /** The costs of the frames. */
     private static final class Figures {
         private final long[] wallNanos;
         private int frames;

@@ -8,11 +8,11 @@ import nephele.engine.sim.Replay;
 import nephele.engine.sim.SimSettings;
 
 /**
- * What the player asked for.
+ * The options of a game.
  *
- * @param from null: where the level starts
- * @param replay null: keyboard and mouse
- * @param record null: nothing is kept
+ * @param from null for the level's start
+ * @param replay null for keyboard and mouse
+ * @param record null if nothing is recorded
  */
 public record PlayRequest(
         LevelName level,
@@ -22,19 +22,19 @@ public record PlayRequest(
         Path record,
         SimSettings simulation,
         Picture picture) {
-    /** How large, and whether over the whole screen. */
+    /** The picture's size in pixels, and true for full screen. */
     public record Picture(int width, int height, boolean fullScreen) {}
 
     PlayRequest with(SimSettings changed) {
         return new PlayRequest(level, from, quality, replay, record, changed, picture);
     }
 
-    /** From when on settings hold that are changed while this is played, in words. */
+    /** Returns in words when settings take effect that are changed during the game. */
     String settingsHold() {
         return replay == null ? "from the next start or restart on" : "from the next start on; a replay keeps its own";
     }
 
-    /** The same for another level, played by hand. */
+    /** Returns the request for another level, played by hand. */
     PlayRequest of(LevelName other) {
         return new PlayRequest(other, null, quality, null, record, simulation, picture);
     }

@@ -10,19 +10,19 @@ import nephele.engine.sim.Replay;
 import nephele.engine.terminal.CommandFailure;
 
 /**
- * The replays of one game on disk. Every level played and every restart is a recording of its own: the first goes to
- * the file asked for, {@code walk.json}, the next ones to {@code walk-2.json}, {@code walk-3.json} and so on.
+ * The replay files of one game. Every level played and every restart is a separate recording: the first is saved in the
+ * requested file, {@code walk.json}, the next ones in {@code walk-2.json}, {@code walk-3.json} and so on.
  */
 final class Recordings {
     private final Path file;
     private int kept;
 
-    /** @param file null: nothing is kept */
+    /** @param file null if nothing is recorded */
     Recordings(Path file) {
         this.file = file;
     }
 
-    /** Writes the recording if one was asked for, and only then makes it; returns where it is. */
+    /** Makes and writes the recording if one was requested. Returns its file. */
     Optional<Path> keep(Supplier<Replay> recording) {
         if (file == null) {
             return Optional.empty();

@@ -14,7 +14,7 @@ import nephele.engine.sim.SimSettings;
 import nephele.engine.walk.ReplayInput;
 import nephele.engine.walk.Walk;
 
-/** One level being played: what is drawn and what is simulated. */
+/** One level being played: its renderer and its simulation. */
 final class Session implements AutoCloseable {
     private final PlayRequest request;
     private final Level level;
@@ -34,7 +34,7 @@ final class Session implements AutoCloseable {
         restart(request.simulation());
     }
 
-    /** Builds what the level requires; its problems are thrown before anything is kept. */
+    /** Builds the resources of a level; its problems are thrown before anything is allocated. */
     static Session load(GlContext gl, PlayRequest request, Preparation preparation, Input input) {
         var prepared = preparation.get();
         return new Session(request, prepared, renderer(gl, request, prepared), input);
@@ -47,7 +47,7 @@ final class Session implements AutoCloseable {
         return AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 
-    /** The same level from its beginning; a replay brings its own settings. */
+    /** Restarts the level; a replay uses its own settings. */
     void restart(SimSettings asked) {
         var replay = request.replay();
         SimSettings settings = replay != null ? replay.settings() : asked;
@@ -56,7 +56,7 @@ final class Session implements AutoCloseable {
         walk = new Walk(level, world, new Walk.Beginning(request.level().fileName(), settings, from), hands);
     }
 
-    /** From when on changed settings hold, in words. */
+    /** Returns in words when changed settings take effect. */
     String settingsHold() {
         return request.settingsHold();
     }
@@ -65,7 +65,7 @@ final class Session implements AutoCloseable {
         return walk;
     }
 
-    /** What was done since the start or the last restart. */
+    /** Returns the replay since the start or the last restart. */
     Replay recording() {
         return walk.recorder().replay().recordedIn(level);
     }

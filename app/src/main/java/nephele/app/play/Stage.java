@@ -3,22 +3,22 @@ package nephele.app.play;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** What the game is doing; {@link #next} is the whole table of what may follow. */
+/** The state of the game; {@link #next} is the complete transition table. */
 public enum Stage {
-    /** Opening the window and the context. */
+    /** The window and the context are being opened. */
     INITIALISING,
-    /** The menu is open; a level behind it stands still. */
+    /** The menu is open; a level behind it is paused. */
     MENU,
-    /** Reading a level and building what it requires. */
+    /** A level is being read and its resources built. */
     STARTING,
     /** The level runs. */
     RUNNING,
-    /** The same level again from its start. */
+    /** The same level starts again. */
     RESTARTING,
-    /** Closing everything; nothing follows. */
+    /** Everything is being closed; no state follows. */
     LEAVING;
 
-    /** The stages that may follow this one. */
+    /** Returns the stages that may follow this one. */
     public Set<Stage> next() {
         return switch (this) {
             case INITIALISING -> EnumSet.of(MENU, STARTING, LEAVING);

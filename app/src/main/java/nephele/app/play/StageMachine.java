@@ -1,6 +1,6 @@
 package nephele.app.play;
 
-/** The current stage; refuses a change that {@link Stage#next} does not list. */
+/** The current stage; rejects a change that {@link Stage#next} does not list. */
 final class StageMachine {
     private Stage current = Stage.INITIALISING;
 

@@ -8,9 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Where the time from the process's start to the first frame went. */
+/** The times of the parts from the process's start to the first frame. */
 public final class StartProfile {
-    /** Field 22 of proc(5) stat, counted after the name. */
+    /** The index of the start time after the process name: field 22 of proc(5) stat. */
     private static final int START_FIELD = 19;
 
     private static final double CLOCK_TICKS_PER_SECOND = 100;
@@ -19,19 +19,19 @@ public final class StartProfile {
     private final List<String> lines = new ArrayList<>();
     private long lastNanos = beganNanos;
 
-    /** The part since the last call is over. */
+    /** Ends the part since the last call. */
     public void done(String part) {
         long now = System.nanoTime();
         lines.add(line(part, (now - lastNanos) / 1e6));
         lastNanos = now;
     }
 
-    /** A part that ran beside the others. */
+    /** Adds a part that ran in parallel to the others. */
     public void beside(String part, long nanos) {
         lines.add(line(part + " (beside)", nanos / 1e6));
     }
 
-    /** All parts, the total and the most memory that was resident. */
+    /** Returns all parts, the total and the peak resident memory. */
     public List<String> report() {
         double jvmMs = sinceProcessStartMs() - (System.nanoTime() - beganNanos) / 1e6;
         var report = new ArrayList<String>();
@@ -42,7 +42,10 @@ public final class StartProfile {
         return report;
     }
 
-    /** Linux counts clock ticks since it booted; elsewhere the JVM knows when it began. */
+    /**
+     * Returns the time since the process started: from proc(5), in clock ticks since boot, on Linux; elsewhere since
+     * the JVM started.
+     */
     private static double sinceProcessStartMs() {
         try {
             String stat = Files.readString(Path.of("/proc/self/stat"));
@@ -60,7 +63,7 @@ public final class StartProfile {
         return String.format(Locale.ROOT, "%s: %.0f ms", part, ms);
     }
 
-    /** Linux keeps the high-water mark. */
+    /** Returns the high-water mark of resident memory, which Linux provides. */
     private static String peakResident() {
         try (var status = Files.lines(Path.of("/proc/self/status"))) {
             return status.filter(line -> line.startsWith("VmHWM:"))

@@ -14,7 +14,7 @@ public final class WindowedGame {
         this.request = request;
     }
 
-    /** Plays until the player leaves. */
+    /** Plays until the player quits. */
     public void run() {
         var input = new Input();
         try (var window = open(input);
@@ -24,7 +24,7 @@ public final class WindowedGame {
         }
     }
 
-    /** Draws the first frame only and says where the time went. */
+    /** Draws only the first frame and reports the time of each part of the start. */
     public void profileStart(StartProfile profile, PrintStream out) {
         profile.done("arguments");
         var input = new Input();
@@ -41,7 +41,7 @@ public final class WindowedGame {
     }
 
     private GameWindow open(Input input) {
-        System.setProperty("java.awt.headless", "true"); // pictures are written by ImageIO, which must open no display
+        System.setProperty("java.awt.headless", "true"); // ImageIO writes pictures and must not open a display
         var picture = request.picture();
         var window = GameWindow.open(new GameWindow.Request(GameLoop.TITLE, picture.width(), picture.height()), input);
         if (picture.fullScreen()) {

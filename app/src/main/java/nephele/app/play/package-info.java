@@ -1,2 +1,2 @@
-/** The game: window, input, the loop and what it shows over the picture. */
+/** The game: its loop, the current level and its recording, and the menu's control. */
 package nephele.app.play;

@@ -18,8 +18,8 @@ import nephele.engine.model.Mesh;
 import nephele.engine.model.MeshText;
 
 /**
- * A scene's meshes and pictures where a level finds them. What the level would find already, bit for bit, stays where it
- * is; the rest is written beside the level, under another name where one is taken.
+ * Makes a scene's meshes and pictures available to a level. A file that the level already finds with identical bytes is
+ * shared. The rest is written beside the level, under another name if the name is taken.
  */
 final class ImportedFiles {
     private final AssetSource from;
@@ -30,14 +30,14 @@ final class ImportedFiles {
     private final List<Path> written = new ArrayList<>();
     private final List<Path> folders = new ArrayList<>();
 
-    /** @param from where the scene finds its files */
+    /** @param from the source of the scene's files */
     ImportedFiles(AssetSource from, Path level) {
         this.from = from;
         this.to = LevelAssets.beside(level);
         this.folder = level.toAbsolutePath().normalize().getParent();
     }
 
-    /** Deletes what was written, and folders that were made for it: nobody can use it. */
+    /** Deletes all written files, and the folders made for them, after a failure. */
     void takeBack() throws IOException {
         for (Path file : written) {
             Files.deleteIfExists(file);
@@ -52,7 +52,7 @@ final class ImportedFiles {
         }
     }
 
-    /** To be called before a file is written: remembers which of its folders are made for it. */
+    /** Remembers which folders have to be made for a file; called before it is written. */
     void expect(Path file) {
         Path around = file.toAbsolutePath().normalize().getParent();
         for (Path at = around; at != null && !Files.exists(at); at = at.getParent()) {
@@ -61,9 +61,9 @@ final class ImportedFiles {
     }
 
     /**
-     * The asset id of a mesh, which is written when the scene's is a name only.
+     * Returns the asset id of a mesh. The mesh is written if the level does not find the scene's file.
      *
-     * @throws IllegalArgumentException when it is too large for a file
+     * @throws IllegalArgumentException if it is too large for a file
      */
     String mesh(String file, Mesh mesh) throws IOException {
         String known = meshes.get(file);
@@ -103,7 +103,10 @@ final class ImportedFiles {
         return id;
     }
 
-    /** A scene may name what no level may: a file of the folder above, or with spaces, or generated wherever it lies. */
+    /**
+     * Returns a file name that a level may use: a scene may name a file of the folder above, one with spaces or a
+     * generated mesh.
+     */
     private static String allowed(String file) {
         String name = file.substring(file.lastIndexOf('/') + 1).replace(' ', '_');
         return AssetId.objection(file) == null ? file : name;

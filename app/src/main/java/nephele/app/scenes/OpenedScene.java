@@ -25,9 +25,11 @@ public record OpenedScene(Sources sources) {
     private static final int MOST_BACKGROUND_BYTES = 64 << 20;
 
     /**
+     * Opens a scene.
+     *
      * @param entity {@code null} for none
-     * @param background a file or else an asset; {@code null} for none
-     * @param complaints takes a line for all that is odd and shown all the same, or left out
+     * @param background a file, or else an asset; {@code null} for none
+     * @param complaints receives a line for each oddity that is shown nevertheless, or left out
      */
     public static OpenedScene of(SceneName scene, SceneName entity, String background, Consumer<String> complaints) {
         try {
@@ -53,7 +55,7 @@ public record OpenedScene(Sources sources) {
         return new Source(scene, files);
     }
 
-    /** A picture of nothing is no answer. What is missing has been told then. */
+    /** Rejects a scene without any model that can be shown; the reasons have been reported by then. */
     private static void requireModel(SceneName name, XmlScene scene, SceneFiles files) {
         PosedScene posed = PosedScene.of(scene);
         for (int number = 0; number < posed.modelCount(); number++) {
@@ -64,7 +66,7 @@ public record OpenedScene(Sources sources) {
         throw CommandFailure.input(name.typed() + ":" + scene.root().line() + ": none of its models can be shown");
     }
 
-    /** {@code null} where it cannot be shown: the scene can all the same. */
+    /** Returns the picture, or {@code null} if it cannot be read: the scene is shown without it. */
     private static Picture picture(String name, AssetSource assets, Consumer<String> complaints) {
         try {
             boolean isAsset = !Files.exists(Path.of(name)) && AssetId.objection(name) == null && assets.exists(name);

@@ -34,7 +34,7 @@ import nephele.engine.xmlscene.XmlModel;
 import nephele.engine.xmlscene.XmlScene;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
-/** An XML scene becomes a level with its files beside it. */
+/** Converts an XML scene to a level with its files beside it. */
 public final class SceneImport {
     private static final double[] LINEAR = Decoding.SRGB.table();
 
@@ -55,9 +55,9 @@ public final class SceneImport {
     }
 
     /**
-     * Saves the level that a scene makes, with its meshes and pictures beside it, or else nothing at all.
+     * Saves the level made of a scene, with its meshes and pictures beside it, or nothing at all after a failure.
      *
-     * @param complaints takes a line for all that is odd or left out
+     * @param complaints receives a line for each oddity or omission
      */
     public static Level save(SceneName name, Path target, Consumer<String> complaints) {
         try {
@@ -124,7 +124,7 @@ public final class SceneImport {
         complaints.accept(name.typed() + ":" + line + ": " + message);
     }
 
-    /** @param placeable the models that can be in the level */
+    /** @param placeable the indices of the models that the level can hold */
     private List<Part> parts(PosedScene posed, Set<Integer> placeable) throws IOException {
         List<Part> parts = new ArrayList<>();
         long triangles = 0;
@@ -138,7 +138,7 @@ public final class SceneImport {
         return parts;
     }
 
-    /** Said by the level's rules too, but only after all meshes are made. */
+    /** Rejects too many triangles early: the level's rules would report it only after all meshes are made. */
     private void requireFew(XmlModel model, long triangles) {
         if (triangles > PlacedModels.MOST_TRIANGLES) {
             throw CommandFailure.input(name.typed() + ":" + model.line() + ": makes no level: with " + model.file()
@@ -147,7 +147,7 @@ public final class SceneImport {
         }
     }
 
-    /** {@code null} for one that cannot be shown, which has been told. */
+    /** Returns the part of a model, or {@code null} if it cannot be shown, which has been reported. */
     private Part part(XmlModel model, Mesh mesh) throws IOException {
         try {
             String file = files.mesh(model.file(), mesh);
@@ -172,7 +172,7 @@ public final class SceneImport {
         return box;
     }
 
-    /** In linear light. */
+    /** Returns the mean colour in linear light. */
     private static Vec3 meanColour(Picture picture) {
         byte[] rgba = picture.toRgba8().samples();
         double[] sums = new double[3];

@@ -12,33 +12,33 @@ import nephele.engine.model.ModelFileException;
 import nephele.engine.xmlscene.XmlScene;
 import nephele.engine.xmlscene.XmlSceneFile;
 
-/** A scene as a user names it: a file, or else one of the jar's, such as {@code scenes/lighthouse.xml}. */
+/** The name of a scene as a user types it: a file, or else a scene of the jar such as {@code scenes/lighthouse.xml}. */
 public record SceneName(String typed) {
     public static final SceneName SAMPLE = new SceneName("scenes/solar-system.xml");
     public static final SceneName SAMPLE_ENTITY = new SceneName("scenes/ship.xml");
-    /** An asset. */
+    /** The id of an asset. */
     public static final String SAMPLE_BACKGROUND = "textures/scenes/stars.png";
 
     private static final String JAR_SCENES = "/scenes";
 
-    /** The file's name without folder and ending: "solar-system.xml" is "Solar system". */
+    /** Returns the title: the file name {@code solar-system.xml} gives "Solar system". */
     public String title() {
         String words = stem().replace('-', ' ');
         return words.isEmpty() ? typed : Character.toUpperCase(words.charAt(0)) + words.substring(1);
     }
 
-    /** The file's name without folder and ending. */
+    /** Returns the file's name without folder and extension. */
     public String stem() {
         String name = typed.substring(Math.max(typed.lastIndexOf('/'), typed.lastIndexOf('\\')) + 1);
         return name.replaceFirst("\\.[xX][mM][lL]$", "");
     }
 
-    /** @throws ModelFileException when it cannot be read or holds nothing to show */
+    /** @throws ModelFileException if the scene cannot be read or holds nothing to show */
     XmlScene read() {
         return isInJar() ? XmlSceneFile.read(typed, jar().bytes(inScenes())) : XmlSceneFile.read(path());
     }
 
-    /** What its models and pictures are named relative to. */
+    /** Returns the source to which the names of its models and pictures are relative. */
     AssetSource assets() {
         return isInJar() ? LevelAssets.inJar(JAR_SCENES, inScenes()) : ProjectAssets.around(path());
     }

@@ -1,2 +1,2 @@
-/** XML scenes that a user names, opened with all that they show. */
+/** XML scenes that a user names: opened with their files, or imported as levels. */
 package nephele.app.scenes;

@@ -5,11 +5,11 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
- * Where the viewer looks: angles about a pole. At yaw 0 and pitch 0 it looks along {@code level.back()} reversed, with
+ * The view angles of the viewer about a pole. At yaw 0 and pitch 0 it looks along {@code level.back()} reversed, with
  * the pole up.
  *
- * @param yawDegrees −180 to 180, positive to the left
- * @param pitchDegrees −90 to 90, positive upwards
+ * @param yawDegrees wrapped into −180 to 180, positive to the left
+ * @param pitchDegrees clamped to −90 to 90, positive upwards
  */
 record Heading(Basis level, double yawDegrees, double pitchDegrees) {
     private static final double MOST_PITCH_DEGREES = 90;
@@ -24,8 +24,8 @@ record Heading(Basis level, double yawDegrees, double pitchDegrees) {
     }
 
     /**
-     * From {@code eye} to {@code target}, or level where both are one point. An up that is parallel to that direction
-     * gives way to another one, as in {@link Basis#lookAt}; a zero up is y.
+     * Returns the view angles from {@code eye} to {@code target}, or horizontal ones if both are one point. An up
+     * vector that is parallel to that direction is replaced, as in {@link Basis#lookAt}; a zero one by y.
      */
     static Heading between(Vec3 eye, Vec3 target, Vec3 up) {
         Vec3 given = Directions.unit(up);
@@ -42,7 +42,7 @@ record Heading(Basis level, double yawDegrees, double pitchDegrees) {
         return new Heading(level, 0, StrictMath.toDegrees(slope));
     }
 
-    /** What is not a finite angle turns nothing. */
+    /** Returns the view angles after a turn; an angle that is not finite counts as 0. */
     Heading turned(double leftDegrees, double upDegrees) {
         return new Heading(level, yawDegrees + finite(leftDegrees), pitchDegrees + finite(upDegrees));
     }

@@ -4,7 +4,7 @@ import java.util.List;
 import nephele.app.play.hud.Palette;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** What the keys do, in lines along the lower edge; and what was done last, above them. */
+/** The key hints in lines along the lower edge, and a message in the upper left corner. Lengths are in points. */
 final class KeyHints {
     private static final double EM = 13;
     private static final double LINE = 19;
@@ -35,7 +35,7 @@ final class KeyHints {
         }
     }
 
-    /** @param opacity 1 while they are shown, less while they fade; 0 for none */
+    /** @param opacity 1 while the hints are shown, less while they fade, 0 for none */
     static void draw(OverlayCanvas canvas, double width, double height, double opacity) {
         if (opacity <= 0) {
             return;
@@ -50,7 +50,7 @@ final class KeyHints {
         });
     }
 
-    /** A line of words in the upper left corner. */
+    /** Draws a message in the upper left corner. */
     static void say(OverlayCanvas canvas, String message) {
         double width = canvas.width(EM, message) + 2 * PADDING;
         canvas.rectangle(PADDING, PADDING, width, LINE + PADDING, Palette.VEIL.withAlpha(0.55));
@@ -61,7 +61,7 @@ final class KeyHints {
         void at(Hint hint, double x, int line);
     }
 
-    /** Places the hints as words of a text; returns the last line's number. */
+    /** Lays out the hints like the words of a text. Returns the last line's number. */
     private static int walk(OverlayCanvas canvas, double width, Placing placing) {
         double x = PADDING;
         int line = 0;

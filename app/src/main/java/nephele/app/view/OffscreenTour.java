@@ -12,8 +12,8 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 
 /**
- * What `scene` does without a display: three pictures – at rest, on the way ahead, and leaning into a turn. A scene
- * without an entity stays where its author framed it, and only time passes.
+ * Runs `scene` without a display: saves three pictures – at rest, on the way ahead, and banking in a turn. A scene
+ * without an entity keeps its camera, and only time passes.
  */
 public final class OffscreenTour {
     private static final List<Leg> LEGS = List.of(
@@ -24,7 +24,7 @@ public final class OffscreenTour {
     private final SceneStart start;
     private final PrintStream out;
 
-    /** Keys held for a time, after a number of presses that turn left. */
+    /** Keys held for a time (seconds), after a number of left-turn key presses. */
     private record Leg(double seconds, Set<ViewerKey> held, int turns) {}
 
     public OffscreenTour(SceneStart start, PrintStream out) {
@@ -32,7 +32,7 @@ public final class OffscreenTour {
         this.out = out;
     }
 
-    /** @param name what the pictures' names begin with */
+    /** @param name the prefix of the pictures' names */
     public void save(Path folder, String name, int width, int height) throws IOException {
         var viewing = start.viewing();
         try (var gl = GlContext.offscreen();

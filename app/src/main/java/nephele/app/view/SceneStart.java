@@ -5,12 +5,12 @@ import nephele.engine.render.fixed.SceneLook;
 import org.joml.Matrix4dc;
 
 /**
- * What a viewer begins with.
+ * The initial state of a viewer.
  *
- * @param seconds what the scene's clock says then
+ * @param seconds the scene's initial clock
  */
 public record SceneStart(OpenedScene opened, SceneLook look, double seconds) {
-    /** Where an entity rests before the scene's own camera. */
+    /** Returns the transform of an entity at rest before the scene's own camera. */
     public Matrix4dc worldFromEntity() {
         return viewing().place().worldFromEntity();
     }

@@ -6,7 +6,7 @@ import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 
-/** The viewer in a window of its own. */
+/** The scene viewer in a window of its own. */
 public final class SceneViewer implements AutoCloseable {
     private static final double HIDDEN_WAIT_SECONDS = 0.1;
 
@@ -18,7 +18,7 @@ public final class SceneViewer implements AutoCloseable {
     private final Viewing viewing;
     private final Screenshots screenshots = Screenshots.inUsualFolder();
     private RenderTarget target;
-    /** {@code null} before the first frame: what loading takes is no time of the scene's. */
+    /** {@code null} before the first frame, so that loading time does not count as scene time. */
     private Long lastNanos;
 
     private boolean leaving;
@@ -33,9 +33,9 @@ public final class SceneViewer implements AutoCloseable {
         overlay = new ViewerOverlay(gl);
     }
 
-    /** Shows a scene until its viewer leaves. */
+    /** Shows a scene until the user leaves. */
     public static void show(SceneStart start, GameWindow.Request request) {
-        System.setProperty("java.awt.headless", "true"); // pictures are written by ImageIO, which must open no display
+        System.setProperty("java.awt.headless", "true"); // ImageIO writes pictures and must not open a display
         var input = new ViewerInput();
         try (var window = GameWindow.open(request, input);
                 var gl = GlContext.ofCurrent();
@@ -46,7 +46,7 @@ public final class SceneViewer implements AutoCloseable {
         }
     }
 
-    /** One frame. */
+    /** Runs one frame. */
     void frame() {
         window.poll();
         if (!window.isDrawable()) {

@@ -1,47 +1,48 @@
 package nephele.app.view;
 
 /**
- * How far the entity is from its rest before the camera, in the plane of the view: the report's "force". Movement keys
- * first move the entity alone, until the force is {@link #most} long; from then on it tows the camera on a rope of that
- * length, whatever its direction. When no key has moved it for {@link #PAUSE_SECONDS}, the camera catches up: the entity
- * stays where it is in the world and the force fades within {@link #RETURN_SECONDS}, softly at both ends.
+ * The displacement ("force") of the entity from its rest before the camera, in the plane of the view. Movement keys
+ * first move the entity alone, until the displacement is {@link #most} long; from then on the entity tows the camera on
+ * a rope of that length, whatever its direction. After {@link #PAUSE_SECONDS} without a movement key the camera catches
+ * up: the entity stays where it is in the world and the displacement fades within {@link #RETURN_SECONDS}, with zero
+ * slope at both ends.
  *
- * <p>Every phase is solved in closed form and a step ends a phase where it ends, so that one long step and many short
- * ones lead to the same place: no frame rate changes anything.
+ * <p>Every phase is solved in closed form, and a step is split where a phase ends, so one long step and many short ones
+ * give the same result: the motion is independent of the frame rate.
  *
  * @param right units to the right of the rest, when a key last moved the entity
- * @param ahead units along the view, likewise
- * @param most the longest force; 0 where nothing is towed, and the camera moves at once
- * @param idleSeconds since a key last moved the entity
+ * @param ahead units along the view, when a key last moved the entity
+ * @param most the greatest displacement, units; 0 if nothing is towed, and the camera moves at once
+ * @param idleSeconds the time since a key last moved the entity
  */
 record Spring(double right, double ahead, double most, double idleSeconds) {
     static final double PAUSE_SECONDS = 0.3;
     static final double RETURN_SECONDS = 0.6;
 
-    /** Nothing moves and nothing has. */
+    /** Returns a spring at rest, without any earlier motion. */
     static Spring atRest(double most) {
         return new Spring(0, 0, most, PAUSE_SECONDS + RETURN_SECONDS);
     }
 
     /**
-     * What a step leads to.
+     * The result of a step.
      *
      * @param cameraRight units that the camera has moved to the right
      * @param cameraAhead units that the camera has moved along the view
      */
     record Step(Spring spring, double cameraRight, double cameraAhead) {}
 
-    /** The force now, to the right. */
+    /** Returns the present displacement to the right, units. */
     double shownRight() {
         return right * share();
     }
 
-    /** The force now, along the view. */
+    /** Returns the present displacement along the view, units. */
     double shownAhead() {
         return ahead * share();
     }
 
-    /** @param seconds nothing happens in a time that is not positive and finite */
+    /** @param seconds a time that is not positive and finite changes nothing */
     Step after(double seconds, Steering steering) {
         if (!(seconds > 0 && seconds < Double.POSITIVE_INFINITY)) {
             return new Step(this, 0, 0);
@@ -54,7 +55,7 @@ record Spring(double right, double ahead, double most, double idleSeconds) {
         return new Step(later, shownRight() - later.shownRight(), shownAhead() - later.shownAhead());
     }
 
-    /** The entity goes {@code way} units; the camera goes as far, less what the force has changed. */
+    /** Moves the entity by {@code way} units; the camera moves by the same, less the change of the displacement. */
     private Step moved(double way, Steering steering) {
         double fromRight = shownRight();
         double fromAhead = shownAhead();
@@ -69,15 +70,15 @@ record Spring(double right, double ahead, double most, double idleSeconds) {
         return new Step(later, cameraRight, cameraAhead);
     }
 
-    /** How far the entity goes along its way until the force is {@link #most} long and grows. */
+    /** Returns the distance that the entity moves before the displacement is {@link #most} long and would grow. */
     private double aloneUnits(double along, double across) {
         double half = Math.sqrt(Math.max(0, (most - across) * (most + across)));
         return Math.max(0, half - along);
     }
 
     /**
-     * The end of a rope of fixed length that is pulled along a straight line, a tractrix: with the angle θ between rope
-     * and line, dθ/ds = −sin θ / length, so tan(θ/2) falls as exp(−s / length).
+     * Tows the end of a rope of fixed length along a straight line, a tractrix: with the angle θ between rope and line,
+     * dθ/ds = −sin θ / length, so tan(θ/2) falls as exp(−s / length).
      */
     private Spring towed(double along, double across, double way, Steering steering) {
         if (!(most > 0)) {
@@ -89,14 +90,14 @@ record Spring(double right, double ahead, double most, double idleSeconds) {
         return turned(scale * (1 - tangent * tangent), scale * 2 * tangent, steering);
     }
 
-    /** A force given along and across the steering, not idle. */
+    /** Returns a spring, not idle, with a displacement given along and across the steering. */
     private Spring turned(double along, double across, Steering steering) {
         double newRight = along * steering.right() - across * steering.ahead();
         double newAhead = along * steering.ahead() + across * steering.right();
         return new Spring(newRight, newAhead, most, 0);
     }
 
-    /** How much of the force is left. */
+    /** Returns the remaining fraction of the displacement. */
     private double share() {
         double t = (idleSeconds - PAUSE_SECONDS) / RETURN_SECONDS;
         return t <= 0 ? 1 : t < 1 ? (1 - t) * (1 - t) * (1 + 2 * t) : 0;

@@ -1,12 +1,12 @@
 package nephele.app.view;
 
 /**
- * What the movement keys ask for, in the plane of the view: a direction of length 1, or nothing. Diagonals are no
+ * The movement that the keys request, in the plane of the view: a direction of length 1, or none. Diagonals are no
  * faster than the axes.
  *
- * @param right part of the direction to the right
- * @param ahead part of the direction along the view
- * @param unitsPerSecond 0 when no movement key is held
+ * @param right component of the direction to the right
+ * @param ahead component of the direction along the view
+ * @param unitsPerSecond 0 if no movement key is held
  */
 record Steering(double right, double ahead, double unitsPerSecond) {
     static final Steering NONE = new Steering(0, 0, 0);

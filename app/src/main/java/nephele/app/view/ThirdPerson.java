@@ -6,28 +6,28 @@ import org.joml.Matrix4d;
 import org.joml.Vector4d;
 
 /**
- * The viewer's camera and the entity before it. The entity swings with the camera when that turns, and leans into a
- * sideways force.
+ * The viewer's third-person camera and the entity before it. The entity turns with the camera, and banks into a
+ * sideways displacement.
  */
 record ThirdPerson(Vec3 eye, Heading heading, Spring spring) {
-    /** From the camera to the entity's rest. */
+    /** The distance from the camera to the entity's rest. */
     static final double REST_UNITS = 3;
-    /** How far the entity moves from its rest before it takes the camera along. */
+    /** The distance that the entity moves from its rest before it tows the camera. */
     static final double MOST_FORCE_UNITS = 1;
 
     static final double MOST_BANK_DEGREES = 35;
 
-    /** With an entity at its rest. */
+    /** Returns a camera with an entity at its rest. */
     static ThirdPerson towing(Vec3 eye, Heading heading) {
         return new ThirdPerson(eye, heading, Spring.atRest(MOST_FORCE_UNITS));
     }
 
-    /** A camera by itself: it follows the keys at once. */
+    /** Returns a camera without an entity: it follows the keys at once. */
     static ThirdPerson alone(Vec3 eye, Heading heading) {
         return new ThirdPerson(eye, heading, Spring.atRest(0));
     }
 
-    /** The same a time later; a time that is not positive and finite changes nothing. */
+    /** Returns the camera a time later; a time that is not positive and finite changes nothing. */
     ThirdPerson after(double seconds, Steering steering) {
         Spring.Step step = spring.after(seconds, steering);
         return new ThirdPerson(along(step.cameraRight(), step.cameraAhead()), heading, step.spring());
@@ -37,17 +37,17 @@ record ThirdPerson(Vec3 eye, Heading heading, Spring spring) {
         return new ThirdPerson(eye, heading.turned(leftDegrees, upDegrees), spring);
     }
 
-    /** Where the entity's origin is. */
+    /** Returns the entity's origin. */
     Vec3 entity() {
         return along(spring.shownRight(), REST_UNITS + spring.shownAhead());
     }
 
-    /** Degrees that the entity leans to the right. */
+    /** Returns the bank angle to the right, degrees. */
     double bankDegrees() {
         return MOST_BANK_DEGREES * spring.shownRight();
     }
 
-    /** The entity's frame: its z axis points ahead, y up and x therefore to the left. */
+    /** Returns the entity's frame: its z axis points ahead, y up and x therefore to the left. */
     Matrix4d worldFromEntity() {
         Basis view = heading.basis();
         Vec3 at = entity();

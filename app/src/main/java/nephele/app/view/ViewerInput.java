@@ -5,7 +5,7 @@ import java.util.EnumSet;
 import java.util.Set;
 import nephele.app.window.InputListener;
 
-/** What keyboard and mouse have said to the viewer since it asked last. */
+/** The keyboard and mouse input of the viewer since the last query. */
 final class ViewerInput implements InputListener {
     private static final int MOST_WAITING = 64;
 
@@ -74,12 +74,12 @@ final class ViewerInput implements InputListener {
         draggedDown = 0;
     }
 
-    /** The next key that went down, or null. */
+    /** Returns the next key that went down, or null. */
     ViewerKey nextPressed() {
         return pressed.poll();
     }
 
-    /** Keys that are down, and those that went down and up again before anybody asked. */
+    /** Returns the keys that are down, and those that went down and up again since the last query. */
     Set<ViewerKey> takeHeld() {
         var taken = EnumSet.copyOf(held);
         taken.addAll(struck);
@@ -87,14 +87,14 @@ final class ViewerInput implements InputListener {
         return taken;
     }
 
-    /** Pixels that the pointer was dragged to the right since the last call. */
+    /** Returns the pixels that the pointer was dragged to the right since the last call. */
     double takeDraggedRight() {
         double taken = draggedRight;
         draggedRight = 0;
         return taken;
     }
 
-    /** Pixels that the pointer was dragged downwards since the last call. */
+    /** Returns the pixels that the pointer was dragged downwards since the last call. */
     double takeDraggedDown() {
         double taken = draggedDown;
         draggedDown = 0;

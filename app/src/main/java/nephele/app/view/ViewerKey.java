@@ -5,7 +5,7 @@ import static org.lwjgl.glfw.GLFW.*;
 import java.util.List;
 import nephele.engine.render.fixed.LightTerm;
 
-/** Every key of the viewer. */
+/** The keys of the viewer. */
 enum ViewerKey {
     AHEAD(GLFW_KEY_W),
     BACK(GLFW_KEY_S),
@@ -14,7 +14,7 @@ enum ViewerKey {
     FASTER(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
     TURN_LEFT(GLFW_KEY_LEFT),
     TURN_RIGHT(GLFW_KEY_RIGHT),
-    /** The report's way, as with a stick. */
+    /** The vertical arrow keys are inverted, as with a flight stick. */
     LOOK_DOWN(GLFW_KEY_UP),
     LOOK_UP(GLFW_KEY_DOWN),
     WIREFRAME(GLFW_KEY_F1),
@@ -37,7 +37,7 @@ enum ViewerKey {
         this.codes = List.of(codes);
     }
 
-    /** Of GLFW's code; {@code null} for keys that do nothing. */
+    /** Returns the key with a GLFW code; {@code null} for keys without a function. */
     static ViewerKey of(int code) {
         for (var key : values()) {
             if (key.codes.contains(code)) {
@@ -47,7 +47,7 @@ enum ViewerKey {
         return null;
     }
 
-    /** Whether each repeat of the held key counts as a press. */
+    /** Returns true if each repeat of the held key counts as a press. */
     boolean repeats() {
         return switch (this) {
             case TURN_LEFT, TURN_RIGHT, LOOK_DOWN, LOOK_UP -> true;
@@ -55,7 +55,7 @@ enum ViewerKey {
         };
     }
 
-    /** The part of the light model that it switches; {@code null} for other keys. */
+    /** Returns the term of the lighting model that the key toggles; {@code null} for other keys. */
     LightTerm term() {
         return switch (this) {
             case AMBIENT -> LightTerm.AMBIENT;

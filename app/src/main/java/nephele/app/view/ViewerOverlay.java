@@ -7,7 +7,9 @@ import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayPass;
 
-/** The words over the picture. The keys are there at the start and whenever asked for; messages stay a moment. */
+/**
+ * The text over the picture. The key hints are shown at the start and on demand; messages are shown for three seconds.
+ */
 final class ViewerOverlay implements AutoCloseable {
     private static final double SHOWN_SECONDS = 10;
     private static final double FADE_SECONDS = 1;
@@ -22,7 +24,7 @@ final class ViewerOverlay implements AutoCloseable {
     private String message;
     private Content drawn;
 
-    /** All that the canvas depends on. */
+    /** The values that the canvas depends on. */
     private record Content(String message, int opacity, int width, int height, double scale) {}
 
     ViewerOverlay(GlContext gl) {
@@ -34,7 +36,7 @@ final class ViewerOverlay implements AutoCloseable {
         messageSeconds = MESSAGE_SECONDS;
     }
 
-    /** Who asks for the keys keeps them until they are sent away. */
+    /** Shows or hides the key hints; once requested they stay until hidden. */
     void toggleKeys() {
         hintSeconds = hintSeconds > 0 ? 0 : Double.POSITIVE_INFINITY;
     }

@@ -12,12 +12,12 @@ import nephele.engine.scene.View;
 import nephele.engine.xmlscene.XmlScene;
 
 /**
- * Who looks at a scene: from where, with what before the eye, how it is shown and what its clock says. It has no clock of
- * its own: the same keys at the same times lead to the same pictures.
+ * The state of the viewer: camera and entity, appearance and the scene's clock. It reads no clock of its own: the same
+ * keys at the same times give the same pictures.
  */
 final class Viewing {
     static final double UNITS_PER_SECOND = 6;
-    /** How much faster with the key for it. */
+    /** The speed factor of the key {@link ViewerKey#FASTER}. */
     static final double FASTER = 4;
 
     static final double DEGREES_PER_PRESS = 5;
@@ -40,12 +40,12 @@ final class Viewing {
         filled = look.shading() == Shading.WIREFRAME ? Shading.GOURAUD : look.shading();
     }
 
-    /** With an entity before the eye. */
+    /** Creates a viewer with an entity before the eye. */
     static Viewing towing(XmlScene.Eye eye, SceneLook look, double sceneSeconds) {
         return new Viewing(eye, ThirdPerson.towing(eye.position(), heading(eye)), look, sceneSeconds);
     }
 
-    /** Without one. */
+    /** Creates a viewer without an entity. */
     static Viewing alone(XmlScene.Eye eye, SceneLook look, double sceneSeconds) {
         return new Viewing(eye, ThirdPerson.alone(eye.position(), heading(eye)), look, sceneSeconds);
     }
@@ -54,7 +54,7 @@ final class Viewing {
         return Heading.between(eye.position(), eye.lookAt(), eye.up());
     }
 
-    /** Time passes while keys are held. */
+    /** Advances the time while keys are held. */
     void advance(double seconds, Set<ViewerKey> held) {
         place = place.after(seconds, steering(held));
         boolean passes = seconds > 0 && seconds < Double.POSITIVE_INFINITY && !paused;
@@ -72,12 +72,12 @@ final class Viewing {
         return (held.contains(positive) ? 1 : 0) - (held.contains(negative) ? 1 : 0);
     }
 
-    /** The view follows the pointer. */
+    /** Turns the view by a pointer drag. */
     void drag(double pixelsRight, double pixelsDown) {
         place = place.turned(-DEGREES_PER_PIXEL * pixelsRight, -DEGREES_PER_PIXEL * pixelsDown);
     }
 
-    /** A key went down; returns what it changed, in words, where the picture alone does not say it. */
+    /** Handles a key that went down. Returns what it changed, in words, if the picture alone does not show it. */
     Optional<String> press(ViewerKey key) {
         switch (key) {
             case TURN_LEFT -> place = place.turned(DEGREES_PER_PRESS, 0);
@@ -153,12 +153,16 @@ final class Viewing {
         return look;
     }
 
-    /** What the scene's clock says. */
+    /** Returns the scene's clock. */
     double sceneSeconds() {
         return sceneSeconds;
     }
 
-    /** The height of the picture stays the scene's, whatever its width. @param aspect width / height */
+    /**
+     * Returns the view. The vertical field of view is the scene's, whatever the picture's width.
+     *
+     * @param aspect width / height
+     */
     View view(double aspect) {
         var basis = place.heading().basis();
         var projection = new Projection(StrictMath.toRadians(eye.fovDegrees()), aspect, eye.near(), eye.far());

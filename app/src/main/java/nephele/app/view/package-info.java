@@ -1,2 +1,2 @@
-/** The third-person viewer of XML scenes: its controls and spring as values, and the window that shows them. */
+/** The third-person viewer of XML scenes: its controls and spring as values, and its window. */
 package nephele.app.view;

@@ -4,7 +4,7 @@ import static org.lwjgl.glfw.GLFW.*;
 
 import java.util.List;
 
-/** Everything a key or mouse button does, in the order of the help page. */
+/** The functions of keys and mouse buttons, in the order of the help page. */
 public enum Control {
     FORWARD("W  ↑", "walk forward", GLFW_KEY_W, GLFW_KEY_UP),
     BACK("S  ↓", "walk back", GLFW_KEY_S, GLFW_KEY_DOWN),
@@ -48,7 +48,7 @@ public enum Control {
         return codes.get(0) >= InputListener.MOUSE;
     }
 
-    /** GLFW key codes, and mouse buttons from {@link InputListener#MOUSE} on. */
+    /** Returns GLFW key codes, and mouse buttons from {@link InputListener#MOUSE} on. */
     List<Integer> codes() {
         return codes;
     }

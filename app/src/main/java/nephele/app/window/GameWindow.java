@@ -13,8 +13,8 @@ import org.lwjgl.glfw.GLFWVidMode;
 import org.lwjgl.system.Configuration;
 
 /**
- * One window with an OpenGL 4.1 core context, current on the thread that opened it. Sizes are pixels of the picture,
- * which on a fine screen are more than the window's units.
+ * A window with an OpenGL 4.1 core context, current on the thread that opened it. Sizes are in framebuffer pixels,
+ * which on a high-DPI screen are more than the window's units.
  */
 public final class GameWindow implements AutoCloseable {
     private final long handle;
@@ -29,10 +29,10 @@ public final class GameWindow implements AutoCloseable {
         events = new WindowEvents(handle, input);
     }
 
-    /** What is asked of a new window. */
+    /** The requested properties of a new window. */
     public record Request(String title, int width, int height) {}
 
-    /** Opens the window; a failure says what the system said (exit code 3). */
+    /** Opens the window; a failure reports the system's messages (exit code 3). */
     public static GameWindow open(Request request, InputListener input) {
         var complaints = new Complaints();
         String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
@@ -73,22 +73,22 @@ public final class GameWindow implements AutoCloseable {
                 + "\nWithout a display, unset DISPLAY: Nephele then draws offscreen.");
     }
 
-    /** Takes what happened since the last call. */
+    /** Processes the window events since the last call. */
     public void poll() {
         glfwPollEvents();
     }
 
-    /** Waits for something to happen, at most this long: for a window that can't be seen. */
+    /** Waits for an event, at most this long: for a window that is not visible. */
     public void waitForEvents(double seconds) {
         glfwWaitEventsTimeout(seconds);
     }
 
-    /** What stands in the window's title bar. */
+    /** Sets the title bar's text. */
     public void title(String title) {
         glfwSetWindowTitle(handle, title);
     }
 
-    /** Shows what was drawn. */
+    /** Presents the frame (swaps the buffers). */
     public void show() {
         glfwSwapBuffers(handle);
     }
@@ -109,17 +109,17 @@ public final class GameWindow implements AutoCloseable {
         return events.height();
     }
 
-    /** False while minimised or without area: nothing can be drawn then. */
+    /** Returns false while the window is minimised or has no area: nothing can be drawn then. */
     public boolean isDrawable() {
         return !events.isMinimised() && width() > 0 && height() > 0;
     }
 
-    /** Pixels per point: 2 on a fine screen. */
+    /** Returns the pixels per point: 2 on a high-DPI screen. */
     public double scale() {
         return events.scale();
     }
 
-    /** Hides the pointer and gives the mouse to the game, or gives it back. */
+    /** Hides the pointer and captures the mouse for the game, or releases it. */
     public void captureMouse(boolean captured) {
         int mode = captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL;
         if (glfwGetInputMode(handle, GLFW_CURSOR) != mode) {
@@ -171,7 +171,7 @@ public final class GameWindow implements AutoCloseable {
         }
     }
 
-    /** What the window system said went wrong. */
+    /** Collects the error messages of the window system. */
     private static final class Complaints extends GLFWErrorCallback {
         private final List<String> texts = new ArrayList<>();
 

@@ -4,8 +4,8 @@ import java.util.ArrayDeque;
 import java.util.EnumSet;
 
 /**
- * What keyboard and mouse have said since they were asked last. Knows no window: the window tells it, tests too.
- * Motion is in mouse counts, positions in pixels of the picture.
+ * The keyboard and mouse input since the last query. It does not depend on a window: the window feeds it, tests do too.
+ * Motion is in mouse counts, positions are in framebuffer pixels.
  */
 public final class Input implements InputListener {
     private static final int MOST_WAITING = 64;
@@ -32,7 +32,7 @@ public final class Input implements InputListener {
         }
     }
 
-    /** A key went down or up; repeats of a held key are not told. */
+    /** Handles a control that went down or up; repeats of a held key are not reported. */
     public void key(Control control, boolean down) {
         if (!down) {
             held.remove(control);
@@ -46,8 +46,8 @@ public final class Input implements InputListener {
     }
 
     /**
-     * The captured mouse is at (x, y) of an endless plane. The first position after a start, a capture or a regained
-     * focus only says where it is: taking it as a motion would make the view jump.
+     * Handles a position (x, y) of the captured mouse on an unbounded plane. The first position after a start, a
+     * capture or a regained focus is only the reference: as a motion it would make the view jump.
      */
     @Override
     public void look(double x, double y) {
@@ -59,10 +59,10 @@ public final class Input implements InputListener {
         lastY = y;
     }
 
-    /** Where the free pointer was when its button went down. */
+    /** The position of the free pointer when its button went down. */
     public record Click(double x, double y) {}
 
-    /** The free pointer is over this pixel. */
+    /** Handles a position of the free pointer. */
     @Override
     public void point(double x, double y) {
         pointerX = x;
@@ -72,8 +72,8 @@ public final class Input implements InputListener {
     }
 
     /**
-     * The button went down. A pointer that has not moved since it was given back lies where nobody has put it: its first
-     * click only points, so that the player sees what the next one would do.
+     * Handles a press of the left button. The place of a pointer that has not moved since its release is arbitrary: its
+     * first click only points, so that the player sees what the next one would select.
      */
     @Override
     public void click() {
@@ -84,7 +84,7 @@ public final class Input implements InputListener {
         pointerShown = true;
     }
 
-    /** Forgets every key, motion and click: the focus went away. */
+    /** Clears all keys, motion and clicks, after a loss of focus. */
     @Override
     public void forget() {
         held.clear();
@@ -93,7 +93,7 @@ public final class Input implements InputListener {
         forgetMouse();
     }
 
-    /** Forgets motion and clicks: the mouse serves another purpose from now on. Keys keep what they have said. */
+    /** Clears motion, clicks and mouse buttons when the use of the mouse changes. Keys are kept. */
     @Override
     public void forgetMouse() {
         countsRight = 0;
@@ -111,39 +111,39 @@ public final class Input implements InputListener {
         return held.contains(control);
     }
 
-    /** True when it is held, and once when it was pressed and let go again before anybody asked. */
+    /** Returns true if the control is held, and once if it was pressed and released since the last query. */
     public boolean takeHold(Control control) {
         boolean wasStruck = struck.remove(control);
         return wasStruck || holds(control);
     }
 
-    /** The next key that went down, or null. */
+    /** Returns the next control that went down, or null. */
     public Control nextPressed() {
         return pressed.poll();
     }
 
-    /** Motion since the last call, in counts to the right. */
+    /** Returns the motion since the last call, in counts to the right. */
     public double takeCountsRight() {
         double taken = countsRight;
         countsRight = 0;
         return taken;
     }
 
-    /** Motion since the last call, in counts downwards. */
+    /** Returns the motion since the last call, in counts downwards. */
     public double takeCountsDown() {
         double taken = countsDown;
         countsDown = 0;
         return taken;
     }
 
-    /** True once after the free pointer moved. */
+    /** Returns true once after the free pointer moved. */
     public boolean takePointerMoved() {
         boolean taken = pointerMoved;
         pointerMoved = false;
         return taken;
     }
 
-    /** The last click, once; else null. */
+    /** Returns the last click, once; else null. */
     public Click takeClick() {
         Click taken = clicked;
         clicked = null;

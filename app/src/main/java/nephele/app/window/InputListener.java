@@ -1,34 +1,34 @@
 package nephele.app.window;
 
 /**
- * Who is told what keyboard and mouse say. Codes are GLFW's; a mouse button is {@link #MOUSE} more. Positions are in
- * pixels of the picture, or in counts of an endless plane while the mouse is captured.
+ * A listener for keyboard and mouse events. Codes are GLFW's; mouse buttons have {@link #MOUSE} added. Positions are in
+ * framebuffer pixels, or in counts on an unbounded plane while the mouse is captured.
  */
 public interface InputListener {
-    /** Added to a mouse button's code: key codes are smaller. */
+    /** Added to the code of a mouse button; it is greater than all key codes. */
     int MOUSE = 1000;
 
-    /** A key, or a button of the captured mouse, went down or up. */
+    /** Called when a key, or a button of the captured mouse, goes down or up. */
     void key(int code, boolean down);
 
-    /** The system repeats a held key. */
+    /** Called when the system repeats a held key. */
     default void repeated(int code) {}
 
-    /** The captured mouse is at (x, y) of an endless plane. */
+    /** Called when the captured mouse is at (x, y) of an unbounded plane. */
     default void look(double x, double y) {}
 
-    /** The free pointer is over this pixel. */
+    /** Called when the free pointer is over this pixel. */
     void point(double x, double y);
 
-    /** The free pointer's left button went down. */
+    /** Called when the free pointer's left button goes down. */
     void click();
 
-    /** The free pointer's left button went up. */
+    /** Called when the free pointer's left button goes up. */
     default void letGo() {}
 
-    /** The focus went away or came: what is held is not known any more. */
+    /** Called when the focus is lost or gained: the held keys are unknown from then on. */
     void forget();
 
-    /** The mouse serves another purpose from now on. */
+    /** Called when the use of the mouse changes (captured or free). */
     default void forgetMouse() {}
 }

@@ -8,7 +8,10 @@ import java.time.format.DateTimeFormatter;
 import nephele.engine.render.Capture;
 import nephele.engine.render.gl.RenderTarget;
 
-/** Pictures that a player takes: in the folder for pictures, else in a checkout's build folder, else here. */
+/**
+ * Screenshots of the player: saved in the user's folder for pictures, else in a checkout's build folder, else in the
+ * working directory.
+ */
 public final class Screenshots {
     private static final DateTimeFormatter STAMP = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss-SSS");
 
@@ -27,7 +30,7 @@ public final class Screenshots {
         return new Screenshots(Files.isDirectory(build) ? build.resolve("pictures") : Path.of("pictures"));
     }
 
-    /** Saves what the target shows; returns what to tell the player. */
+    /** Saves the target's contents. Returns a message for the player. */
     public String take(RenderTarget picture) {
         var file = folder.resolve("nephele-" + STAMP.format(LocalDateTime.now()) + ".png");
         try {

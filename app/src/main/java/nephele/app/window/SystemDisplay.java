@@ -2,7 +2,7 @@ package nephele.app.window;
 
 import java.util.Locale;
 
-/** Whether there is a display to open a window on; only X and Wayland can be absent. */
+/** Tests for a display to open a window on; only X and Wayland can be absent. */
 public final class SystemDisplay {
     private SystemDisplay() {}
 

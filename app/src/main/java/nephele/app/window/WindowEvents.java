@@ -2,7 +2,7 @@ package nephele.app.window;
 
 import static org.lwjgl.glfw.GLFW.*;
 
-/** Listens to one window: its state for the window, its keys and mouse for the input. */
+/** The GLFW callbacks of one window: keep its state for the window, and pass keys and mouse to the input. */
 final class WindowEvents {
     private final long handle;
     private final InputListener input;
@@ -65,7 +65,7 @@ final class WindowEvents {
         }
     }
 
-    /** GLFW gives window units; the picture's pixels can be finer. */
+    /** Handles a pointer position. GLFW gives window units, which are scaled to framebuffer pixels. */
     private void moved(double x, double y) {
         if (looking) {
             input.look(x, y);
@@ -77,7 +77,10 @@ final class WindowEvents {
         input.point(x * width / Math.max(1, windowWidth[0]), y * height / Math.max(1, windowHeight[0]));
     }
 
-    /** A pointer that comes back has moved without a word: it is asked where it lies. */
+    /**
+     * Switches between the captured mouse and the free pointer. A released pointer raises no event, so its position is
+     * queried.
+     */
     void lookWithMouse(boolean nowLooking) {
         looking = nowLooking;
         if (!looking) {

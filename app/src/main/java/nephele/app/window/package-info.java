@@ -1,2 +1,2 @@
-/** The window and what its keyboard and mouse say, without any rule of the game. */
+/** The window with its keyboard and mouse input, without any rule of the game. */
 package nephele.app.window;

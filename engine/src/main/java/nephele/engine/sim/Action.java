@@ -2,7 +2,10 @@ package nephele.engine.sim;
 
 import java.util.Locale;
 
-/** What a player holds down during a tick, besides the direction of walking. From JUMP on, only pressing counts. */
+/**
+ * An input of the player that is held during a tick, besides the walking direction. JUMP and all after it act only on
+ * the tick in which they are pressed.
+ */
 public enum Action {
     RUN,
     CROUCH,
@@ -11,15 +14,15 @@ public enum Action {
     FIRE_FIRST,
     /** Shoots the second portal. */
     FIRE_SECOND,
-    /** Picks up what is looked at, or lets go of what is held. */
+    /** Picks up the body that is looked at, or drops the held one. */
     CARRY,
-    /** Throws what is held. */
+    /** Throws the held body. */
     THROW;
 
-    /** The actions of portal gun and hands; the player's own body knows nothing of them. */
+    /** The actions of the portal gun and the hands, one bit each; {@link PlayerStep} ignores them. */
     static final int OF_HANDS = FIRE_FIRST.bit() | FIRE_SECOND.bit() | CARRY.bit() | THROW.bit();
 
-    /** As written in a replay file. */
+    /** Returns the name as it is written in a replay file: {@code "fire-first"}. */
     public String text() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

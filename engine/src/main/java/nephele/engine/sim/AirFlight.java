@@ -5,7 +5,10 @@ import static nephele.engine.sim.PlayerBody.STEEPEST_GROUND_UP;
 
 import org.joml.Vector3d;
 
-/** The player in the air: an exact arc, slides along what it meets, lands, and crosses portals at the exact time. */
+/**
+ * Moves a player in the air: along an exact ballistic arc, sliding along obstacles, landing, and crossing portals at
+ * the exact time.
+ */
 final class AirFlight {
     private final Mover mover;
     private final GroundWalk walk;
@@ -20,7 +23,7 @@ final class AirFlight {
         this.passing = passing;
     }
 
-    /** Flies for a tick: up to each entry on the arc, and from its exit with the time that is left. */
+    /** Flies for a tick. The arc is cut at each portal entry and continues from the exit with the remaining time. */
     void fly(PlayerMotion player, PlayerInput input, double seconds) {
         double left = seconds;
         for (int i = 0; passing.hasPortals() && i <= 2 * Passing.MOST_HOPS; i++) {
@@ -51,7 +54,10 @@ final class AirFlight {
         passing.follow(player);
     }
 
-    /** The exact ballistic way: v t − g t² / 2 (velocity Verlet under constant acceleration). True when it met something. */
+    /**
+     * Moves along the exact ballistic displacement v t − g t² / 2 (velocity Verlet under constant acceleration).
+     * Returns true if a surface was hit.
+     */
     private boolean flyFor(PlayerMotion player, double seconds) {
         Vector3d velocity = player.velocity;
         way.set(velocity).mul(seconds);
@@ -79,14 +85,17 @@ final class AirFlight {
         return true;
     }
 
-    /** After a way that met nothing there may still be ground within touch. */
+    /** Lands the player if ground is within touching distance after a flight without a hit. */
     private void land(PlayerMotion player, double fall) {
         if (fall < 0 && walk.land(player.shape(), player.place)) {
             touchDown(player, player.velocity.x, player.velocity.z);
         }
     }
 
-    /** Slopes that carry do not push: the horizontal speed stays, but for steep surfaces met in the same tick. */
+    /**
+     * Keeps the horizontal speed on landing, as a walkable slope does not push. Only the parts of the velocity into
+     * steep surfaces hit in the same tick are removed.
+     */
     private void touchDown(PlayerMotion player, double vX, double vZ) {
         Vector3d velocity = player.velocity;
         player.grounded = true;
@@ -101,7 +110,7 @@ final class AirFlight {
         velocity.y = 0;
     }
 
-    /** Gravity, and what steering for {@code seconds} would add. */
+    /** Sets the acceleration to gravity plus the mean acceleration of steering over {@code seconds}. */
     private void accelerate(PlayerMotion player, double seconds) {
         double vX = player.velocity.x;
         double vZ = player.velocity.z;
@@ -111,7 +120,10 @@ final class AirFlight {
         player.velocity.z = vZ;
     }
 
-    /** Adds speed only as far as the wish goes and never beyond what was flown already; lets go of nothing. */
+    /**
+     * Accelerates along the move intent up to its speed. The result is no faster than the greater of the present and
+     * the intended speed; without intent the velocity stays.
+     */
     private void steer(Vector3d velocity, double seconds) {
         double wished = wish.length();
         if (wished == 0) {

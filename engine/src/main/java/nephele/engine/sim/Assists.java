@@ -9,24 +9,32 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 
 /**
- * Help that physics does not give, each part only when its {@link Assist} is set. Nothing here looks at anything but the
- * state, so replays with assists repeat as exactly as those without.
+ * Applies the enabled {@link Assist}s. They depend on the state and the input alone, so replays with assists repeat as
+ * exactly as those without.
  */
 final class Assists {
     /**
-     * Rises 1.5 m: a standing player's feet come 0.6 m above the floor and have half a second to step to the rim.
+     * In m/s. It raises the centre by 1.5 m: a standing player's feet reach 0.6 m above the floor, which leaves half a
+     * second to step to the rim.
      */
     static final double LEAST_FLOOR_EXIT_SPEED = 5.5;
 
+    /** The speed cap of player and bodies, m/s. */
     static final double GREATEST_SPEED = 50;
-    /** A surface whose normal points so far up is a floor to come out of. */
+    /** A portal is a floor exit if its unit normal has at least this upward component. */
     private static final double FLOOR_UP = 0.7;
 
-    /** A player is led in who would come down this near the aperture, so soon, at least so fast, and looks at it. */
+    /**
+     * The funnel acts on a player that would hit the portal's plane within this distance of the aperture and this time,
+     * approaches at least at this speed (m/s) and looks towards it (cosine).
+     */
     private static final double FUNNEL_METRES = 1;
 
     private static final double FUNNEL_SECONDS = 3;
-    /** Who passes in less is not hurried: the sway would grow from pass to pass. */
+    /**
+     * The shortest time in which the funnel centres the player: a shorter one would let the lateral sway grow from pass
+     * to pass.
+     */
     private static final double FUNNEL_SHORTEST_SECONDS = 0.35;
 
     private static final double FUNNEL_LEAST_SPEED = 2;
@@ -46,7 +54,7 @@ final class Assists {
         seconds = 1.0 / settings.ticksPerSecond();
     }
 
-    /** Before the player moves. Whoever walks or steers is not led: input always escapes. */
+    /** Applies the funnel, before the player moves. Any move input disables it, so that the player can always leave. */
     PlayerState before(PlayerState player, PlayerInput input, Portals portals) {
         boolean steers = input.forwardPercent() != 0 || input.rightPercent() != 0;
         if (!funnels || steers || player.isGrounded()) {
@@ -60,7 +68,7 @@ final class Assists {
         return player;
     }
 
-    /** Leaves in {@link #lateral} how to change the velocity in this tick. */
+    /** Returns true if the funnel acts; {@link #lateral} is then the velocity change that it wants. */
     private boolean isFallingInto(Portal portal, PlayerState player) {
         Vec3 n = portal.normal();
         Vec3 v = player.velocity();
@@ -84,7 +92,7 @@ final class Assists {
         return true;
     }
 
-    /** Over the portal's middle within a time. */
+    /** Sets {@link #lateral} to the change that brings the player over the portal's centre within {@code t} seconds. */
     private void lead(Portal portal, Vec3 c, Vec3 v, double t) {
         Vector3d right = portal.frame().right().toVector();
         Vector3d up = portal.frame().up().toVector();
@@ -93,7 +101,7 @@ final class Assists {
         lateral.fma(-portal.upward(c.x(), c.y(), c.z()) / t - velocity.dot(up), up);
     }
 
-    /** Towards its centre, or straight down onto it. */
+    /** Returns true if the view is directed at the portal's centre or along the inverted portal normal. */
     private static boolean looksAt(Portal portal, PlayerState player) {
         Vector3d ahead = PlayerEye.direction(PlayerEye.view(player), new Vector3d());
         Vector3d to = portal.centre().toVector().sub(player.eye().toVector());
@@ -112,7 +120,7 @@ final class Assists {
         return player.withVelocity(Vec3.of(lateral));
     }
 
-    /** After the player has moved. */
+    /** Applies the least floor exit speed and the speed cap, after the player has moved. */
     PlayerState after(PlayerState player, CrossingWord crossed, Portals portals) {
         PlayerState lifted = player;
         if (lifts && crossed.length() > 0) {
@@ -137,7 +145,7 @@ final class Assists {
         return player.withVelocity(Vec3.of(velocity));
     }
 
-    /** After the bodies have moved: none is faster than the cap. */
+    /** Applies the speed cap to the bodies, after they have moved. */
     SimState limited(SimState moved) {
         return caps ? moved.with(moved.around().with(limited(moved.around().bodies()))) : moved;
     }

@@ -12,7 +12,7 @@ import nephele.engine.portal.placement.MovingSurfaces;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The bodies as what stops a line of sight or a shot; also the part of one that sticks out of a portal. */
+/** The bodies as obstacles of a line of sight or a shot, including the parts of bodies that stick out of portals. */
 final class BodiesInWay implements Obstacles, MovingSurfaces {
     static final int NOTHING = -1;
 
@@ -38,12 +38,15 @@ final class BodiesInWay implements Obstacles, MovingSurfaces {
         return this;
     }
 
-    /** The body that stopped the last line, or {@link #NOTHING}. */
+    /** Returns the body that stopped the last line, or {@link #NOTHING}. */
     int met() {
         return met;
     }
 
-    /** The portal that leads on to the centre of what was met, {@link Portals#CLOSED} when it is on this side. */
+    /**
+     * Returns the portal through which the centre of the hit body is reached, {@link Portals#CLOSED} if it is in the
+     * same space as the hit.
+     */
     int through() {
         return through;
     }
@@ -53,7 +56,7 @@ final class BodiesInWay implements Obstacles, MovingSurfaces {
         return free(from, way, 1);
     }
 
-    /** As {@link #free(Vector3dc, Vector3dc)}, when something else ends the line at this share of the way. */
+    /** Does the same for a line that something else ends at the fraction {@code most} of the way. */
     double free(Vector3dc from, Vector3dc way, double most) {
         nearest = most;
         met = NOTHING;

@@ -10,9 +10,9 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** One tick of all bodies: they meet the player as a capsule and each other, and what is held is driven. */
+/** Steps all bodies by one tick: they collide with the player's capsule and each other, and the held body is driven. */
 final class BodiesTick {
-    /** Who is pushed upwards faster than this loses the ground. */
+    /** In m/s. A player that is pushed upwards faster than this leaves the ground. */
     private static final double LIFTING_SPEED = 0.5;
 
     private static final Vec3 GRAVITY = new Vec3(0, -PlayerBody.GRAVITY, 0);
@@ -36,7 +36,10 @@ final class BodiesTick {
         this.seconds = seconds;
     }
 
-    /** With the skin by which its moves stay away from what they meet: there it touches. */
+    /**
+     * Returns the player's capsule, enlarged by the skin that its own sweeps keep from obstacles, so that it touches
+     * bodies there.
+     */
     private static Influences.Character character(PlayerBody.Stance stance) {
         double skin = Sweep.SKIN_METRES;
         return new Influences.Character(
@@ -44,9 +47,9 @@ final class BodiesTick {
     }
 
     /**
-     * @param walked the player has moved in it, the bodies not yet
-     * @param shoves what the player has met of them and gives them
-     * @param drive of what is held, {@code null} for nothing
+     * @param walked the state in which the player has moved and the bodies have not
+     * @param shoves the player's contacts with bodies, and its push on them
+     * @param drive the motion of the held body, {@code null} for none
      */
     SimState step(SimState walked, Shoves shoves, BodyState drive) {
         if (bodies == 0) {
@@ -72,7 +75,10 @@ final class BodiesTick {
                 .with(around.with(moved));
     }
 
-    /** What bodies gave the player, but for its own push, which the ground takes. */
+    /**
+     * Adds the velocity change that the bodies gave the player. The player's own push is taken out of it, as the ground
+     * bears its reaction.
+     */
     private PlayerState shoved(PlayerState player, Vector3dc impulse, Vector3dc push) {
         if (impulse.lengthSquared() == 0) {
             return player;
@@ -84,7 +90,10 @@ final class BodiesTick {
                 new Vec3(own.x() + velocity.x, own.y() + (stays ? 0 : velocity.y), own.z() + velocity.z), stays);
     }
 
-    /** Who met nothing goes its way of this tick beside the bodies; who touches one leans on it from where it is. */
+    /**
+     * Sets the player's capsule for the step. Without contacts it starts where the player's tick began, so that both
+     * move at the same time; in contact it starts where the player is and pushes from there.
+     */
     private Influences.Character meet(PlayerState player, Shoves shoves) {
         influences.clearCharacters();
         Influences.Character body = player.stance() == PlayerBody.Stance.STANDING ? standing : crouched;

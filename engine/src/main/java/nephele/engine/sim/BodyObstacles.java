@@ -17,14 +17,14 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * The bodies near the player as solids that its moves meet, where they are at the tick's beginning: those on this side,
- * and images of those seen through portals. The working set of one simulation.
+ * The bodies near the player as obstacles of its moves, at their poses at the start of the tick: bodies in the player's
+ * space, and images of bodies in the spaces behind portals. The working set of one simulation.
  */
 final class BodyObstacles {
-    /** What is held by the player is no obstacle. */
+    /** No held body. (A held body is no obstacle to the player.) */
     static final int NOBODY = -1;
 
-    /** A list entry is body × this + 1 + the portal through which its image comes; + 0 for the body itself. */
+    /** A list entry is body × this, + 0 for the body itself or + 1 + i for its image that comes out of portal i. */
     private static final int IMAGES = SeamedWorld.MOST_PORTALS + 1;
 
     private static final int NO_BODIES = Integer.MAX_VALUE;
@@ -43,7 +43,7 @@ final class BodyObstacles {
     private int[] joined = new int[0];
     private CollisionWorld solids;
     private CollisionWorld world;
-    /** The number of the first body among the solids of the world that was given last. */
+    /** The index of the first body among the colliders of the last returned world. */
     private int firstBody = NO_BODIES;
 
     BodyObstacles(BodyTable table) {
@@ -52,7 +52,7 @@ final class BodyObstacles {
         poses = new double[POSE * table.size()];
     }
 
-    /** A tick begins. */
+    /** Starts a tick. */
     void enter(SeamedWorld entered, Bodies now, int heldBody) {
         if (bodies != now || seamed != entered || held != heldBody) {
             bodies = now;
@@ -62,7 +62,7 @@ final class BodyObstacles {
         }
     }
 
-    /** The solids of a mask, with every body that the shape may meet on its way. */
+    /** Returns the solids for an active-portal mask, with every body that the shape may hit on its way. */
     CollisionWorld around(long mask, RoundedHull shape, Vector3dc place, Vector3dc way) {
         CollisionWorld without = seamed.around(mask);
         firstBody = NO_BODIES;
@@ -106,7 +106,10 @@ final class BodyObstacles {
         return portal.inFront(centre.x, centre.y, centre.z) >= 0;
     }
 
-    /** Behind a portal that is open for the player is the other side: what stands there in the wall's back is not met. */
+    /**
+     * Returns true if a body stands behind a portal that is open for the player. There the aperture volume replaces
+     * this space, so the player cannot hit the body.
+     */
     private boolean isBehindOpening(int body, long mask) {
         for (int i = 0; i < Math.min(seamed.portals().size(), SeamedWorld.MOST_PORTALS); i++) {
             Portal portal = (mask & 1L << i) != 0 ? seamed.portals().portal(i) : null;
@@ -177,12 +180,12 @@ final class BodyObstacles {
         return made[body];
     }
 
-    /** Whether a solid of the last world is a body. */
+    /** Returns true if a collider of the last returned world is a body. */
     boolean isBody(int collider) {
         return collider >= firstBody;
     }
 
-    /** The velocity, in the player's space, of a body of the last world where it was met. */
+    /** Returns the velocity, in the player's space, of a body of the last returned world at {@code point}. */
     Vector3d velocity(int collider, Vector3dc point, Vector3d out) {
         int entry = joined[collider - firstBody];
         int body = entry / IMAGES;

@@ -12,16 +12,19 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What the player's hands hold, and along which line. They reach along the line of sight, through portals; its word is
- * kept and follows whoever goes through a portal.
+ * Picks bodies up and keeps track of the line to the held one. The hands reach along the line of sight, through
+ * portals; the crossing word of the line is updated when the player or the body goes through a portal.
  */
 final class Carry {
-    /** From the eye to a body's surface. */
+    /** The greatest distance from the eye to a body's surface. */
     static final double REACH_METRES = 2.5;
-    /** A held body is let go when nothing has led to it for this long: a moment behind a door frame loses nothing. */
+    /**
+     * A held body is dropped after its line was broken for this long, so that a short occlusion by a door frame does
+     * not drop it.
+     */
     static final double GRACE_SECONDS = 0.5;
 
-    /** Nearer than this to the player's skin a body is within it. */
+    /** A body nearer than this to the player's capsule overlaps it. */
     private static final double APART_METRES = 0.01;
 
     private final BodyTable table;
@@ -36,7 +39,7 @@ final class Carry {
         graceTicks = (int) Math.ceil(GRACE_SECONDS / secondsPerTick);
     }
 
-    /** What a hand that reaches out now would hold. */
+    /** Returns what the player would hold if it picked up now. */
     Holding reach(SimState state, SeamedWorld space) {
         Portals portals = space.portals();
         bodies.at(state.around().bodies(), portals);
@@ -51,7 +54,9 @@ final class Carry {
         return new Holding(bodies.met(), sticksOut ? word.then(bodies.through(), portals) : word, 0);
     }
 
-    /** The same line after a tick in which its ends may have gone through portals. */
+    /**
+     * Returns the holding with the crossing word after a tick in which player and body may have gone through portals.
+     */
     static Holding follow(Holding held, CrossingWord player, Bodies bodies, Portals portals) {
         if (!held.isHolding()) {
             return held;
@@ -66,7 +71,7 @@ final class Carry {
         return new Holding(held.body(), word, held.ticksUnseen());
     }
 
-    /** The same, or released when the line has been broken too long. */
+    /** Returns the holding, or a released one if its line has been broken for too long. */
     Holding keepInSight(Holding held, PlayerState player, Bodies now, SeamedWorld space) {
         if (!held.isHolding() || isSeen(held, player, now, space)) {
             return held.unseenFor(0);
@@ -74,7 +79,10 @@ final class Carry {
         return held.ticksUnseen() < graceTicks ? held.unseenFor(held.ticksUnseen() + 1) : held.released();
     }
 
-    /** Whether the straight line to the body's centre goes through just the portals of the word and no solid. */
+    /**
+     * Returns true if the straight line to the body's centre crosses exactly the portals of the crossing word and no
+     * solid.
+     */
     private static boolean isSeen(Holding held, PlayerState player, Bodies now, SeamedWorld space) {
         if (!held.isOpen(space.portals())) {
             return false;
@@ -84,7 +92,7 @@ final class Carry {
         return sight.look(player, there) == End.ARRIVED && sight.word().equals(held.word());
     }
 
-    /** Whether a body that was let go of still reaches into the player. */
+    /** Returns true if a dropped body still overlaps the player. */
     boolean isWithin(PlayerState player, Bodies now, int body) {
         var solid = table.collider(body, now.centre(body, new Vector3d()), now.orientation(body, new Quaterniond()));
         PlayerEye.centre(player, point);

@@ -6,13 +6,13 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
 /**
- * What can change in a level besides the player. Parts that the level does not ask for are their empty constants: they
- * cost nothing and leave the hash as it is without them.
+ * The world state: everything that can change in a level besides the player. Parts that the level does not use are
+ * their empty constants, which cost nothing and do not enter the hash.
  *
  * @param bodies in the level's order
- * @param portals the level's fixed ones, in its order, then those that were shot, in the order of their first shots: an
- *     index once given keeps its meaning
- * @param shots which of them are the gun's
+ * @param portals the level's fixed portals in its order, then the shot ones in the order of their first shots: an index
+ *     once given keeps its meaning
+ * @param shots the indices of the gun's portals
  * @param holding what the player holds
  * @param trace what the last tick did
  */
@@ -42,7 +42,7 @@ public record Changeable(Bodies bodies, Portals portals, Shots shots, Holding ho
         return trace.hash(holding.hash(shots.hash(hash)));
     }
 
-    /** Places, frames and links; apertures are the level's and never change. */
+    /** Joins the portals' centres, frames and links to a hash; apertures belong to the level and never change. */
     private static long joined(long seed, Portals portals) {
         long hash = BitHash.join(seed, portals.size());
         for (int i = 0; i < portals.size(); i++) {

@@ -3,7 +3,7 @@ package nephele.engine.sim;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The surfaces met during one move; takes out of a vector what would lead into them. */
+/** The planes hit during one move; removes from a vector the components that lead into them. */
 final class ContactPlanes {
     private static final int CAPACITY = 8;
     private static final double TOLERANCE = 1e-10;
@@ -39,8 +39,9 @@ final class ContactPlanes {
     }
 
     /**
-     * The nearest vector that leads into none of the surfaces: of the projections on one surface and on the crease of
-     * two, the longest that is allowed, else zero. Longest is nearest: all are projections of the same vector.
+     * Replaces {@code v} by the nearest vector that leads into none of the planes: of its projections onto one plane
+     * and onto the crease of two, the longest that is allowed, else zero. The longest is the nearest, as all are
+     * projections of the same vector.
      */
     void clip(Vector3d v) {
         if (isAllowed(v)) {

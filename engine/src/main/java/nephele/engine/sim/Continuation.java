@@ -10,23 +10,27 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
 /**
- * How a game goes on in a level that was edited under it. The edited level's fixed portals take the place of those
- * before; a shot's portal stays as long as its whole aperture still lies where a shot could put it, and closes
- * otherwise. Who stands in a portal that closes is treated as when a portal is moved.
+ * Continues a running game in an edited level. The fixed portals of the edited level replace the earlier ones. A shot
+ * portal stays if its whole aperture is still where a shot could place it, and closes otherwise. Bodies and players in
+ * a portal that closes are treated as when a portal is moved.
  */
 final class Continuation {
     private final SimLevel level;
     private final Spaces spaces;
     private final Occupants occupants;
 
-    /** @param level the edited one */
+    /** @param level the edited level */
     Continuation(SimLevel level, Spaces spaces) {
         this.level = level;
         this.spaces = spaces;
         occupants = new Occupants(level.bodies());
     }
 
-    /** The state in the edited level; {@code null} when somebody who stands in a portal that closes finds no room. */
+    /**
+     * Returns the state in the edited level; {@code null} if the player or a body in a closing portal finds no room.
+     *
+     * @throws IllegalArgumentException if the edited level has a different number of bodies
+     */
     SimState of(SimState state, SeamedWorld before) {
         Changeable around = state.around();
         if (around.bodies().size() != level.bodies().size()) {
@@ -52,7 +56,7 @@ final class Continuation {
         return fixed;
     }
 
-    /** A shot's portal where it still holds, else {@code null}. */
+    /** Returns a shot's portal if it is still valid, else {@code null}. */
     private Portal kept(Shots.Colour shot, Changeable around) {
         int index = around.shots().portal(shot);
         if (index == Shots.UNFIRED || level.gun() == null) {
@@ -82,7 +86,9 @@ final class Continuation {
         return partners;
     }
 
-    /** What carried them may be gone, and contacts speak of solids by number. */
+    /**
+     * Returns the bodies awake and without contacts: their support may be gone, and contacts refer to solids by index.
+     */
     private static Bodies awake(Bodies bodies) {
         if (bodies.size() == 0) {
             return bodies;
@@ -102,7 +108,10 @@ final class Continuation {
         return settled.with(new Changeable(around.bodies(), portals, shots, holding, trace));
     }
 
-    /** The line to what is held by the portals' new numbers; let go of where one of them leads nowhere now. */
+    /**
+     * Returns the holding with the new portal indices, or {@link Holding#NOTHING} if one of its portals is now gone or
+     * closed.
+     */
     private static Holding held(Holding holding, Portals before, Portals after) {
         CrossingWord word = CrossingWord.EMPTY;
         for (int i = 0; i < holding.word().length(); i++) {

@@ -1,6 +1,6 @@
 package nephele.engine.sim;
 
-/** Told when a tick went wrong and was undone. */
+/** Receives a message for each tick that failed and was undone, or in which bodies froze or time was dropped. */
 @FunctionalInterface
 public interface FaultLog {
     FaultLog SILENT = (tick, what) -> {};

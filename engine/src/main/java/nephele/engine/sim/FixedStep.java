@@ -1,8 +1,8 @@
 package nephele.engine.sim;
 
 /**
- * Cuts the time that frames take into whole ticks. Counts in integers: billionths of a tick never drift as a sum of
- * floating-point steps does.
+ * Converts frame times into whole fixed ticks. It counts in integers, in billionths of a tick, which do not drift as a
+ * sum of floating-point steps does.
  */
 public final class FixedStep {
     public static final int MAX_TICKS_PER_FRAME = 8;
@@ -10,7 +10,7 @@ public final class FixedStep {
     private static final long LONGEST_FRAME_NANOS = NANOS_PER_SECOND / 4;
 
     private final int ticksPerSecond;
-    /** Below one tick, in nanoseconds · ticks per second. */
+    /** The remainder below one tick, in nanoseconds · ticks per second. */
     private long rest;
 
     private long droppedTicks;
@@ -20,8 +20,9 @@ public final class FixedStep {
     }
 
     /**
-     * How many ticks are due after a frame of this length: at most {@link #MAX_TICKS_PER_FRAME}. What a slow machine
-     * cannot catch up with is dropped and counted; a clock that runs backwards counts as 0.
+     * Returns the number of ticks due after a frame of this length: at most {@link #MAX_TICKS_PER_FRAME}. Ticks that a
+     * slow machine cannot catch up with are dropped and counted. A negative time counts as 0, a frame above 0.25 s as
+     * 0.25 s.
      */
     public int advance(long elapsedNanos) {
         long elapsed = Math.max(0, Math.min(elapsedNanos, LONGEST_FRAME_NANOS));
@@ -33,12 +34,15 @@ public final class FixedStep {
         return ticks;
     }
 
-    /** The share of the next tick that has passed, in [0, 1): between the last two states. */
+    /**
+     * Returns the fraction of the next tick that has passed, in [0, 1): the interpolation weight between the last two
+     * states.
+     */
     public double share() {
         return rest / (double) NANOS_PER_SECOND;
     }
 
-    /** Ticks that were due and never run. */
+    /** Returns the number of ticks that were due and never run. */
     public long droppedTicks() {
         return droppedTicks;
     }

@@ -8,9 +8,12 @@ import nephele.engine.collision.Sweep;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Walking on ground: along slopes, up and down steps, past walls, without leaving the ground in between. */
+/** Moves a player on ground: along slopes, up and down steps and along walls, without leaving the ground in between. */
 final class GroundWalk {
-    /** A contact whose normal is flatter than this is a wall, even where the wall's upper edge borders on ground. */
+    /**
+     * A contact normal with a smaller upward component is that of a wall, even where the wall's upper edge borders on
+     * ground.
+     */
     private static final double LEAST_EDGE_UP = 0.02;
 
     private static final double TOUCHING_METRES = 2 * Sweep.SKIN_METRES;
@@ -30,20 +33,20 @@ final class GroundWalk {
         this.mover = mover;
     }
 
-    /** Horizontal normals of the walls that stopped the last walk. */
+    /** Returns the horizontal normals of the walls that stopped the last walk. */
     ContactPlanes walls() {
         return walls;
     }
 
-    /** What the player stands on after the last walk or landing. */
+    /** Returns the normal of the ground after the last walk or landing. */
     Vector3dc ground() {
         return ground;
     }
 
     /**
-     * Walks {@code horizontal} metres from {@code place} on ground with the given normal.
+     * Walks the displacement {@code horizontal} (metres) from {@code place} on ground with the given normal.
      *
-     * @return whether there is still ground below; when not, {@code place} is where the ground ended
+     * @return true if there is still ground below; if not, {@code place} is where the ground ended
      */
     boolean walk(RoundedHull shape, Vector3d place, Vector3dc horizontal, Vector3dc onGround) {
         start.set(place);
@@ -56,7 +59,10 @@ final class GroundWalk {
         return standDown(shape, place, STEP_HEIGHT);
     }
 
-    /** After a fall: whether the player touches ground that is not too steep. An edge counts by the way it is touched. */
+    /**
+     * Returns true if the player, after a fall, touches ground that is not too steep. On an edge the contact normal
+     * decides.
+     */
     boolean land(RoundedHull shape, Vector3d place) {
         return mover.lower(shape, place, TOUCHING_METRES) && isLanding();
     }
@@ -85,13 +91,16 @@ final class GroundWalk {
                 || (hit.normal().y() >= LEAST_EDGE_UP && hit.upmostNormal().y() >= STEEPEST_GROUND_UP);
     }
 
-    /** A step's edge carries as its tread does; a ridge between two steep slopes as it is touched. */
+    /**
+     * Sets the ground normal: of a step's edge that of its tread, of a ridge between two steep slopes the contact
+     * normal.
+     */
     private void takeGround() {
         Sweep hit = mover.lastSweep();
         ground.set(hit.upmostNormal().y() >= hit.normal().y() ? hit.upmostNormal() : hit.normal());
     }
 
-    /** Slides along the ground plane and along walls; true when a wall was met. */
+    /** Slides along the ground plane and along walls. Returns true if a wall was hit. */
     private boolean walkLevel(RoundedHull shape, Vector3d place, Vector3dc horizontal) {
         walls.clear();
         budget.set(horizontal);
@@ -112,7 +121,10 @@ final class GroundWalk {
         return walls.size() > 0;
     }
 
-    /** Steep slopes and slanted ceilings stop like upright walls; a flat ceiling over a rising floor, too. */
+    /**
+     * Adds a wall for a steep slope or slanted ceiling: both stop like upright walls. A flat ceiling above a rising
+     * floor stops the walk straight ahead.
+     */
     private void addWall(Vector3dc normal) {
         wall.set(normal.x(), 0, normal.z());
         if (wall.lengthSquared() < 1e-6) {
@@ -121,7 +133,7 @@ final class GroundWalk {
         walls.add(wall.normalize());
     }
 
-    /** The horizontal way bent up or down along the ground; its length stays. */
+    /** Sets {@code bent} to the horizontal displacement inclined along the ground, of the same length. */
     private void alongGround(Vector3dc horizontal, Vector3d bent) {
         double rise = -(ground.x * horizontal.x() + ground.z * horizontal.z()) / ground.y;
         double square = horizontal.lengthSquared();
@@ -129,7 +141,10 @@ final class GroundWalk {
         bent.set(horizontal.x() * scale, rise * scale, horizontal.z() * scale);
     }
 
-    /** Up, along, down from where the walk began; kept when it leads farther along and onto ground within a step. */
+    /**
+     * Sweeps up, along and down from the start of the walk. The result is kept if it leads farther along and onto
+     * ground within a step's height.
+     */
     private boolean stepUp(RoundedHull shape, Vector3d place, Vector3dc horizontal) {
         double levelProgress = progress(place, horizontal);
         stepped.set(start);
@@ -154,7 +169,7 @@ final class GroundWalk {
         return start.y - (shape.greatest(1) + Sweep.SKIN_METRES);
     }
 
-    /** What carries the walker at the start; above its foot when that is an edge which it rolls over. */
+    /** Returns the height of the support at the start; it is above the foot if the capsule rolls over an edge. */
     private double supportHeight(RoundedHull shape) {
         if (mover.lower(shape, stepped, TOUCHING_METRES) && isSupport()) {
             double height = mover.lastSweep().point().y();

@@ -12,8 +12,8 @@ import nephele.engine.sim.TickEvent.Handled;
 import nephele.engine.sim.TickEvent.Handled.Kind;
 
 /**
- * What a player does with gun and hands, before anything moves in a tick. Only an action that was not held in the tick
- * before counts. While something is held, the first trigger throws it.
+ * Executes the actions of gun and hands, at the start of a tick. An action counts only if it was not held in the tick
+ * before. While a body is held, the first trigger throws it.
  */
 final class Hands {
     static final double HEAVIEST_KILOGRAMS = 50;
@@ -35,7 +35,7 @@ final class Hands {
         occupants = new Occupants(level.bodies());
     }
 
-    /** The state in which everything then moves: other portals, something else held. */
+    /** Returns the state after the actions, in which everything then moves: with other portals or another holding. */
     SimState act(SimState before, PlayerInput input, List<TickEvent> events) {
         int fresh = input.actions() & ~before.around().trace().pressed();
         SimState state = before;
@@ -79,7 +79,7 @@ final class Hands {
         return tooHeavy ? state : state.with(state.around().with(grasp));
     }
 
-    /** What a shot would do now, for who draws it before; {@code null} without a gun. */
+    /** Returns what a shot would do now, for the portal preview; {@code null} without a gun. */
     Placed aim(SimState state, Shots.Colour shot) {
         return shots == null
                 ? null
@@ -109,14 +109,17 @@ final class Hands {
         return state;
     }
 
-    /** What a held body does in this tick; {@code null} when nothing is held or nothing leads to it. */
+    /**
+     * Returns the motion of the held body in this tick; {@code null} if nothing is held or a portal on the line to it
+     * is closed.
+     */
     BodyState drive(SimState state, PlayerInput input) {
         Portals portals = state.around().portals();
         Holding held = state.around().holding();
         return held.isHolding() && held.isOpen(portals) ? drive.motion(state, input, spaces.of(portals)) : null;
     }
 
-    /** After everything has moved: the line to what is held, or its end. */
+    /** Updates the line to the held body after everything has moved, or drops the body. */
     SimState follow(SimState moved, CrossingWord playerCrossed, List<TickEvent> events) {
         Changeable around = moved.around();
         Holding held = around.holding();

@@ -1,10 +1,10 @@
 package nephele.engine.sim;
 
 /**
- * Where the player looks, in thousandths of a degree: whole numbers neither drift nor round, however long the game.
+ * The view angles, in thousandths of a degree: integers neither drift nor round, however long the game runs.
  *
- * @param yawMillidegrees in [−180 000, 180 000); 0 looks along −z, positive to the left
- * @param pitchMillidegrees at most 89.9 degrees up or down, so that there is always a way "forward"
+ * @param yawMillidegrees wrapped into [−180 000, 180 000); 0 looks along −z, positive to the left
+ * @param pitchMillidegrees positive upwards, clamped to ±89.9 degrees so that a forward direction always exists
  */
 public record Heading(int yawMillidegrees, int pitchMillidegrees) {
     private static final int HALF_TURN = 180_000;
@@ -16,7 +16,7 @@ public record Heading(int yawMillidegrees, int pitchMillidegrees) {
         pitchMillidegrees = Math.max(-STEEPEST, Math.min(STEEPEST, pitchMillidegrees));
     }
 
-    /** The nearest heading; not finite counts as 0. */
+    /** Returns the nearest view angles; values that are not finite count as 0. */
     public static Heading ofDegrees(double yawDegrees, double pitchDegrees) {
         return new Heading((int) rounded(yawDegrees % 360), (int) rounded(pitchDegrees % 360));
     }
@@ -25,28 +25,30 @@ public record Heading(int yawMillidegrees, int pitchMillidegrees) {
         return Math.round(degrees * 1000);
     }
 
+    /** Returns the view angles after a turn, in thousandths of a degree; the yaw wraps and the pitch is clamped. */
     public Heading turned(int leftMillidegrees, int upMillidegrees) {
         long yaw = (long) yawMillidegrees + leftMillidegrees;
         long pitch = (long) pitchMillidegrees + upMillidegrees;
         return new Heading((int) (yaw % FULL_TURN), (int) Math.max(-STEEPEST, Math.min(STEEPEST, pitch)));
     }
 
-    /** In [−π, π). */
+    /** Returns the yaw in [−π, π). */
     public double yawRadians() {
         return radians(yawMillidegrees);
     }
 
+    /** Returns the pitch in radians, positive upwards. */
     public double pitchRadians() {
         return radians(pitchMillidegrees);
     }
 
-    /** What has to be added to this yaw to reach another one by the shorter way, in [−π, π). */
+    /** Returns the angle from this yaw to another one by the shorter way, in [−π, π). */
     public double yawRadiansTo(Heading other) {
         int difference = other.yawMillidegrees - yawMillidegrees;
         return radians(Math.floorMod(difference + HALF_TURN, FULL_TURN) - HALF_TURN);
     }
 
-    /** Divided first, so that a half turn is exactly π. */
+    /** Converts to radians; divides first, so that a half turn is exactly π. */
     private static double radians(int millidegrees) {
         return millidegrees / (double) HALF_TURN * Math.PI;
     }

@@ -8,20 +8,23 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 
 /**
- * Moves a held body to a place before the eye: a velocity that brings it there without overshooting, within what arms
- * can do. It goes with the player's own motion; forces are limited, so that nothing gains more than a push.
+ * Drives a held body to a place before the eye: computes a velocity that brings it there without overshooting, within
+ * the limits of force, acceleration and speed. The body follows the player's own motion.
  */
 final class HeldDrive {
-    /** Between the player and the nearest side of what is held. */
+    /** The gap between the player's capsule and the held body's bounding sphere. */
     private static final double GAP_METRES = 0.35;
 
     private static final double RATE_PER_SECOND = 15;
+    /** The greatest speed relative to the player, m/s. */
     private static final double FASTEST = 8;
     private static final double STRONGEST_NEWTON = 1500;
-    /** Light things would otherwise jump. */
+    /** In m/s². It limits light bodies, which {@link #STRONGEST_NEWTON} alone would let jump. */
     private static final double HARDEST_ACCELERATION = 120;
 
+    /** In rad/s. */
     private static final double FASTEST_SPIN = 12;
+    /** In m/s; heavy bodies are limited by {@link #THROW_NEWTON_SECONDS}. */
     private static final double THROW_SPEED = 8;
     private static final double THROW_NEWTON_SECONDS = 160;
 
@@ -37,7 +40,7 @@ final class HeldDrive {
         seconds = secondsPerTick;
     }
 
-    /** The motion that a held body starts this tick with. */
+    /** Returns the motion with which a held body starts this tick. */
     BodyState motion(SimState state, PlayerInput input, SeamedWorld space) {
         Holding held = state.around().holding();
         Portals portals = space.portals();
@@ -55,7 +58,7 @@ final class HeldDrive {
         return Math.min(HARDEST_ACCELERATION, STRONGEST_NEWTON / table.massKilograms(body));
     }
 
-    /** Where the body's centre belongs, in the player's space, as if there were no portals. */
+    /** Returns the target of the body's centre in the player's space, as if there were no portals. */
     private Vector3d place(Holding held, PlayerState player, SeamedWorld space) {
         double reach = table.reachMetres(held.body());
         PlayerEye.eye(player, eye);
@@ -67,7 +70,7 @@ final class HeldDrive {
         return target.set(eye).fma(free, ahead);
     }
 
-    /** Towards a place as far off as {@code way}: fast, but never so fast that it could not stop there. */
+    /** Scales a displacement to a velocity towards its end, limited so that the body can stop there. */
     private Vector3d approach(Vector3d way, double acceleration) {
         double metres = way.length();
         if (metres == 0) {
@@ -85,14 +88,14 @@ final class HeldDrive {
         velocity.mul(change > most ? most / change : 1).add(before);
     }
 
-    /** What is held turns as the player does. */
+    /** Returns the spin that turns the held body with the player's yaw. */
     private Vec3 spin(Holding held, PlayerInput input, Portals portals) {
         double yaw = Math.toRadians(input.turnLeftMillidegrees() / 1000.0) / seconds;
         double limited = Math.max(-FASTEST_SPIN, Math.min(FASTEST_SPIN, yaw));
         return Vec3.of(held.directionThere(carried.set(0, limited, 0), portals));
     }
 
-    /** The motion of a body that is thrown where the player looks. */
+    /** Returns the motion of a body that is thrown along the view. */
     BodyState thrown(SimState state, Portals portals) {
         Holding held = state.around().holding();
         BodyState body = state.around().bodies().state(held.body());

@@ -6,12 +6,13 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 
 /**
- * What the player holds.
+ * The body that the player holds, and the line to it.
  *
- * @param body its index, {@link #NONE} for nothing
- * @param word the portals between the player's centre and its own
- * @param ticksUnseen for how long the line of sight along the word has been broken
- * @param leaving what was let go of within the player and is not out yet: until then they do not meet
+ * @param body the body's index, {@link #NONE} for none
+ * @param word the crossing word from the player's centre to the body's centre
+ * @param ticksUnseen the number of ticks for which the line of sight along the crossing word has been broken
+ * @param leaving a body that was dropped while it overlapped the player, {@link #NONE} for none: the two do not collide
+ *     until it is outside
  */
 public record Holding(int body, CrossingWord word, int ticksUnseen, int leaving) {
     public static final int NONE = -1;
@@ -21,12 +22,12 @@ public record Holding(int body, CrossingWord word, int ticksUnseen, int leaving)
         this(body, word, ticksUnseen, NONE);
     }
 
-    /** The body is let go of. */
+    /** Returns the holding after the body is dropped. */
     Holding released() {
         return word.length() == 0 ? new Holding(NONE, CrossingWord.EMPTY, 0, body) : NOTHING;
     }
 
-    /** The body that the player does not meet, or {@link #NONE}. */
+    /** Returns the body that does not collide with the player, or {@link #NONE}. */
     int passing() {
         return isHolding() ? body : leaving;
     }
@@ -39,7 +40,7 @@ public record Holding(int body, CrossingWord word, int ticksUnseen, int leaving)
         return ticks == ticksUnseen ? this : new Holding(body, word, ticks);
     }
 
-    /** Whether every portal of the word still leads somewhere. */
+    /** Returns true if every portal of the crossing word is open. */
     boolean isOpen(Portals portals) {
         for (int i = 0; i < word.length(); i++) {
             if (!portals.isOpen(word.entry(i))) {
@@ -49,7 +50,7 @@ public record Holding(int body, CrossingWord word, int ticksUnseen, int leaving)
         return true;
     }
 
-    /** Moves a point of the player's space to the body's; the word has to be open. */
+    /** Maps a point of the player's space to the body's; the crossing word has to be open. */
     Vector3d pointThere(Vector3d point, Portals portals) {
         for (int i = 0; i < word.length(); i++) {
             portals.passage(word.entry(i)).point(point);
@@ -57,7 +58,7 @@ public record Holding(int body, CrossingWord word, int ticksUnseen, int leaving)
         return point;
     }
 
-    /** Turns a direction of the player's space to the body's. */
+    /** Maps a direction of the player's space to the body's. */
     Vector3d directionThere(Vector3d direction, Portals portals) {
         for (int i = 0; i < word.length(); i++) {
             portals.passage(word.entry(i)).direction(direction);
@@ -65,7 +66,7 @@ public record Holding(int body, CrossingWord word, int ticksUnseen, int leaving)
         return direction;
     }
 
-    /** Moves a point of the body's space to the player's: where it would be if no portals were between. */
+    /** Maps a point of the body's space to the player's, where it would be without the portals in between. */
     Vector3d pointHere(Vector3d point, Portals portals) {
         for (int i = word.length() - 1; i >= 0; i--) {
             portals.passage(portals.partner(word.entry(i))).point(point);

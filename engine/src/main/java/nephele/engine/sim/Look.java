@@ -8,14 +8,17 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Where the player looks and how body and view lean. Through a portal the view goes exactly: the heading takes what it
- * can in whole thousandths of a degree, the tilt the rest.
+ * The view angles of the player and the tilt of body and view. A portal maps the view exactly: the view angles hold
+ * what fits into whole thousandths of a degree, the tilt the remainder.
  */
 record Look(Heading heading, Tilt tilt) {
-    /** Nearer to straight up or down than the steepest pitch, "up" tells the yaw. */
+    /**
+     * The horizontal part of the view direction below which the yaw is derived from the up vector: steeper than the
+     * steepest pitch.
+     */
     private static final double STEEP = StrictMath.cos(Math.toRadians(89.9));
 
-    /** World directions of the view: what its picture is drawn with. */
+    /** Returns the camera basis of the view, in world directions. */
     Basis view() {
         Basis level = Basis.ofYawPitch(heading.yawRadians(), heading.pitchRadians());
         Quaterniond turn = tilt.view();

@@ -1,19 +1,25 @@
 package nephele.engine.sim;
 
 /**
- * Mouse counts to whole thousandths of a degree. What is less than one is kept for the next time, so that a slow hand
- * turns as far as a fast one.
+ * Converts mouse counts to whole thousandths of a degree. The remainder is kept for the next call, so that slow motion
+ * turns as far as fast motion.
  */
 public final class MouseLook {
     private final double millidegreesPerCount;
     private double restLeft;
     private double restUp;
 
+    /** @param degreesPerCount the mouse sensitivity, degrees of turn for one count */
     public MouseLook(double degreesPerCount) {
         millidegreesPerCount = degreesPerCount * 1000;
     }
 
-    /** @param right counts to the right; {@code down} counts downwards, as windows report them */
+    /**
+     * Adds a turn to an input.
+     *
+     * @param right counts to the right
+     * @param down counts downwards, as windows report them
+     */
     public PlayerInput turn(PlayerInput input, double right, double down) {
         restLeft = kept(restLeft - right * millidegreesPerCount);
         restUp = kept(restUp - down * millidegreesPerCount);

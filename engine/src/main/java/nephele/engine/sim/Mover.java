@@ -9,12 +9,12 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Sweeps and slides: how the player's capsule gets along the solids around it. The working set of one simulation. Moves
- * go on behind an aperture as if it were none: whoever moves looks afterwards whether the centre went through.
+ * Sweeps and slides the player's capsule along the solids around it. The working set of one simulation. Moves continue
+ * behind an aperture as if it were open space; the caller tests afterwards whether the centre crossed it.
  */
 final class Mover {
     static final int MAX_SLIDES = 5;
-    /** Closer than this counts as there: a player at rest keeps the very bits of its place. */
+    /** A shorter advance is omitted: a player at rest keeps its place bit for bit. */
     private static final double AT_REST_METRES = 1e-7;
 
     private static final Vector3dc STILL = new Vector3d();
@@ -33,7 +33,7 @@ final class Mover {
         this.bodies = bodies;
     }
 
-    /** What the following moves meet; a held body is none of it. */
+    /** Starts a tick: sets the world and the bodies of the following moves; {@code heldBody} is no obstacle. */
     void enter(SeamedWorld entered, Bodies now, int heldBody) {
         seamed = entered;
         bodies.enter(entered, now, heldBody);
@@ -41,18 +41,21 @@ final class Mover {
         shoves.clear();
     }
 
-    /** The centre has come out of a portal: what it met before lies elsewhere. */
+    /** Resets the contacts and active portals after the centre has come out of a portal, into another space. */
     void arrive() {
         active = 0;
         shoves.clear();
     }
 
-    /** The bodies that were met since the last arrival. */
+    /** Returns the contacts with bodies since the last arrival. */
     Shoves shoves() {
         return shoves;
     }
 
-    /** The static solids that a shape meets here and on its way; a portal that was near stays open until the tick's end or arrival. */
+    /**
+     * Returns the static solids near a shape and its way. A portal that was near stays open until the end of the tick
+     * or the next arrival.
+     */
     CollisionWorld world(RoundedHull shape, Vector3dc place, Vector3dc way) {
         active |= seamed.active(shape, place, way);
         return seamed.around(active);
@@ -62,7 +65,7 @@ final class Mover {
         return world(shape, place, STILL);
     }
 
-    /** The portals that were near since the last arrival, one bit each. */
+    /** Returns the portals that were near since the last arrival, one bit each. */
     long active() {
         return active;
     }
@@ -71,12 +74,12 @@ final class Mover {
         return sweep;
     }
 
-    /** The surfaces met by the last {@link #slide}. */
+    /** Returns the planes hit by the last {@link #slide}. */
     ContactPlanes planes() {
         return planes;
     }
 
-    /** Moves {@code place} along {@code way}, around whatever is met; at most {@link #MAX_SLIDES} surfaces. */
+    /** Moves {@code place} along {@code way} and slides along each surface hit, at most {@link #MAX_SLIDES}. */
     void slide(RoundedHull shape, Vector3d place, Vector3dc way) {
         planes.clear();
         rest.set(way);
@@ -97,7 +100,7 @@ final class Mover {
         return sweep.cast(bodies.around(active, shape, place, way), shape, place, way);
     }
 
-    /** As {@link #cast}, and a body that is met is told. */
+    /** Does the same as {@link #cast}, and records a hit body as a contact. */
     private boolean meet(RoundedHull shape, Vector3dc place, Vector3dc way) {
         boolean hit = cast(shape, place, way);
         if (hit && bodies.isBody(sweep.collider())) {
@@ -106,7 +109,7 @@ final class Mover {
         return hit;
     }
 
-    /** Moves straight until something is met; true when it was. */
+    /** Moves straight until a hit. Returns true if there was one. */
     boolean advanceUntilHit(RoundedHull shape, Vector3d place, Vector3dc way) {
         boolean hit = meet(shape, place, way);
         if (!hit || sweep.fraction() * way.length() > AT_REST_METRES) {
@@ -115,12 +118,15 @@ final class Mover {
         return hit;
     }
 
-    /** Whether anything stands in the way. */
+    /** Returns true if anything blocks the way. */
     boolean isBlocked(RoundedHull shape, Vector3dc place, Vector3dc way) {
         return cast(shape, place, way);
     }
 
-    /** Lowers {@code place} onto what lies at most {@code metres} below; stays where it is when nothing does. */
+    /**
+     * Lowers {@code place} onto a surface at most {@code metres} below. Returns false, with the place unchanged, if
+     * there is none.
+     */
     boolean lower(RoundedHull shape, Vector3d place, double metres) {
         down.set(0, -metres, 0);
         if (!meet(shape, place, down)) {

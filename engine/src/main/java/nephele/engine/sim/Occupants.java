@@ -15,11 +15,12 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Who stands in a portal when it is moved: the side of the centre decides. What has lost its room is swept out along the
- * old portal's normal, or a short way out of what it is in now; when neither leads to a free place, the portal stays.
+ * Moves the player and the bodies out of a portal that is moved or closed; the side of the centre decides where each
+ * belongs. One without room is swept out along the old portal's normal, or depenetrated by a short push. If neither
+ * leads to a free place, the portal stays.
  */
 final class Occupants {
-    /** Resting bodies sink into what carries them by less. */
+    /** Resting bodies penetrate their support by less than this. */
     private static final double SUNK_METRES = 2e-3;
 
     private static final Vector3dc STILL = new Vector3d();
@@ -36,7 +37,9 @@ final class Occupants {
         this.table = table;
     }
 
-    /** The state with everybody in free places of the new space; {@code null} when somebody finds none. */
+    /**
+     * Returns the state with the player and all bodies in free places of the new space; {@code null} if one finds none.
+     */
     SimState settle(SimState state, SeamedWorld from, SeamedWorld to) {
         before = from;
         after = to;
@@ -77,7 +80,7 @@ final class Occupants {
         return push.lengthSquared() > 0;
     }
 
-    /** Finds the push for a shape at {@code centre}; false when there is none. */
+    /** Finds the push for a shape at {@code centre}. Returns false if there is none. */
     private boolean clear(RoundedHull shape) {
         push.zero();
         long was = before.active(shape, centre, STILL);
@@ -93,7 +96,7 @@ final class Occupants {
             return true;
         }
         push.zero();
-        // What was in a wall before and is no worse off now is no reason to refuse.
+        // A shape that was in a solid before and is no deeper in one now is no reason to refuse.
         double depth = recovery.depth(before.around(was), shape, centre);
         return depth > SUNK_METRES && recovery.depth(world(shape), shape, centre) <= depth;
     }
@@ -106,7 +109,7 @@ final class Occupants {
         return recovery.depth(world(shape), shape, centre) <= SUNK_METRES;
     }
 
-    /** Out of a portal's plane, until all of the shape is before it. */
+    /** Sets the push that brings the whole shape before a portal's plane. Returns true if it leads to a free place. */
     private boolean outOf(Portal portal, RoundedHull shape) {
         Vec3 n = portal.normal();
         double behind = 0;
@@ -119,7 +122,7 @@ final class Occupants {
         return arrives(shape);
     }
 
-    /** Whether nothing is in the push's way and its end is free; without, there is no push. */
+    /** Returns true if the push is unobstructed and its end free; otherwise resets the push to zero. */
     private boolean arrives(RoundedHull shape) {
         boolean blocked = sweep.cast(world(shape), shape, centre, push);
         centre.add(push);

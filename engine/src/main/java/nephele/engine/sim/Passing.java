@@ -6,9 +6,12 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Takes the player through portals: where its centre goes, it goes. The working set of one simulation. */
+/** Moves the player through portals when its centre crosses them. The working set of one simulation. */
 final class Passing {
-    /** After so many crossings the rest of a tick is dropped, gravity included; the velocity stays. */
+    /**
+     * The greatest number of crossings in a tick. The rest of the tick is then dropped, gravity included; the velocity
+     * stays.
+     */
     static final int MOST_HOPS = 8;
 
     private static final Vector3dc NO_ACCELERATION = new Vector3d();
@@ -26,7 +29,7 @@ final class Passing {
         this.mover = mover;
     }
 
-    /** A tick begins. */
+    /** Starts a tick. */
     void begin(Portals open, Vector3dc place) {
         portals = open;
         start.set(place);
@@ -35,12 +38,12 @@ final class Passing {
         dropped = false;
     }
 
-    /** The portals gone through in this tick. */
+    /** Returns the crossing word of this tick. */
     CrossingWord word() {
         return word;
     }
 
-    /** Whether the tick's rest was dropped. */
+    /** Returns true if the rest of the tick was dropped. */
     boolean hasDropped() {
         return dropped;
     }
@@ -49,7 +52,7 @@ final class Passing {
         return portals.size() > 0;
     }
 
-    /** When the centre's arc first enters a portal; {@code seconds} when it does not before. */
+    /** Returns the time at which the centre's arc first enters a portal; {@code seconds} if it enters none before. */
     double timeToEntry(PlayerMotion player, Vector3dc acceleration, double seconds) {
         boolean enters = crossing.find(portals, player.place, player.velocity, acceleration, seconds);
         if (enters && hops == MOST_HOPS) {
@@ -58,14 +61,14 @@ final class Passing {
         return enters ? crossing.seconds() : seconds;
     }
 
-    /** Goes through the portal found last, from the very place of its entry. */
+    /** Moves the player through the portal found last, from the exact point of entry. */
     void enter(PlayerMotion player) {
         player.place.set(crossing.place());
         pass(player);
         start.set(player.place);
     }
 
-    /** Goes through every portal that the straight way from where the player was seen last leads into. */
+    /** Moves the player through every portal that the straight segment from its last tracked place enters. */
     void follow(PlayerMotion player) {
         if (!hasPortals()) {
             return;

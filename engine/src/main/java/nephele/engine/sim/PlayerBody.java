@@ -3,29 +3,38 @@ package nephele.engine.sim;
 import nephele.engine.collision.RoundedHull;
 import nephele.engine.collision.Sweep;
 
-/** The player's measures and abilities; metres, seconds. */
+/** The dimensions and abilities of the player, in metres and seconds. */
 public final class PlayerBody {
+    /** The capsule's radius, metres. */
     public static final double RADIUS = 0.3;
     public static final double MASS_KILOGRAMS = 80;
+    /** The gravitational acceleration, m/s². */
     public static final double GRAVITY = 9.81;
+    /** In m/s, as are the two below. */
     public static final double WALK_SPEED = 4;
     public static final double RUN_SPEED = 6;
     public static final double CROUCH_SPEED = 2;
+    /** In metres, the rise of the feet. */
     public static final double JUMP_HEIGHT = 1;
+    /** In metres, the highest step that is walked up or down. */
     public static final double STEP_HEIGHT = 0.4;
-    /** The cosine of 50°, a hair more lenient so that a slope of exactly 50° holds. */
+    /**
+     * The least upward component of a unit normal of walkable ground: cos 50°, less 1e-9 so that a slope of exactly 50°
+     * counts.
+     */
     public static final double STEEPEST_GROUND_UP = StrictMath.cos(Math.toRadians(50)) - 1e-9;
-    /** Walking speed approaches what is asked for by 1 − exp(−k t) with this k. */
+    /** The walking velocity approaches the move intent by 1 − exp(−k t) with this k. */
     static final double GROUND_RATE_PER_SECOND = 12;
 
+    /** In m/s². */
     static final double AIR_ACCELERATION = 8;
     static final double EYE_RATE_PER_SECOND = 15;
-    /** A player inside a solid is pushed out no faster than this in a tick. */
+    /** A player inside a solid is pushed out by at most this in a tick. */
     static final double RECOVERY_METRES_PER_TICK = 0.02;
 
     private PlayerBody() {}
 
-    /** Upright or crouched. */
+    /** The posture: standing or crouched. */
     public enum Stance {
         STANDING(1.8, 1.65),
         CROUCHED(1.1, 0.95);
@@ -40,20 +49,25 @@ public final class PlayerBody {
             shape = RoundedHull.uprightCapsule(RADIUS, heightMetres);
         }
 
+        /** Returns the capsule's height. */
         public double heightMetres() {
             return heightMetres;
         }
 
-        /** The eye above the feet, at rest. */
+        /** Returns the height of the eye above the feet, at rest. */
         public double eyeMetres() {
             return eyeMetres;
         }
 
+        /** Returns the upright capsule, around its centre. */
         public RoundedHull shape() {
             return shape;
         }
 
-        /** The capsule's centre above the feet. Feet on a floor are at its height; the capsule hovers by the skin. */
+        /**
+         * Returns the height of the capsule's centre above the feet. Feet on a floor are at the floor's height; the
+         * capsule keeps the skin's distance from it.
+         */
         public double centreAboveFeet() {
             return heightMetres / 2 + Sweep.SKIN_METRES;
         }

@@ -4,16 +4,16 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** Where a player's eye is and looks, in the space of the body's centre: the eye may already be beyond a portal. */
+/** The eye and view of a player, in the space of the body's centre: the eye may already be beyond a portal. */
 final class PlayerEye {
     private PlayerEye() {}
 
-    /** The capsule's centre: where the player is said to be. */
+    /** Sets {@code out} to the capsule's centre, which is the player's position. */
     static Vector3d centre(PlayerState player, Vector3d out) {
         return set(player.centre(), out);
     }
 
-    /** As if no portal were between it and the centre. */
+    /** Sets {@code out} to the eye, as if no portal were between it and the centre. */
     static Vector3d eye(PlayerState player, Vector3d out) {
         return set(player.eye(), out);
     }

@@ -6,12 +6,15 @@ import nephele.engine.portal.Passage;
 import nephele.engine.sim.PlayerBody.Stance;
 import org.joml.Vector3d;
 
-/** The player in the middle of a tick. */
+/** The mutable player during a tick. */
 final class PlayerMotion {
-    /** What a passage between level portals may leave of a walker's vertical speed, as a share of the speed. */
+    /**
+     * The greatest vertical share of a walker's speed that counts as rounding of a portal transform between level
+     * portals.
+     */
     private static final double LEVEL = 1e-9;
 
-    /** The centre of the capsule. */
+    /** The capsule's centre. */
     final Vector3d place = new Vector3d();
 
     final Vector3d velocity = new Vector3d();
@@ -32,14 +35,17 @@ final class PlayerMotion {
         velocity.set(s.velocity().x(), s.velocity().y(), s.velocity().z());
         eye = s.eyeMetres();
         look(new Look(s.heading(), s.tilt()));
-        // Whatever throws a player upwards lifts it off the ground.
+        // An upward velocity lifts the player off the ground.
         grounded = s.isGrounded() && velocity.y <= 0;
         if (grounded) {
             ground.set(s.ground().x(), s.ground().y(), s.ground().z());
         }
     }
 
-    /** Adds the rise to the feet's old height: to and fro between feet and centre, rounding would creep. */
+    /**
+     * Returns the state. The rise is added to the feet's old height, as repeated conversion between feet and centre
+     * would accumulate rounding.
+     */
     PlayerState store(boolean jumpHeld) {
         Vec3 feet = new Vec3(place.x, feetBefore + (place.y - centreBefore), place.z);
         Vec3 speed = new Vec3(velocity.x, velocity.y, velocity.z);
@@ -55,7 +61,7 @@ final class PlayerMotion {
         return look;
     }
 
-    /** The capsule as it leans now. */
+    /** Returns the capsule with its present tilt. */
     RoundedHull shape() {
         return shape;
     }
@@ -65,7 +71,7 @@ final class PlayerMotion {
         shape = shape(stance, look.tilt().up());
     }
 
-    /** Of a stance's height and a body's axis. */
+    /** Returns the capsule of a stance along a body axis. */
     static RoundedHull shape(Stance stance, Vec3 up) {
         if (up.equals(Tilt.UPRIGHT.up())) {
             return stance.shape();
@@ -74,19 +80,19 @@ final class PlayerMotion {
         return RoundedHull.capsule(up.scaled(half), PlayerBody.RADIUS);
     }
 
-    /** Grows or shrinks towards the feet, which stay where they are. */
+    /** Changes the stance; the feet stay where they are. */
     void change(Stance wanted) {
         double rise = wanted.centreAboveFeet() - stance.centreAboveFeet();
         Vec3 up = look.tilt().up();
         place.add(up.x() * rise, up.y() * rise, up.z() * rise);
-        // An upright player's feet keep their bits; a leaning one's nominal feet move.
+        // The feet of an upright player keep their bits; the nominal feet of a leaning one move.
         feetBefore += rise * (up.y() - 1);
         centreBefore = place.y;
         stance = wanted;
         look(look);
     }
 
-    /** Goes on at the other side of a portal. */
+    /** Maps the player to the exit side of a portal. */
     void enter(Passage passage) {
         passage.point(place);
         passage.direction(velocity);

@@ -13,22 +13,23 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Where the player is between two ticks: what rendering needs of the simulation. A tick in which the player went
- * through portals is seen from behind the last one: the earlier state is moved there as if it had been on the straight
- * way in, and nothing sweeps through the room. An eye beyond a portal is where it sees, not the body.
+ * The player's pose between two ticks, for rendering. A tick in which the player went through portals is interpolated
+ * in the space behind the last one: the earlier state is mapped there, so that nothing sweeps through the room. The eye
+ * may be beyond a portal; it is then given in the space that it sees, the body in its own.
  *
- * @param later the view as it is in the space of the later state, however few of its portals are behind the eye yet
+ * @param eye in the space of the eye
+ * @param view camera basis, in the space of the eye
+ * @param later the view in the space of the later state, even if the eye has not passed all portals of the tick
  */
 public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
-    /**
-     * The body on its own side of every portal.
-     *
-     * @param eye as if no portal were between it and the centre
-     * @param up from feet to head, unit length
-     */
+    /** The body, in the space of its centre. */
     public record Body(Vec3 centre, Vec3 eye, Vec3 up, double yawRadians, double pitchRadians) {}
 
-    /** @param share of the tick that has passed, 0 to 1; yaw turns by the shorter way */
+    /**
+     * Interpolates between two successive states.
+     *
+     * @param share the fraction of the tick that has passed, 0 to 1; the yaw turns by the shorter way
+     */
     public static PlayerPose between(SimState before, SimState after, double share) {
         PlayerState a = before.player();
         PlayerState b = after.player();
@@ -49,8 +50,8 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
     }
 
     /**
-     * Where the middle of what is held is from the eye, metres to its right, up and back, along the portals between them;
-     * {@code null} where nothing is held or one of these portals has just been closed.
+     * Returns the centre of the held body relative to the eye, metres to the right, up and back, along the portals in
+     * between; {@code null} if nothing is held or one of these portals has just been closed.
      */
     public static Vec3 heldFromEye(SimState state) {
         Holding holding = state.around().holding();
@@ -84,7 +85,7 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         return from.equals(b) ? b : Directions.turned(from, b, share);
     }
 
-    /** Turns a direction of the later state's space into the eye's. */
+    /** Maps a direction of the later state's space into the eye's, in place. */
     public Vector3d fromLater(Vector3d direction) {
         double x = later.right().toVector().dot(direction);
         double y = later.up().toVector().dot(direction);
@@ -125,7 +126,7 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         return moved;
     }
 
-    /** How many of the tick's last crossings still lie ahead of a place on its way. */
+    /** Returns how many of the tick's last crossings are still ahead of an interpolated place. */
     private static int crossingsAhead(Vec3 centre, CrossingWord crossed, Portals portals) {
         Vec3 from = centre;
         for (int i = crossed.length() - 1; i >= 0; i--) {
@@ -138,7 +139,7 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         return crossed.length();
     }
 
-    /** Undoes the last crossings. */
+    /** Maps the pose back through the last crossings. */
     private PlayerPose back(int crossings, CrossingWord crossed, Portals portals) {
         PlayerPose there = this;
         for (int i = 1; i <= crossings; i++) {
@@ -151,7 +152,7 @@ public record PlayerPose(Vec3 eye, Basis view, Body body, Basis later) {
         return there;
     }
 
-    /** Goes from the body's centre to the eye. */
+    /** Maps eye and view through the portals between the body's centre and the eye. */
     private PlayerPose toEye(Portals portals) {
         var toEye = new PathTrace(portals, Obstacles.NONE);
         toEye.walk(body.centre.toVector(), body.eye.toVector().sub(body.centre.toVector()));

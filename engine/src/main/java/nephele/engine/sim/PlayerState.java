@@ -7,11 +7,13 @@ import nephele.engine.sim.PlayerBody.Stance;
 /**
  * The player after a tick.
  *
- * @param feet where they are when upright: straight below the body's centre, also when the body leans
- * @param eyeMetres above the feet now, along the body; lags behind stairs and crouching so that the view moves smoothly
- * @param ground upward unit normal of what the player stands on, {@code null} in the air
- * @param jumpHeld whether jump was held in this tick: it has to be let go before the next jump
- * @param tilt how far a portal has left body and view from upright
+ * @param feet the position of the feet of an upright player: straight below the body's centre, also if the body leans
+ * @param velocity m/s
+ * @param eyeMetres the eye's present height above the feet, along the body; lags behind stairs and crouching so that
+ *     the view moves smoothly
+ * @param ground upward unit normal of the ground, {@code null} in the air
+ * @param jumpHeld true if jump was held in this tick: it has to be released before the next jump
+ * @param tilt the deviation of body and view from upright, left by a portal
  */
 public record PlayerState(
         Vec3 feet,
@@ -22,41 +24,44 @@ public record PlayerState(
         Vec3 ground,
         boolean jumpHeld,
         Tilt tilt) {
-    /** Upright. */
+    /** Creates an upright player. */
     public PlayerState(
             Vec3 feet, Vec3 velocity, Heading heading, double eyeMetres, Stance stance, Vec3 ground, boolean jumpHeld) {
         this(feet, velocity, heading, eyeMetres, stance, ground, jumpHeld, Tilt.UPRIGHT);
     }
 
+    /** Returns an upright standing player at rest, not yet on the ground. */
     public static PlayerState standing(Vec3 feet, Heading heading) {
         return new PlayerState(feet, Vec3.ZERO, heading, Stance.STANDING.eyeMetres(), Stance.STANDING, null, false);
     }
 
+    /** Returns true if the player is on the ground. */
     public boolean isGrounded() {
         return ground != null;
     }
 
+    /** Returns this player with another velocity (m/s), in the air. */
     public PlayerState withVelocity(Vec3 changed) {
         return new PlayerState(feet, changed, heading, eyeMetres, stance, null, jumpHeld, tilt);
     }
 
-    /** With what others gave it; off the ground or still on it. */
+    /** Returns this player with the velocity after pushes by bodies, off the ground or still on it. */
     PlayerState shoved(Vec3 changed, boolean staysOnGround) {
         return new PlayerState(
                 feet, changed, heading, eyeMetres, stance, staysOnGround ? ground : null, jumpHeld, tilt);
     }
 
-    /** Continues at another place, in the air until something is felt below. */
+    /** Returns this player with its feet elsewhere, in the air until it touches ground. */
     public PlayerState withFeet(Vec3 changed) {
         return new PlayerState(changed, velocity, heading, eyeMetres, stance, null, jumpHeld, tilt);
     }
 
-    /** The middle of the body: it is where the player is, on one side of every portal. */
+    /** Returns the body's centre. It is the player's position, and decides the side of every portal. */
     public Vec3 centre() {
         return new Vec3(feet.x(), feet.y() + stance.centreAboveFeet(), feet.z());
     }
 
-    /** Where the eye is, of a leaning body too. */
+    /** Returns the eye, also of a leaning body, as if no portal were between it and the centre. */
     public Vec3 eye() {
         if (tilt.isBodyUpright()) {
             return new Vec3(feet.x(), feet.y() + eyeMetres, feet.z());

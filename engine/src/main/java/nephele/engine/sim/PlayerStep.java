@@ -10,11 +10,15 @@ import nephele.engine.portal.CrossingWord;
 import nephele.engine.sim.PlayerBody.Stance;
 import org.joml.Vector3d;
 
-/** One tick of the player: look, stand or crouch, jump, walk or fly, through portals too. The working set of one simulation. */
+/**
+ * Steps the player by one tick: look, stance, jump, walk or flight, through portals too. The working set of one
+ * simulation.
+ */
 final class PlayerStep {
-    /** Slower than this is at rest: the exponential would go on for ever. */
+    /** In m/s. A slower player without move intent stops, as the exponential would never end. */
     private static final double AT_REST_SPEED = 1e-4;
 
+    /** In metres. */
     private static final double HEAD_RADIUS = 0.1;
     private static final RoundedHull HEAD = RoundedHull.sphere(HEAD_RADIUS);
 
@@ -44,7 +48,7 @@ final class PlayerStep {
         uprighting = new Uprighting(mover, recovery, settings);
     }
 
-    /** @param around the bodies that are in the way, but for one that is held */
+    /** @param around the world state; its bodies are obstacles, except the one that does not collide with the player */
     PlayerState step(SeamedWorld world, Changeable around, PlayerState before, PlayerInput input) {
         boolean isEmpty = world.statics().size() == 0;
         Heading heading = before.heading().turned(input.turnLeftMillidegrees(), input.turnUpMillidegrees());
@@ -71,17 +75,17 @@ final class PlayerStep {
         return player.store(input.holds(Action.JUMP));
     }
 
-    /** What the player met of bodies in the last tick. */
+    /** Returns the player's contacts with bodies in the last tick. */
     Shoves shoves() {
         return mover.shoves();
     }
 
-    /** The portals that the player went through in the last tick. */
+    /** Returns the crossing word of the last tick. */
     CrossingWord crossed() {
         return passing.word();
     }
 
-    /** Whether the last tick had more crossings than fit, and ended at the last of them. */
+    /** Returns true if the last tick had more crossings than allowed and ended at the last allowed one. */
     boolean hasDroppedTime() {
         return passing.hasDropped();
     }
@@ -90,13 +94,16 @@ final class PlayerStep {
         player.load(before);
         player.look(new Look(heading, before.tilt()));
         if (!player.grounded && isEmpty) {
-            // Nothing to fall onto: the player hovers.
+            // Without any static geometry the player hovers.
             player.grounded = true;
             player.ground.set(0, 1, 0);
         }
     }
 
-    /** Feet stay where they are; standing up waits for head room: the low capsule swept upwards is the high one. */
+    /**
+     * Changes the stance with the feet in place. Standing up waits for head room: the low capsule swept upwards covers
+     * the high one.
+     */
     private void changeStance(boolean wantsCrouch) {
         Stance wanted = wantsCrouch ? Stance.CROUCHED : Stance.STANDING;
         if (wanted == player.stance()) {
@@ -110,7 +117,7 @@ final class PlayerStep {
         }
     }
 
-    /** Pushes a player out of solids, a little each tick; false while it is still inside. */
+    /** Pushes the player out of solids, a little each tick. Returns false while it is still inside. */
     private boolean recover() {
         RoundedHull shape = player.shape();
         recovery.find(mover.world(shape, player.place), shape, player.place, way);
@@ -128,7 +135,7 @@ final class PlayerStep {
         return true;
     }
 
-    /** Who is put onto ground stands on it at once. */
+    /** Grounds a player that was placed onto ground, at once. */
     private void settle() {
         if (!player.grounded && player.velocity.y == 0 && walk.land(player.shape(), player.place)) {
             player.grounded = true;
@@ -136,7 +143,7 @@ final class PlayerStep {
         }
     }
 
-    /** With the speed whose ballistic apex is exactly the jump's height. */
+    /** Sets the vertical speed for a ballistic apex of exactly the jump height. */
     private void jump() {
         player.velocity.y = Math.sqrt(2 * GRAVITY * PlayerBody.JUMP_HEIGHT);
         player.grounded = false;
@@ -160,7 +167,10 @@ final class PlayerStep {
         smoothEye(player.place.y - height - slope);
     }
 
-    /** The eye stays behind where the feet jump up or down a step, but in the body or, going down, in free air above. */
+    /**
+     * Lets the eye lag when the feet step up or down. It stays within the body or, on the way down, in free air above
+     * it.
+     */
     private void smoothEye(double suddenRise) {
         player.eye = Math.max(PlayerBody.RADIUS, player.eye - suddenRise);
         double inHead = player.stance().heightMetres() - HEAD_RADIUS;

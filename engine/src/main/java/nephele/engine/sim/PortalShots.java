@@ -17,13 +17,15 @@ import nephele.engine.portal.placement.Refusal;
 import org.joml.Vector3d;
 
 /**
- * The portal gun. A shot flies straight from the eye along the view, to the first surface: it goes through no portal, as
- * in the games of the genre, so a portal is always made in sight of its own surroundings. Both portals lead to each
- * other as soon as there are two.
+ * Aims and applies the shots of the portal gun. A shot goes straight from the eye along the view to the first surface
+ * and through no portal, as in the games of the genre, so a portal is always placed in sight of its own surroundings.
+ * The two portals are linked as soon as both exist.
  */
 final class PortalShots {
     private static final double FARTHEST_METRES = 1e5;
-    /** A portal this near a wall is in it: whether another one fits beside it is for the placement to say. */
+    /**
+     * A portal this near the surface counts as part of it; the placement decides whether another one fits beside it.
+     */
     private static final double IN_WALL_METRES = 0.01;
 
     private final Placement placement;
@@ -34,7 +36,7 @@ final class PortalShots {
         this.bodies = bodies;
     }
 
-    /** What a shot would do now. */
+    /** Returns what a shot would do now. */
     Placed aim(SimState state, Shots.Colour shot, SeamedWorld space) {
         Changeable around = state.around();
         int own = around.shots().portal(shot);
@@ -52,7 +54,7 @@ final class PortalShots {
         return placement.place(shot.portalId(), aim, others, bodies.at(around.bodies(), space.portals()));
     }
 
-    /** From where the eye really is: it may be beyond a portal that the body's centre is before. */
+    /** Returns the aim from the eye's actual place, which may be beyond a portal that the body's centre is before. */
     private static Aim aim(PlayerState player, Portals portals) {
         Vector3d centre = PlayerEye.centre(player, new Vector3d());
         Vector3d way = PlayerEye.eye(player, new Vector3d()).sub(centre);
@@ -68,7 +70,7 @@ final class PortalShots {
         return Vec3.of(along.carryDirection(direction.toVector()));
     }
 
-    /** Where a shot meets a portal that stands free of any wall, {@code null} for nowhere. */
+    /** Returns where a shot hits another portal that stands free of any wall, {@code null} if it hits none. */
     private static Vec3 portalInTheWay(Aim aim, int own, SeamedWorld space) {
         Vector3d eye = aim.eye().toVector();
         Vector3d way = aim.direction().toVector().mul(FARTHEST_METRES);
@@ -79,13 +81,13 @@ final class PortalShots {
         return meets && crossing.portal() != own ? Vec3.of(crossing.place()) : null;
     }
 
-    /** The portals with another one; a first shot gets the next index. */
+    /** Returns the shots after a shot; the first shot of a colour gets the next portal index. */
     static Shots shotsWith(Shots.Colour shot, Changeable around) {
         boolean isNew = around.shots().portal(shot) == Shots.UNFIRED;
         return isNew ? around.shots().with(shot, around.portals().size()) : around.shots();
     }
 
-    /** All portals after a shot: those fixed as they were, the two of the gun linked. */
+    /** Returns all portals after a shot: the fixed ones unchanged, the two of the gun linked. */
     static Portals portalsWith(Portal made, Shots.Colour shot, Shots shots, Portals before) {
         List<Portal> portals = new ArrayList<>();
         List<Integer> partners = new ArrayList<>();

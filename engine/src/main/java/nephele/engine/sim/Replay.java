@@ -10,12 +10,13 @@ import nephele.engine.level.TextRule;
 import nephele.engine.level.Written;
 
 /**
- * What was done in a level, tick by tick: with the level it repeats a game exactly.
+ * A recorded input sequence of a level, tick by tick: with the level it repeats a game exactly.
  *
- * @param level the level's file name without folder, for people; the reader of a replay says which level to load
- * @param levelName the level's {@code name}; {@code null} where the replay does not say
- * @param levelSha256 of the level's canonical text, as {@link LevelJson#sha256} gives it; {@code null} likewise
- * @param start where it began, {@code null}: where the level starts
+ * @param level the level's file name without folder, for people; the caller that reads a replay decides which level to
+ *     load
+ * @param levelName the level's {@code name}; {@code null} if not recorded
+ * @param levelSha256 of the level's canonical text, as {@link LevelJson#sha256} gives it; {@code null} if not recorded
+ * @param start where the player starts, {@code null} for the level's start
  */
 public record Replay(
         @Written(required = true) String level,
@@ -33,7 +34,7 @@ public record Replay(
         @Written(required = true, most = 400_000) List<Run> inputs) {
     private static final RecordFile<Replay> FILE = RecordFile.of("replay", 1, Replay.class);
 
-    /** Equal inputs of successive ticks. Turns are those of each tick. */
+    /** A run of equal inputs of successive ticks. Turns are per tick. */
     public record Run(
             @Written(required = true, min = 1) int ticks,
             @Written(min = -100, max = 100) int forwardPercent,
@@ -74,45 +75,49 @@ public record Replay(
                 inputs);
     }
 
-    /** The same, naming the level that it was recorded in. */
+    /** Returns this replay with the name and hash of the level that it was recorded in. */
     public Replay recordedIn(Level recorded) {
         String name = recorded.name().isEmpty() ? null : recorded.name();
         String sha256 = LevelJson.sha256(recorded);
         return new Replay(level, name, sha256, ticksPerSecond, assists, uprightDegreesPerSecond, start, inputs);
     }
 
-    /** What a level without a replay gets: standing at its start. */
+    /** Returns a replay without input, of a player standing at the level's start. */
     public static Replay standing(String level, int ticks) {
         return new Replay(level, SimSettings.DEFAULT, null, List.of(Run.of(PlayerInput.NONE, ticks)));
     }
 
     /**
-     * @param file how messages call it
-     * @throws LevelFormatException with all that is wrong
+     * Reads a replay file.
+     *
+     * @param file the file's name in messages
+     * @throws LevelFormatException with all problems found
      */
     public static Replay read(String file, byte[] utf8) {
         return FILE.read(file, utf8);
     }
 
-    /** The file's text. */
+    /** Returns the file's text. */
     public String write() {
         return FILE.write(this);
     }
 
+    /** Returns the simulation settings that the replay was recorded with. */
     public SimSettings settings() {
         return new SimSettings(ticksPerSecond, assists, uprightDegreesPerSecond);
     }
 
+    /** Returns the length in ticks. */
     public long ticks() {
         return inputs.stream().mapToLong(Run::ticks).sum();
     }
 
-    /** The state before the first input. */
+    /** Returns the state before the first input. */
     public SimState startIn(Simulation simulation) {
         return start == null ? simulation.start() : simulation.startFrom(start);
     }
 
-    /** Plays all inputs from the start; the listener sees the state after each tick. */
+    /** Plays all inputs from the start and returns the last state; the listener receives the state after each tick. */
     public SimState play(Simulation simulation, TickListener listener) {
         SimState state = startIn(simulation);
         for (Run run : inputs) {
@@ -125,7 +130,7 @@ public record Replay(
         return state;
     }
 
-    /** Sees every state of a replay. */
+    /** Receives every state of a replay, after each tick. */
     @FunctionalInterface
     public interface TickListener {
         void ticked(SimState state);

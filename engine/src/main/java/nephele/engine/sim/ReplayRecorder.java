@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.PlayerStart;
 
-/** Writes down what is done, tick by tick or in longer stretches: records a game, and authors a replay in code. */
+/** Records inputs, tick by tick or in longer runs: for recording a game and for authoring a replay in code. */
 public final class ReplayRecorder {
     private final String level;
     private final SimSettings settings;
@@ -13,19 +13,19 @@ public final class ReplayRecorder {
     private PlayerInput current = PlayerInput.NONE;
     private int ticks;
 
-    /** @param start {@code null}: where the level starts */
+    /** @param start where the player starts, {@code null} for the level's start */
     public ReplayRecorder(String level, SimSettings settings, PlayerStart start) {
         this.level = level;
         this.settings = settings;
         this.start = start;
     }
 
-    /** One tick. */
+    /** Records one tick. */
     public ReplayRecorder record(PlayerInput input) {
         return record(input, 1);
     }
 
-    /** The same for several ticks. */
+    /** Records the same input for several ticks. */
     public ReplayRecorder record(PlayerInput input, int forTicks) {
         if (!input.equals(current)) {
             flush();
@@ -35,12 +35,12 @@ public final class ReplayRecorder {
         return this;
     }
 
-    /** Holds for a time, rounded to ticks. */
+    /** Records the same input for a time, rounded to ticks. */
     public ReplayRecorder hold(PlayerInput input, double seconds) {
         return record(input, (int) Math.round(seconds * settings.ticksPerSecond()));
     }
 
-    /** Turns by an angle while doing something else, in equal parts; the last tick takes what does not divide. */
+    /** Records a turn in equal parts besides another input; the last tick gets the remainder. */
     public ReplayRecorder turn(PlayerInput meanwhile, double leftDegrees, double upDegrees, double seconds) {
         int parts = Math.max(1, (int) Math.round(seconds * settings.ticksPerSecond()));
         int left = (int) Math.round(leftDegrees * 1000);
@@ -56,7 +56,7 @@ public final class ReplayRecorder {
         }
     }
 
-    /** What has been recorded so far. */
+    /** Returns all that has been recorded so far. */
     public Replay replay() {
         flush();
         return new Replay(level, settings, start, List.copyOf(runs));

@@ -3,12 +3,12 @@ package nephele.engine.sim;
 import nephele.engine.math.BitHash;
 import nephele.engine.portal.Portals;
 
-/** Where the portals of the gun are among {@link Portals}; {@link #UNFIRED} for one that was not shot yet. */
+/** The indices of the gun's portals among {@link Portals}; {@link #UNFIRED} for one that was not shot yet. */
 public record Shots(int first, int second) {
     public static final int UNFIRED = -1;
     public static final Shots NONE = new Shots(UNFIRED, UNFIRED);
 
-    /** The two that lead to each other. */
+    /** One of the gun's two portals, which lead to each other. */
     public enum Colour {
         FIRST("first shot"),
         SECOND("second shot");
@@ -19,7 +19,7 @@ public record Shots(int first, int second) {
             this.portalId = portalId;
         }
 
-        /** The id of its portal. */
+        /** Returns the id of its portal. */
         public String portalId() {
             return portalId;
         }
@@ -29,12 +29,12 @@ public record Shots(int first, int second) {
         }
     }
 
-    /** The index of a shot's portal, or {@link #UNFIRED}. */
+    /** Returns the index of a shot's portal, or {@link #UNFIRED}. */
     public int portal(Colour shot) {
         return shot == Colour.FIRST ? first : second;
     }
 
-    /** The one that comes first among the portals. */
+    /** Returns the colour with the lower index; one that was not shot comes first. */
     Colour earlier() {
         return first <= second ? Colour.FIRST : Colour.SECOND;
     }

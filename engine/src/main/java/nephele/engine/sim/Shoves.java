@@ -7,8 +7,9 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What the player's moves met of bodies in a tick. A body that gives way does not stop the player; one that does not is
- * pushed with what legs can do, and one that the player stands on carries its weight. The working set of one simulation.
+ * The player's contacts with bodies in a tick, and its pushes on them. A body that gives way does not stop the player.
+ * One that does not is pushed with a limited force, and one that the player stands on bears its weight. The working set
+ * of one simulation.
  */
 final class Shoves {
     private static final int CAPACITY = 8;
@@ -33,14 +34,16 @@ final class Shoves {
         push.zero();
     }
 
-    /** The player would go on with this velocity if nothing were in the way. */
+    /** Sets the velocity that the player would have without obstacles. */
     void wish(Vector3dc velocity) {
         wished.set(velocity);
     }
 
     /**
+     * Records a contact.
+     *
      * @param normal of the body's surface, towards the player
-     * @param velocity of the body there
+     * @param velocity of the body at the contact
      */
     void met(Vector3dc normal, Vector3dc velocity) {
         if (size < CAPACITY) {
@@ -49,7 +52,7 @@ final class Shoves {
         }
     }
 
-    /** Gives the player the speed with which bodies give way, and finds the push for them. */
+    /** Restores the player's velocity as far as the bodies give way, and computes the push on them. */
     void settle(PlayerMotion player, double seconds) {
         double legs = STRONGEST_NEWTON * seconds / PlayerBody.MASS_KILOGRAMS;
         push.zero();
@@ -71,7 +74,7 @@ final class Shoves {
         }
     }
 
-    /** The last body that the player stood on; −1 for none. */
+    /** Returns the last contact on which the player stands; −1 for none. */
     private int support() {
         for (int i = size - 1; i >= 0; i--) {
             if (normals[i].y >= STEEPEST_GROUND_UP) {
@@ -85,7 +88,10 @@ final class Shoves {
         return size > 0;
     }
 
-    /** What the player has for the bodies on top of its own velocity, m/s: what legs add, and its fall onto a support. */
+    /**
+     * Returns the velocity, m/s, that the player's capsule has towards bodies on top of its own: the push of the legs,
+     * and the fall onto a support.
+     */
     Vector3dc push() {
         return push;
     }

@@ -9,8 +9,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * A line of sight: from a player's centre to the eye, which may lie beyond a portal, and from there straight on through
- * portals up to an obstacle. One for one set of portals, reused; the accessors speak of the last line.
+ * A line of sight: from a player's centre to the eye, which may be beyond a portal, and from there straight on through
+ * portals up to an obstacle. One object for one set of portals, reused; the accessors refer to the last line.
  */
 final class Sight {
     private final Portals portals;
@@ -27,8 +27,9 @@ final class Sight {
     }
 
     /**
-     * @param towards what is looked at, or in the direction of what; in the space of the player's centre, as if there
-     *     were no portals between
+     * Traces a line.
+     *
+     * @param towards the end of the line, in the space of the player's centre, as if there were no portals in between
      */
     End look(PlayerState player, Vector3dc towards) {
         PlayerEye.centre(player, centre);
@@ -39,12 +40,12 @@ final class Sight {
         return view.walk(body.place(), body.carryDirection(line));
     }
 
-    /** How far the eye sees along the line. */
+    /** Returns the free length of the line from the eye. */
     double freeMetres() {
         return metres * view.freeFraction();
     }
 
-    /** From the player's centre to the line's end. */
+    /** Returns the crossing word from the player's centre to the line's end. */
     CrossingWord word() {
         CrossingWord word = body.word();
         for (int i = 0; i < view.crossings(); i++) {

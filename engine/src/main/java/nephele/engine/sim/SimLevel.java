@@ -15,12 +15,12 @@ import nephele.engine.portal.placement.Placement;
 import nephele.engine.portal.placement.Surfaces;
 
 /**
- * What the simulation takes from a level, and what never changes but for the portals and bodies to begin with.
+ * The part of a level that the simulation uses: the static geometry, and the initial portals and bodies.
  *
- * @param statics everything solid that never moves
- * @param start where the player begins
+ * @param statics all static geometry
+ * @param start where the player starts; {@code null} becomes the origin
  * @param portals the fixed ones
- * @param gun {@code null}: the player has none
+ * @param gun the placement of shot portals, {@code null} if the player has no gun
  */
 public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodies, Portals portals, Placement gun) {
     private static final PlayerStart ORIGIN = new PlayerStart(Vec3.ZERO, 0, 0);
@@ -30,11 +30,12 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
         start = start == null ? ORIGIN : start;
     }
 
+    /** Returns the simulation's part of a level with its models placed. */
     public static SimLevel of(PlacedLevel placed) {
         return of(placed.level(), placed.statics());
     }
 
-    /** Of a level without models. */
+    /** Returns the simulation's part of a level without models. */
     public static SimLevel of(Level level) {
         return of(level, StaticShapes.of(level));
     }
@@ -52,9 +53,9 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
     }
 
     /**
-     * That of an edited level; what is solid is built anew only where it differs.
+     * Returns the simulation's part of an edited level; collision geometry is built anew only where it differs.
      *
-     * @param before what this is of
+     * @param before the level that this object was made of
      */
     public SimLevel edited(PlacedLevel before, PlacedLevel placed) {
         boolean isGunSame = before.statics() == placed.statics()
@@ -65,17 +66,17 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
                 isGunSame ? gun : gun(placed.level(), placed.statics()));
     }
 
-    /** Solids alone. */
+    /** Returns a level of solids alone. */
     public static SimLevel of(CollisionWorld statics, PlayerStart start) {
         return of(statics, start, Portals.NONE);
     }
 
-    /** Solids and portals. */
+    /** Returns a level of solids and portals. */
     public static SimLevel of(CollisionWorld statics, PlayerStart start, Portals portals) {
         return new SimLevel(statics, start, NO_BODIES, portals, null);
     }
 
-    /** What can change, as it is at tick 0. */
+    /** Returns the world state at tick 0. */
     Changeable begin(Spaces spaces) {
         if (bodies.size() == 0 && portals.size() == 0) {
             return Changeable.NOTHING;

@@ -5,18 +5,19 @@ import nephele.engine.math.BitHash;
 /**
  * Everything that the next tick depends on, besides the level and the input.
  *
- * @param tick how many ticks have passed since the start
- * @param random the state of the one generator
- * @param faults how often a tick was undone because it gave numbers that are not finite, a body was frozen for that,
- *     or time was dropped behind too many portals
- * @param around what else can change: portals, what is held
+ * @param tick the number of ticks since the start
+ * @param random the state of the only random generator
+ * @param faults how often a tick was undone because it gave numbers that are not finite, a body was frozen for that, or
+ *     time was dropped after too many portals
+ * @param around the world state: bodies, portals, what is held
  */
 public record SimState(long tick, long random, int faults, PlayerState player, Changeable around) {
-    /** In a level where nothing changes but the player. */
+    /** Creates a state in a level where nothing changes except the player. */
     public SimState(long tick, long random, int faults, PlayerState player) {
         this(tick, random, faults, player, Changeable.NOTHING);
     }
 
+    /** Returns this state with another player. */
     public SimState withPlayer(PlayerState changed) {
         return new SimState(tick, random, faults, changed, around);
     }
@@ -29,7 +30,7 @@ public record SimState(long tick, long random, int faults, PlayerState player, C
         return changed == around ? this : new SimState(tick, random, faults, player, changed);
     }
 
-    /** 64 bits over every bit of the state, equal on every machine. */
+    /** Returns a 64-bit hash over every bit of the state, equal on every machine. */
     public long hash() {
         long hash = BitHash.join(BitHash.join(0, tick), random);
         return around.hash(player.hash(BitHash.join(hash, faults)));

@@ -12,11 +12,11 @@ import nephele.engine.portal.Portals;
 import nephele.engine.portal.placement.Placed;
 
 /**
- * The rules: a state and an input give the next state, and nothing else matters. Allocates little more than the state.
- * Not for two threads at once: the working set is reused.
+ * The simulation: maps a state and an input to the next state, without any other dependency. Allocates little more than
+ * the state. Not thread-safe: the working set is reused.
  */
 public final class Simulation {
-    /** A player this far below everything solid begins again. */
+    /** A player this far below all static geometry starts again. */
     private static final double FALL_METRES = 50;
 
     private final SimSettings settings;
@@ -31,16 +31,17 @@ public final class Simulation {
     private final double lowest;
     private final FaultLog faults;
 
-    /** Of a level without models. */
+    /** Creates the simulation of a level without models. */
     public Simulation(Level level, SimSettings settings) {
         this(SimLevel.of(level), settings, FaultLog.SILENT);
     }
 
-    /** @param start where the player begins, {@code null}: at the origin */
+    /** @param start where the player starts, {@code null} for the origin */
     public Simulation(CollisionWorld world, PlayerStart start, SimSettings settings, FaultLog faults) {
         this(SimLevel.of(world, start), settings, faults);
     }
 
+    /** @param faults receives a message for each fault of a tick */
     public Simulation(SimLevel level, SimSettings settings, FaultLog faults) {
         this.settings = settings;
         this.faults = faults;
@@ -63,44 +64,45 @@ public final class Simulation {
         return PlayerState.standing(start.feet(), Heading.ofDegrees(start.yawDegrees(), start.pitchDegrees()));
     }
 
+    /** Returns the settings. */
     public SimSettings settings() {
         return settings;
     }
 
-    /** The state at tick 0. */
+    /** Returns the state at tick 0. */
     public SimState start() {
         return start;
     }
 
-    /** The state at tick 0 with the player elsewhere. */
+    /** Returns the state at tick 0 with the player elsewhere. */
     public SimState startFrom(PlayerStart elsewhere) {
         return start.withPlayer(standing(elsewhere));
     }
 
     /**
-     * A state of this simulation as the game goes on in an edited level: shots whose surface is gone or takes no
-     * portals any more close, and who stands in them is put on its centre's side.
+     * Returns a state of this simulation as the game continues in an edited level. Shot portals close if their surface
+     * is gone or no longer accepts portals; occupants of these move to their centre's side.
      *
-     * @return {@code null} where somebody finds no room there: the edit has to wait
-     * @throws IllegalArgumentException when the edited level has other bodies
+     * @return {@code null} if an occupant finds no room: the edit has to wait
+     * @throws IllegalArgumentException if the edited level has a different number of bodies
      */
     public SimState continuedIn(Simulation edited, SimState state) {
         return edited.continuation.of(state, spaces.of(state.around().portals()));
     }
 
-    /** What a shot would do in a state, for who shows it before; {@code null} in a level without a gun. */
+    /** Returns what a shot would do in a state, for the portal preview; {@code null} in a level without a gun. */
     public Placed aim(SimState state, Shots.Colour shot) {
         return hands.aim(state, shot);
     }
 
     /**
-     * The state one tick later:
+     * Returns the state one tick later. The stages are:
      *
      * <ol>
-     *   <li>what the hands do: shots change the portals, something is picked up, let go or thrown;
+     *   <li>the hands: shots change the portals, a body is picked up, dropped or thrown;
      *   <li>the player looks, walks or flies;
-     *   <li>what is held is driven, and all bodies move;
-     *   <li>the line to what is held follows both, or breaks.
+     *   <li>the held body is driven, and all bodies move;
+     *   <li>the line to the held body is updated, or breaks.
      * </ol>
      */
     public SimState step(SimState before, PlayerInput input) {
@@ -114,7 +116,7 @@ public final class Simulation {
         return followed.with(followed.around().with(trace));
     }
 
-    /** A tick that would give numbers that are not finite leaves the player standing still. */
+    /** Moves the player. A tick with a result that is not finite is undone and leaves the player at rest. */
     private SimState movePlayer(SimState before, PlayerInput input) {
         Portals portals = before.around().portals();
         SeamedWorld world = spaces.of(portals);

@@ -4,7 +4,10 @@ import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.SeamedWorld;
 import nephele.engine.portal.Portals;
 
-/** The space of the portals that were asked for last: it is built when they change, never in a tick without a shot. */
+/**
+ * A cache of the last requested portal space: it is rebuilt only when the portals change, never in a tick without a
+ * shot.
+ */
 final class Spaces {
     private final CollisionWorld statics;
     private SeamedWorld last;

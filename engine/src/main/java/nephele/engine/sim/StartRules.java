@@ -8,12 +8,15 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 import nephele.engine.level.placed.PlacedRule;
 
-/** Bodies start free: neither in a solid of the world that the fixed portals open, nor in the player or each other. */
+/**
+ * The rule that bodies start free: they overlap neither solids (opened at the fixed portals) nor the player nor each
+ * other.
+ */
 final class StartRules {
-    /** Touching and rounding are less. */
+    /** The greatest overlap that still counts as touching or rounding. */
     static final double MOST_OVERLAP_METRES = 1e-3;
 
-    /** Nobody reads more, and a heap of bodies in one place has millions of pairs. */
+    /** The greatest number of bodies that are reported; a heap of bodies in one place has millions of pairs. */
     private static final int MOST_TOLD = 50;
 
     static final PlacedRule FREE = (level, statics, report) -> {

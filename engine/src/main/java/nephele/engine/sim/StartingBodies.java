@@ -21,7 +21,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The bodies of a level at tick 0, and how deep each lies in what is around it, through open portals too. */
+/** The bodies of a level at tick 0; measures how deep each overlaps its surroundings, through open portals too. */
 final class StartingBodies {
     private static final Vector3dc STILL = new Vector3d();
     private static final Quaterniond UPRIGHT = new Quaterniond();
@@ -33,16 +33,18 @@ final class StartingBodies {
     private final SpatialIndex index;
     private final List<Collider> colliders = new ArrayList<>();
     private final RoundedHull playerShape = PlayerBody.Stance.STANDING.shape();
-    /** The player's shape; {@code null} in a level without a start. */
+    /** The centre of the player's capsule; {@code null} in a level without a player start. */
     private final Vec3 playerCentre;
 
-    /** The portals that the player's start reaches into. */
+    /** The portals that the player is active on at its start, one bit each. */
     private final long playerActive;
 
     private final Separation separation = new Separation();
     private final ItemList near = new ItemList();
 
     /**
+     * The deepest overlap of a body.
+     *
      * @param metres depth; 0 for none
      * @param name the solid's or model's id, {@code null} for others
      * @param body the other body's index, or −1
@@ -76,7 +78,7 @@ final class StartingBodies {
         return table.body(body).centre();
     }
 
-    /** The solid that a body lies deepest in. */
+    /** Returns the deepest overlap of a body with a solid. */
     Overlap deepestSolid(int body) {
         RoundedHull hull = table.uprightHull(body);
         Vector3d at = centre(body).toVector();
@@ -93,7 +95,7 @@ final class StartingBodies {
         return deepest;
     }
 
-    /** The other body that a body lies deepest in; each pair is told of one of the two. */
+    /** Returns the deepest overlap of a body with another one; each pair is reported for one of the two. */
     Overlap deepestBody(int body) {
         RoundedHull hull = table.uprightHull(body);
         Vector3d at = centre(body).toVector();
@@ -113,7 +115,7 @@ final class StartingBodies {
         return deepest;
     }
 
-    /** Measures a body that reaches into a portal against those before the portal's exit. */
+    /** Measures a body that reaches into a portal against the bodies before the portal's exit. */
     private Overlap beyondPortal(Overlap before, int body, int entry) {
         Passage passage = portals.passage(entry);
         Vector3d at = passage.point(centre(body).toVector());
@@ -130,7 +132,10 @@ final class StartingBodies {
         return deepest;
     }
 
-    /** Whether a body is before an exit; one that reaches into it meets later ones when these are asked about. */
+    /**
+     * Returns true if a body is before an exit. Of two bodies that both reach into the portal, only one is compared
+     * with the other.
+     */
     private boolean meetsAt(int exit, int other, int comer) {
         RoundedHull hull = table.uprightHull(other);
         Vector3d at = centre(other).toVector();
@@ -142,7 +147,7 @@ final class StartingBodies {
         return least >= -StartRules.MOST_OVERLAP_METRES;
     }
 
-    /** How deep the player's start lies in a body. */
+    /** Returns the overlap of a body with the player at its start. */
     Overlap player(int body) {
         if (playerCentre == null) {
             return Overlap.NONE;

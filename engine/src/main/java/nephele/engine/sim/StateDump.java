@@ -11,7 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
-/** A state for people and scripts to look at: what {@code simulate --dump} writes. */
+/** A state in a form for people and scripts: the output of {@code simulate --dump}. */
 public record StateDump(
         @Written(required = true) long tick,
         @Written(required = true) String hash,
@@ -28,7 +28,7 @@ public record StateDump(
         @Written DumpedHolding holding) {
     private static final RecordFile<StateDump> FILE = RecordFile.of("state", 1, StateDump.class);
 
-    /** A body's motion; orientation as the quaternion's vector, its scalar is not negative. */
+    /** The motion of a body; the orientation is the vector part of a quaternion with non-negative scalar part. */
     public record DumpedBody(
             @Written(required = true) Vec3 centre,
             @Written(required = true) Vec3 orientation,
@@ -44,7 +44,7 @@ public record StateDump(
         }
     }
 
-    /** Where a portal is, and the index of the one that it leads to, −1 for none. */
+    /** The place of a portal, and the index of its partner, −1 for none. */
     public record DumpedPortal(
             @Written(required = true) String id,
             @Written(required = true) Vec3 centre,
@@ -62,7 +62,7 @@ public record StateDump(
         }
     }
 
-    /** What is held, and the ids of the portals on the way to it. */
+    /** The held body, and the ids of the portals on the line to it. */
     public record DumpedHolding(
             @Written(required = true) int body, @Written(most = 1000) List<String> through, @Written int ticksUnseen) {
         static DumpedHolding of(Holding held, Portals portals) {
@@ -73,6 +73,7 @@ public record StateDump(
         }
     }
 
+    /** Returns the dump of a state. */
     public static StateDump of(SimState state) {
         PlayerState player = state.player();
         return new StateDump(
@@ -95,7 +96,7 @@ public record StateDump(
                 DumpedHolding.of(state.around().holding(), state.around().portals()));
     }
 
-    /** The file's text. */
+    /** Returns the file's text. */
     public String write() {
         return FILE.write(this);
     }

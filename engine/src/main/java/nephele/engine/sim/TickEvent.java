@@ -4,12 +4,12 @@ import nephele.engine.math.BitHash;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.placement.Refusal;
 
-/** Something that happened in a tick and that a player sees or hears. Bodies and portals by their index. */
+/** Something that happened in a tick and that the player sees or hears. Bodies and portals are given by their index. */
 public sealed interface TickEvent {
-    /** Joins it to a state's hash. */
+    /** Joins the event to a state's hash. */
     long hash(long seed);
 
-    /** A shot made a portal, or moved it. */
+    /** A shot placed a portal, or moved it. */
     record PortalOpened(Shots.Colour shot, int portal) implements TickEvent {
         @Override
         public long hash(long seed) {
@@ -17,7 +17,7 @@ public sealed interface TickEvent {
         }
     }
 
-    /** A shot made none, here and for this reason. */
+    /** A shot placed no portal, with the place and the reason. */
     record PortalRefused(Shots.Colour shot, Refusal reason, Vec3 where) implements TickEvent {
         @Override
         public long hash(long seed) {
@@ -26,14 +26,14 @@ public sealed interface TickEvent {
         }
     }
 
-    /** What happened to a body in the player's hands. */
+    /** The player picked up, dropped or threw a body, or failed to. */
     record Handled(Kind kind, int body) implements TickEvent {
-        /** How it went. */
+        /** The outcome. */
         public enum Kind {
             PICKED_UP,
             DROPPED,
             THROWN,
-            /** It was let go because nothing led to it any more. */
+            /** Dropped because the line to it was broken or a portal of it closed. */
             LOST,
             TOO_HEAVY
         }
@@ -44,7 +44,7 @@ public sealed interface TickEvent {
         }
     }
 
-    /** A hand reached for something and there was nothing. */
+    /** The player tried to pick up a body and none was in reach. */
     record NothingInReach() implements TickEvent {
         @Override
         public long hash(long seed) {

@@ -3,13 +3,13 @@ package nephele.engine.sim;
 import java.util.Locale;
 import java.util.function.Consumer;
 
-/** What {@code simulate} prints: a line {@code tick hash} for every so many ticks. */
+/** Prints the lines of {@code simulate}: {@code tick hash}, for every n-th tick. */
 public final class TickHashes implements Replay.TickListener {
     private final long every;
     private final long last;
     private final Consumer<String> lines;
 
-    /** @param last the tick that is printed in any case */
+    /** @param last the last tick, which is always printed */
     public TickHashes(long every, long last, Consumer<String> lines) {
         this.every = every;
         this.last = last;
@@ -23,7 +23,7 @@ public final class TickHashes implements Replay.TickListener {
         }
     }
 
-    /** The hash in sixteen hexadecimal digits. */
+    /** Returns the line of a state; the hash has sixteen hexadecimal digits. */
     public static String line(SimState state) {
         return String.format(Locale.ROOT, "%d %016x", state.tick(), state.hash());
     }

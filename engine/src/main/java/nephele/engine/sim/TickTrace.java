@@ -5,11 +5,11 @@ import nephele.engine.math.BitHash;
 import nephele.engine.portal.CrossingWord;
 
 /**
- * What a tick leaves for the next one and for the picture between the two.
+ * The data that a tick passes to the next one and to the interpolated picture between the two.
  *
- * @param pressed the bits of the hands' actions that were held: they act when they are pressed anew
- * @param playerCrossed the portals that the player has gone through in this tick
- * @param events what a player is told of
+ * @param pressed the bits of the hands' actions that were held: they act again only after a release
+ * @param playerCrossed the portals that the player went through in this tick
+ * @param events for the player
  */
 public record TickTrace(int pressed, CrossingWord playerCrossed, List<TickEvent> events) {
     public static final TickTrace NONE = new TickTrace(0, CrossingWord.EMPTY, List.of());

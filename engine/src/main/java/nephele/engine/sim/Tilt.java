@@ -7,17 +7,17 @@ import nephele.engine.math.Vec3;
 import org.joml.Quaterniond;
 
 /**
- * How far a portal has left the player from upright: body and view lean apart, since the body turns as room allows and
- * the view does not wait for it. A value.
+ * The deviation of the player from upright that a portal has left. Body and view have separate ones, as the body turns
+ * as room allows and the view does not wait for it. A value.
  *
  * @param up unit vector from the feet to the head
- * @param x of the unit quaternion by which the view is turned after the heading, in the world; y, z and w alike
+ * @param x of the unit quaternion that turns the view in the world after the view angles; y, z and w alike
  */
 public record Tilt(Vec3 up, double x, double y, double z, double w) {
     private static final Vec3 VERTICAL = new Vec3(0, 1, 0);
     public static final Tilt UPRIGHT = new Tilt(VERTICAL, 0, 0, 0, 1);
 
-    /** What rounding leaves of a passage that keeps everything level. */
+    /** The greatest component that counts as rounding of a portal transform that keeps everything level. */
     private static final double ROUNDING = 1e-12;
 
     static Tilt of(Vec3 up, Quaterniond view) {
@@ -27,7 +27,7 @@ public record Tilt(Vec3 up, double x, double y, double z, double w) {
         return straight ? new Tilt(body, 0, 0, 0, 1) : new Tilt(body, view.x, view.y, view.z, view.w);
     }
 
-    /** World from the directions of the heading's view. */
+    /** Returns the rotation from the directions of the view angles' basis to world directions. */
     public Quaterniond view() {
         return new Quaterniond(x, y, z, w);
     }
@@ -52,7 +52,10 @@ public record Tilt(Vec3 up, double x, double y, double z, double w) {
         return new Tilt(turned, x, y, z, w);
     }
 
-    /** The body's axis nearer to vertical by an angle; head over feet in the direction {@code forward} when upside down. */
+    /**
+     * Returns the body's axis turned towards the vertical by an angle; over the direction {@code forward} if upside
+     * down.
+     */
     Vec3 bodyNearer(double radians, Vec3 forward) {
         double angle = Directions.angle(up, VERTICAL);
         if (angle <= radians) {
@@ -64,7 +67,7 @@ public record Tilt(Vec3 up, double x, double y, double z, double w) {
                 : Directions.turned(up, VERTICAL, radians / angle);
     }
 
-    /** The view nearer to where the heading looks. */
+    /** Returns this tilt with the view turned by an angle towards the view angles' basis. */
     Tilt viewNearer(double radians) {
         double angle = 2 * StrictMath.atan2(Math.sqrt(x * x + y * y + z * z), Math.abs(w));
         if (angle <= radians) {
@@ -74,7 +77,7 @@ public record Tilt(Vec3 up, double x, double y, double z, double w) {
         return new Tilt(up, nearer.x, nearer.y, nearer.z, nearer.w);
     }
 
-    /** An upright player has none, as in levels without portals. */
+    /** Joins the tilt to a hash; an upright one does not change it, as in levels without portals. */
     long hash(long seed) {
         if (isUpright()) {
             return seed;

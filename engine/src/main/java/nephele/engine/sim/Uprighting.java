@@ -6,12 +6,16 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * Turns a player that came out of a portal leaning: the view at once and steadily, at a rate that the player may choose, the body about its centre as far as
- * there is room, never into a solid. In an aperture it waits where turning would make it strike the rim.
+ * Turns a player upright that came out of a portal tilted. The view turns at once, at a rate that the player can
+ * choose. The body turns about its centre as far as there is room, never into a solid; in an aperture it waits while
+ * turning would make it hit the rim.
  */
 final class Uprighting {
     private static final double RADIANS_PER_SECOND = 2 * Math.PI;
-    /** The head, 0.6 m from the centre, moves 3 cm in such a step: a tenth of the capsule's radius. */
+    /**
+     * The greatest angle of one rotation step. The head, 0.6 m from the centre, moves 3 cm in it: a tenth of the
+     * capsule's radius.
+     */
     private static final double MOST_RADIANS = Math.PI / 60;
 
     private static final double LOOK_AHEAD_SECONDS = 0.3;
@@ -46,7 +50,7 @@ final class Uprighting {
         }
     }
 
-    /** By so little that nothing lies between before and after; false when it is upright or has no room. */
+    /** Turns the body by an angle too small to skip an obstacle. Returns false if it is upright or has no room. */
     private boolean turnBody(PlayerMotion player, Heading heading, double angle) {
         Tilt tilt = player.look().tilt();
         if (tilt.isBodyUpright()) {
@@ -79,7 +83,10 @@ final class Uprighting {
         return mover.lastSweep().fraction() >= free;
     }
 
-    /** Who lies on something rises as the body turns. */
+    /**
+     * Raises a grounded player by as much as its capsule reaches further down after the turn. Returns true if that
+     * makes room.
+     */
     private boolean standsUp(PlayerMotion player, RoundedHull turned) {
         double rise = player.shape().least(1) - turned.least(1);
         if (!(rise > 0) || !player.grounded) {

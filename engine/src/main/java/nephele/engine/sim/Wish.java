@@ -4,7 +4,7 @@ import nephele.engine.sim.PlayerBody.Stance;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The horizontal velocity that an input asks for. */
+/** The move intent: the horizontal velocity that an input requests, m/s. */
 final class Wish {
     private final Vector3d velocity = new Vector3d();
 

@@ -11,14 +11,16 @@ import nephele.engine.level.placed.PlacedRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.portal.placement.FixedPortalRules;
 
-/** All that {@code check} tells of a level: the rules of its records, then those of the world that follows from it. */
+/**
+ * All rules that {@code check} applies to a level: the rules of its records, then those of the world built from them.
+ */
 public final class WorldRules {
-    /** In the order in which their problems are told. */
+    /** The rules of the placed world, in the order in which their problems are reported. */
     public static final List<PlacedRule> PLACED = List.of(StartRules.FREE, FixedPortalRules.SEEN);
 
     private WorldRules() {}
 
-    /** Every problem, errors and warnings; where a record is wrong already, no world follows from it. */
+    /** Returns every problem, errors and warnings; the world is not checked if a record already has an error. */
     public static List<Problem> check(Level level, AssetSource assets) {
         List<Problem> problems = new ArrayList<>(LevelRules.check(level, assets));
         if (level.player() == null && level.cameras().isEmpty()) {
@@ -32,7 +34,10 @@ public final class WorldRules {
         return problems;
     }
 
-    /** A level without a place to look from can be simulated, and no command can draw it. */
+    /**
+     * Turns the problem of a missing viewpoint into an error: such a level can be simulated, but no command can draw
+     * it.
+     */
     private static Problem keepsFromDrawing(Problem problem) {
         return problem.path().equals("player")
                 ? Problem.error("player", problem.message() + ": add player.feet or a camera")
@@ -40,10 +45,10 @@ public final class WorldRules {
     }
 
     /**
-     * The errors that every command tells when it opens a level: all but those of pictures and meshes, which are told
-     * when these are read.
+     * Returns the errors that every command reports when it opens a level: all but those of pictures and meshes, which
+     * are reported when these are read.
      *
-     * @param statics the level's; asked for where bodies may start in them
+     * @param statics the level's static shapes; requested only if the starts of bodies have to be checked
      */
     public static List<Problem> errorsBeforeUse(Level level, AssetSource assets, Supplier<StaticShapes> statics) {
         List<Problem> problems = new ArrayList<>(LevelRules.check(LevelRules.STRUCTURE, level, assets));

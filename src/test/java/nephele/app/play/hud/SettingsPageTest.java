@@ -31,7 +31,7 @@ class SettingsPageTest {
         assertEquals(SimSettings.DEFAULT, settings);
     }
 
-    /** A rate of the command line need not be one of the page's. */
+    /** A rate from the command line that is not on the page has a next one too. */
     @Test
     void anyRateHasANextOne() {
         var odd = SimSettings.DEFAULT.withUprightDegreesPerSecond(100);

@@ -1,6 +1,6 @@
 package nephele.app.play.hud;
 
-/** A picture's size in points. */
+/** The size of the picture in points. */
 public record Area(double width, double height) {
     double centreX() {
         return width / 2;

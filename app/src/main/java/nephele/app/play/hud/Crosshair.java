@@ -8,9 +8,9 @@ import nephele.engine.walk.Sights.Portal;
 import nephele.engine.walk.Sights.Shot;
 
 /**
- * Where one points: four short bars, or with a portal gun a half ring for each shot, left and right as the mouse buttons
- * are. A half is filled when its portal exists, dim and crossed out where a shot would open none. Dark below light, so
- * that it shows on every background.
+ * The crosshair: four short bars, or with a portal gun a half ring for each shot, left and right as the mouse buttons.
+ * A half is filled if its portal exists, and dim and crossed out if a shot would place none. Dark edges below light
+ * shapes make it visible on every background. Lengths are in points.
  */
 final class Crosshair {
     private static final double GAP = 4;
@@ -20,7 +20,7 @@ final class Crosshair {
 
     private static final double EM = 40;
     private static final double RADIUS = 0.36 * EM;
-    /** From the glyphs' baseline to the middle of the ring. */
+    /** The height from the glyphs' baseline to the ring's centre. */
     private static final double RISE = 0.35 * EM;
 
     private static final double APART = 2;
@@ -50,7 +50,7 @@ final class Crosshair {
         }
     }
 
-    /** The letters of a half. */
+    /** The glyphs of a half ring. */
     private record Face(String hollow, String filled, Colour colour) {}
 
     private static void half(OverlayCanvas canvas, double left, double y, Half half, Face face) {

@@ -3,7 +3,7 @@ package nephele.app.play.hud;
 import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** The F3 panel in the upper left corner: names left, values right. */
+/** The F3 panel in the upper left corner: names left, values right. Lengths are in points. */
 final class FiguresPanel {
     private static final double MARGIN = 12;
     private static final double PADDING = 12;

@@ -3,7 +3,7 @@ package nephele.app.play.hud;
 import nephele.app.window.Control;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** The F1 page: every key and what it does. */
+/** The F1 page: every key and its function. Lengths are in points. */
 final class HelpPanel {
     static final double WIDTH = 560;
     static final double PADDING = 32;
@@ -16,7 +16,7 @@ final class HelpPanel {
 
     private HelpPanel() {}
 
-    /** How much smaller than designed the page is in a low window, so that no key is left out. */
+    /** Returns the page's scale, at most 1: a low window shrinks the page, so that no key is left out. */
     static double scale(Area area) {
         return Math.min(1, area.height() / HEIGHT);
     }

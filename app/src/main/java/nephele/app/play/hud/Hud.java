@@ -3,7 +3,7 @@ package nephele.app.play.hud;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** Keeps the canvas equal to the content; fills it again only when content, size or scale have changed. */
+/** Updates the overlay's canvas; fills it again only when content, size or scale have changed. */
 public final class Hud {
     private final OverlayCanvas canvas;
     private HudContent shown;
@@ -14,7 +14,7 @@ public final class Hud {
         canvas = new OverlayCanvas(lettering);
     }
 
-    /** The canvas for this content on a picture of this size. */
+    /** Returns the canvas for this content on a picture of this size. */
     public OverlayCanvas canvas(HudContent content, Area area, double pixelsPerPoint) {
         if (!content.equals(shown) || !area.equals(shownArea) || pixelsPerPoint != shownScale) {
             shown = content;

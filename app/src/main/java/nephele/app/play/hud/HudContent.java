@@ -4,11 +4,11 @@ import java.util.List;
 import nephele.engine.walk.Sights;
 
 /**
- * Everything that lies over the picture, as a value.
+ * The content of the overlay, as a value.
  *
  * @param menu null while playing
- * @param figures lines of the F3 panel, empty when it is closed
- * @param message null, or what happened just now
+ * @param figures lines of the F3 panel, empty if it is closed
+ * @param message the latest message, or null
  */
 public record HudContent(Menu menu, Page page, List<Figure> figures, String message, Sights sights) {
     /** The page that covers the game, if any. */

@@ -5,16 +5,16 @@ import java.util.List;
 import nephele.engine.named.LevelName;
 
 /**
- * One page of the menu as a value: entries, and the one that is selected. Keys move the selection around the ends, the
- * mouse picks an entry by its row.
+ * A page of the menu as a value: entries, one of them selected. Keys move the selection cyclically, the mouse selects
+ * an entry by its row.
  *
- * @param escape what Esc chooses
+ * @param escape the choice of the Esc key
  */
 public record Menu(String title, List<Entry> entries, int selected, Choice escape) {
-    /** A line of the menu and what choosing it means. */
+    /** A line of the menu and the choice that it makes. */
     public record Entry(String label, Choice choice) {}
 
-    /** What a player can choose. */
+    /** A choice of the player. */
     public sealed interface Choice {
         record Continue() implements Choice {}
 
@@ -24,7 +24,7 @@ public record Menu(String title, List<Entry> entries, int selected, Choice escap
 
         record ShowSettings() implements Choice {}
 
-        /** How fast the view turns upright after a portal. */
+        /** Sets the rate at which the view turns upright after a portal. */
         record TurnUpright(int degreesPerSecond) implements Choice {}
 
         record Start(LevelName level) implements Choice {}
@@ -65,7 +65,7 @@ public record Menu(String title, List<Entry> entries, int selected, Choice escap
         return new Menu(title, entries, Math.floorMod(selected + steps, entries.size()), escape);
     }
 
-    /** The menu with that row selected; rows outside change nothing. */
+    /** Returns the menu with that row selected; rows outside change nothing. */
     public Menu pointedAt(int row) {
         return row >= 0 && row < entries.size() ? new Menu(title, entries, row, escape) : this;
     }

@@ -2,7 +2,7 @@ package nephele.app.play.hud;
 
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** The menu in the middle of the picture. */
+/** The menu in the middle of the picture. Lengths are in points. */
 public final class MenuPanel {
     private static final double WIDTH = 380;
     private static final double PADDING = 32;
@@ -21,7 +21,7 @@ public final class MenuPanel {
         this.area = area;
     }
 
-    /** The row under a point, or −1. */
+    /** Returns the row under a point, or −1. */
     public int rowAt(double x, double y) {
         boolean beside = x < left() || x > left() + WIDTH;
         int row = (int) Math.floor((y - firstRow()) / ROW_HEIGHT);

@@ -2,7 +2,7 @@ package nephele.app.play.hud;
 
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** What happened just now, at the lower edge. */
+/** The latest message, at the lower edge. Lengths are in points. */
 final class MessageBar {
     private static final double EM = 19;
     private static final double PADDING = 14;

@@ -2,7 +2,7 @@ package nephele.app.play.hud;
 
 import nephele.engine.render.pass.overlay.Colour;
 
-/** The overlay's few colours. */
+/** The overlay's colours, sRGB. */
 public final class Palette {
     public static final Colour INK = Colour.opaque(0xf3f6fa);
     static final Colour QUIET_INK = Colour.opaque(0xa9b6c6);
@@ -12,7 +12,7 @@ public final class Palette {
     static final Colour SELECTED = Colour.opaque(0x86ccff).withAlpha(0.18);
     static final Colour SHADOW = Colour.opaque(0x000000).withAlpha(0.4);
 
-    /** Of the two shots; the rims' colours, lighter. */
+    /** The colours of the two shots: lighter than those of the portals' rims. */
     static final Colour FIRST = Colour.opaque(0x4db4ff);
 
     static final Colour SECOND = Colour.opaque(0xffa53d);

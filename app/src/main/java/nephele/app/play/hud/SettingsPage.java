@@ -3,7 +3,7 @@ package nephele.app.play.hud;
 import java.util.List;
 import nephele.engine.sim.SimSettings;
 
-/** The menu's page of settings: choosing one takes its next value. */
+/** The settings page of the menu: choosing a setting changes it to its next value. */
 public final class SettingsPage {
     private static final List<Integer> UPRIGHT_RATES =
             List.of(45, 90, 180, 360, 720, SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND);
@@ -27,7 +27,7 @@ public final class SettingsPage {
                 : uprightDegreesPerSecond + "°/s";
     }
 
-    /** The next faster rate, after the fastest the slowest. */
+    /** Returns the next faster rate, after the fastest the slowest. */
     private static int after(int rate) {
         return UPRIGHT_RATES.stream()
                 .filter(faster -> faster > rate)

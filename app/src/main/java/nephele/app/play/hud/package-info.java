@@ -1,2 +1,2 @@
-/** What the game shows over the picture: each panel lays itself out from a value. */
+/** The panels of the game's overlay. Each panel computes its layout from a value. */
 package nephele.app.play.hud;
