@@ -8,16 +8,16 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
 /**
- * Divides two caves that would overlap. Each gets its part: what lies deeper behind it than behind the other;
- * behind portals side by side in one wall, what lies on its side of the middle between them.
+ * Separates two aperture volumes that would overlap. Each keeps the points that are deeper behind its portal than
+ * behind the other; for portals side by side in one wall, the points on its side of the middle between them.
  */
 final class CavePartition {
-    /** Portals whose normals differ by less look the same way. */
+    /** Length of the difference of two unit normals below which portals count as parallel. */
     private static final double SAME_WAY = 0.05;
 
     private CavePartition() {}
 
-    /** The plane behind which the first portal's part lies; {@code null} when one aperture covers the other. */
+    /** Returns the plane behind which the first portal's part is; {@code null} when the apertures overlap. */
     static Plane between(Portal a, Portal b) {
         Vec3 n = a.normal();
         Vec3 m = b.normal();
@@ -27,7 +27,7 @@ final class CavePartition {
             return sideBySide(a, b);
         }
         Vec3 unit = new Vec3(difference.x() / length, difference.y() / length, difference.z() / length);
-        // n · (p − a) = m · (p − b), taken at a's centre, where the numbers are small.
+        // The plane n · (p − a) = m · (p − b), evaluated at a's centre, where the numbers are small.
         double atCentre = b.inFront(a.centre().x(), a.centre().y(), a.centre().z()) / length;
         Vec3 point = new Vec3(
                 a.centre().x() + atCentre * unit.x(),
@@ -40,7 +40,9 @@ final class CavePartition {
         return Math.sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
     }
 
-    /** Two convex polygons that do not overlap are separated along the normal of an edge. */
+    /**
+     * Separates parallel portals: two convex polygons that do not overlap are separated along the normal of an edge.
+     */
     private static Plane sideBySide(Portal a, Portal b) {
         Plane fromA = widestGap(a, b);
         Plane fromB = widestGap(b, a);
@@ -84,7 +86,7 @@ final class CavePartition {
         return corners(portal).stream().mapToDouble(plane::signedDistance).min().orElse(0);
     }
 
-    /** An aperture's corners in the world. */
+    /** Returns the aperture's corners in world coordinates. */
     static List<Vec3> corners(Portal portal) {
         Aperture aperture = portal.aperture();
         List<Vec3> corners = new ArrayList<>();

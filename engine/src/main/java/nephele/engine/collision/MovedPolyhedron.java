@@ -7,7 +7,7 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Passage;
 
-/** A convex solid as it is seen through a portal. */
+/** A convex solid mapped through a portal. */
 final class MovedPolyhedron {
     private MovedPolyhedron() {}
 
