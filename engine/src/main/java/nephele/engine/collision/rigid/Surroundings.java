@@ -7,25 +7,25 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
 
 /**
- * The static world as each body meets it. Who is active on a portal, from first touch to last leave, meets what lies
- * beyond it instead of the wall that it is in.
+ * The static world with which each body collides. A body active on a portal, from the first to the last contact with
+ * it, collides with the geometry behind it instead of the wall around its opening.
  */
 public interface Surroundings {
-    /** The portals that are open at this tick; bodies wake where they differ from those of the tick before. */
+    /** Returns the portals of this tick; bodies wake when they differ from those of the tick before. */
     Portals portals();
 
     /**
-     * The portals that a shape is active on, as a bit mask.
+     * Returns a bit mask of the portals on which a shape is active.
      *
-     * @param at the shape's origin; a portal behind whose plane it is does not count
-     * @param way how far it is about to move
+     * @param at the shape's origin; portals with the origin behind their plane do not count
+     * @param way displacement that it is about to make
      */
     long active(RoundedHull shape, Vector3dc at, Vector3dc way);
 
-    /** What a shape meets that is active on these portals. The same mask gives the same object. */
+    /** Returns the static geometry for a shape active on these portals. The same mask gives the same object. */
     CollisionWorld around(long active);
 
-    /** The static world with its portals' seams. */
+    /** Returns the static world opened at its portals. */
     static Surroundings of(SeamedWorld world) {
         return new Surroundings() {
             @Override
@@ -45,7 +45,7 @@ public interface Surroundings {
         };
     }
 
-    /** One world for everybody and no portal. */
+    /** Returns one world for every shape, without portals. */
     static Surroundings of(CollisionWorld world) {
         return new Surroundings() {
             @Override

@@ -4,12 +4,18 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
 
-/** Beyond which portals a point of a shape lies: the way there from the shape's centre leads through the aperture. */
+/**
+ * Finds the portals behind which a point of a shape is: the segment to it from the shape's centre crosses the aperture.
+ */
 final class ThroughPortals {
-    /** A part of a shape may touch an aperture's edge by this and still be through it. */
+    /** Distance outside an aperture's edge up to which a part of a shape still counts as through it. */
     private static final double EDGE_METRES = 2e-3;
 
-    /** @param mask the portals that the shape is active on */
+    /**
+     * Returns the mask of the portals through which the point is.
+     *
+     * @param mask the portals on which the shape is active
+     */
     long find(Portals portals, long mask, Vector3dc centre, Vector3dc point) {
         long through = 0;
         for (long left = mask; left != 0; left &= left - 1) {
