@@ -10,7 +10,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
 
-/** Which part of the space behind two portals is whose. */
+/** A plane divides the space behind two portals between their aperture volumes. */
 class CavePartitionTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SOUTH = new Vec3(0, 0, 1);
