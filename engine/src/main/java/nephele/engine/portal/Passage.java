@@ -47,8 +47,8 @@ public final class Passage implements Isometry {
     }
 
     /**
-     * Maps a point from in front of the entry, in place, and returns it; a point behind the entry maps to in front of
-     * the exit.
+     * Maps a point from the entry's space to the exit's, in place, and returns it; a point behind the entry maps to in
+     * front of the exit.
      */
     @Override
     public Vector3d point(Vector3d p) {
