@@ -14,7 +14,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Ways out of crowds of solids: they exist, and are found in bounded CPU time. */
+/** Depenetration from thousands of solids succeeds in bounded CPU time. */
 class CrowdedRecoveryTest {
     private static final RoundedHull BALL = RoundedHull.sphere(0.3);
     private static final long MOST_CPU_NANOSECONDS = 2_000_000_000L;
@@ -35,7 +35,7 @@ class CrowdedRecoveryTest {
         return way;
     }
 
-    /** Shifted by 1 mm each, so that every push ends in others. */
+    /** Shifts the boxes by 1 mm each, so that every push ends in others. */
     @Test
     void outOfTenThousandOverlappingBoxesThereIsAWay() {
         CollisionWorld world = boxes(
@@ -43,7 +43,7 @@ class CrowdedRecoveryTest {
         assertSoon(() -> assertTrue(wayOut(world, new Vector3d(0.01, 0.02, 0)).length() <= 0.9));
     }
 
-    /** The least way is up, give or take the gaps of 1 mm. */
+    /** The shortest displacement is upwards, except for the gaps of 1 mm. */
     @Test
     void outOfTenThousandSmallBoxesThereIsAWay() {
         CollisionWorld world = boxes(
@@ -56,14 +56,14 @@ class CrowdedRecoveryTest {
         });
     }
 
-    /** A gap that the ball does not fit into is none. */
+    /** A gap too narrow for the sphere is not used. */
     @Test
     void alongTheAxesItIsByTheFirstGapThatIsWideEnough() {
         assertEquals(-1.8 - Sweep.SKIN_METRES, alongTheAxes(0.2), 1e-9);
         assertEquals(0.8 + Sweep.SKIN_METRES, alongTheAxes(0.7), 1e-9);
     }
 
-    /** Out of the first of two plates, from beside its middle. */
+    /** Returns the displacement out of the first of two plates, from beside its middle. */
     private static double alongTheAxes(double gap) {
         CollisionWorld world = boxes(2, i -> Aabb.around(new Vec3(i * (2 + gap), 0, 0), new Vec3(2, 10, 10)));
         var exit = new AxisExit();

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Ground in a collision world: what every other collider answers, it answers. */
+/** Ground in a collision world answers the same queries as other colliders. */
 class HeightFieldWorldTest {
     private static final RoundedHull PLAYER = RoundedHull.uprightCapsule(0.3, 1.8);
 
@@ -60,7 +60,7 @@ class HeightFieldWorldTest {
         assertEquals(1, sweep.fraction());
     }
 
-    /** Along edges and diagonals of flat ground: no seam between triangles catches it. */
+    /** A capsule slides along edges and diagonals of flat ground without contact at the edges between triangles. */
     @ParameterizedTest
     @CsvSource({"1, 0", "0, 1", "1, 1", "1, -1", "0.3, 0.7"})
     void aCapsuleSlidesOverFlatGroundUncaught(double x, double z) {
@@ -69,7 +69,7 @@ class HeightFieldWorldTest {
         assertFalse(sweep.cast(ground(0, 0), PLAYER, at, new Vector3d(7 * x, 0, 7 * z)));
     }
 
-    /** It stops below the surface, where the sheet is thickest, and its box never meets the triangle's. */
+    /** It stops below the surface, where the sheet is thickest; its box does not overlap the triangle's. */
     @Test
     void aShapeFromBelowMeetsTheUndersideOfTheSheet() {
         Sweep sweep = new Sweep();
@@ -105,7 +105,7 @@ class HeightFieldWorldTest {
         assertFalse(cast.cast(world, new Ray(x, -10, z, 0, 1, 0), 100));
     }
 
-    /** Solids come first, then the triangles; a world with more beside them or less leaves the numbers as they are. */
+    /** Solids come first, then the triangles; removed and added solids do not change the other indices. */
     @Test
     void groundStandsBesideSolidsAndIsReplacedLikeThem() {
         HeightField field = HeightField.of(Vec3.ZERO, 1, 5, 5, (column, row) -> 0);

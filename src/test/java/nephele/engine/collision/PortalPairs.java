@@ -11,7 +11,7 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
-/** Places with portals for tests, each as far out as asked. */
+/** Places with portals for tests, at any distance from the origin. */
 record PortalPairs(CollisionWorld statics, Portals portals) {
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
@@ -23,7 +23,7 @@ record PortalPairs(CollisionWorld statics, Portals portals) {
         return new PortalPairs(statics, new Portals(List.of(a, b), List.of(1, 0)));
     }
 
-    /** By lower and upper corners, moved. */
+    /** Returns boxes from their lower and upper corners, shifted to the origin. */
     static CollisionWorld boxes(Vec3 origin, double[]... corners) {
         List<Collider> solids = new ArrayList<>();
         for (double[] c : corners) {
@@ -39,7 +39,7 @@ record PortalPairs(CollisionWorld statics, Portals portals) {
         return new CollisionWorld(solids);
     }
 
-    /** A room of 10 × 4 × 10 m with walls 0.2 m thick, things in it and things behind its walls. */
+    /** Returns a room of 10 × 4 × 10 m with walls 0.2 m thick, with solids in it and behind its walls. */
     private static CollisionWorld room(Vec3 origin) {
         return boxes(
                 origin,
@@ -101,7 +101,7 @@ record PortalPairs(CollisionWorld statics, Portals portals) {
         };
     }
 
-    /** One in a wall, the other in a plane that leans by 40° over a narrow lane. */
+    /** Returns one portal in a wall, and the other in a plane inclined by 40° over a narrow lane. */
     private static PortalPairs slanted(Vec3 o) {
         double sin = StrictMath.sin(Math.toRadians(40));
         double cos = StrictMath.cos(Math.toRadians(40));

@@ -13,7 +13,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Rays that start on surfaces, 0 self-hits and 0 leaks through walls of 1 mm. */
+/** Rays that start on surfaces neither hit them again nor leak through walls of 1 mm. */
 class RayCastTest {
     private static final double WALL = 0.001;
 
@@ -68,7 +68,7 @@ class RayCastTest {
 
     private Ray lastRay;
 
-    /** From one hair inside to one hair outside of a face: inwards hits at once, outwards never. */
+    /** A ray from within rounding of a face hits it at once inwards, and never outwards. */
     @Test
     void aRayFromASurfaceSeesItOnlyInwards() {
         CollisionWorld world = Solids.world(Solids.box(2, 2, WALL));

@@ -10,7 +10,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Ways out of solids, worked out by hand and measured again. */
+/** Depenetration gives displacements worked out by hand and verified by measurement. */
 class RecoveryTest {
     private static final double SKIN = Sweep.SKIN_METRES;
     private static final RoundedHull BALL = RoundedHull.sphere(0.3);
@@ -30,7 +30,7 @@ class RecoveryTest {
         assertEquals(0, push.length(), "free already");
     }
 
-    /** In a corner a box is the skin off the floor and off the wall. */
+    /** In a corner a box ends the skin away from both the floor and the wall. */
     @Test
     void theWayOutOfACornerLeadsOutOfAllItsSolids() {
         RoundedHull box = RoundedHull.box(new Vec3(0.5, 0, 0), new Vec3(0, 0.5, 0), new Vec3(0, 0, 0.5));
@@ -41,7 +41,7 @@ class RecoveryTest {
         assertEquals(0, push.distance(0.1 + SKIN, 0.03 + SKIN, 0), 1e-9, push::toString);
     }
 
-    /** Whatever the shapes: where it ends is free, and the skin off the one solid that was met. */
+    /** For any solid, the end is free, and the skin away from the one solid that was overlapped. */
     @Test
     void whereItEndsIsFree() {
         var random = new SplittableRandom(9);

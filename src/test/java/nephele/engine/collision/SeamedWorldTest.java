@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The world near portals. */
+/** The static world opened at the portals is solid exactly where paths through the apertures end in solids. */
 final class SeamedWorldTest {
     private static final Vec3 FAR = new Vec3(10_000, 300, -10_000);
     private static final RoundedHull PLAYER = RoundedHull.uprightCapsule(0.3, 1.8);
@@ -36,7 +36,7 @@ final class SeamedWorldTest {
         return false;
     }
 
-    /** No plane of a solid or portal so near that rounding decides. */
+    /** Returns true if no plane of a solid is so near that rounding decides. */
     private static boolean isClear(CollisionWorld world, Vector3d p) {
         for (int i = 0; i < world.size(); i++) {
             Collider solid = world.collider(i);
@@ -54,7 +54,7 @@ final class SeamedWorldTest {
         return true;
     }
 
-    /** A point that is reached by a straight way through apertures is solid where that way ends, and only there. */
+    /** A point reached by a straight path through apertures is solid exactly if that path ends in a solid. */
     @ParameterizedTest
     @ValueSource(
             strings = {"walls", "floor and wall", "floor and ceiling", "corner", "side by side", "facing", "slanted"})
@@ -107,7 +107,7 @@ final class SeamedWorldTest {
         }
     }
 
-    /** Whether a point behind an entry is its own, not its neighbour's, where somebody is active on both. */
+    /** Returns true if a point behind an entry belongs to that entry, for a body active on both portals. */
     private static boolean isItsOwn(String kind, Portals portals, int entry, Vector3d p) {
         Portal mine = portals.portal(entry);
         Portal other = portals.portal(1 - entry);
@@ -127,7 +127,10 @@ final class SeamedWorldTest {
         return false;
     }
 
-    /** One without a partner, and both where an exit lies in a solid; one that is only narrow stays open. */
+    /**
+     * A portal without a partner is closed, and so is a pair with an exit inside a solid; an obstructed exit stays
+     * open.
+     */
     @Test
     void invalidExitsAreClosed() {
         Portal a =
@@ -150,7 +153,7 @@ final class SeamedWorldTest {
         assertEquals(0, single.active(PLAYER, before, new Vector3d(0, 0, -1)));
     }
 
-    /** Who is active: before the portal and near it or on the way to it, and not round the wall's edge. */
+    /** A body is active in front of a portal, near it or on the path to it, but not around the wall's edge. */
     @Test
     void activeFromFirstTouchToLastLeave() {
         Portal a =
@@ -180,7 +183,7 @@ final class SeamedWorldTest {
         assertEquals(1, seamed.active(rod, leans, new Vector3d(0.1, 0, 0)), "a rod that the rim is about to stop");
     }
 
-    /** What no cave reaches is shared, and a mask has its world built once. */
+    /** Solids outside every aperture volume are shared, and the world of a mask is built once. */
     @Test
     void sharesWhatIsFar() {
         PortalPairs place = PortalPairs.of("walls", Vec3.ZERO);

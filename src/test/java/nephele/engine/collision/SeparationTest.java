@@ -10,7 +10,7 @@ import nephele.lab.prove.BruteForce;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** GJK and SAT on degenerate pairs agree to 1 − 1e-6 and end. */
+/** Distances equal brute force, and GJK and separating axes agree and terminate on degenerate pairs. */
 class SeparationTest {
     private final Gjk gjk = new Gjk();
     private final SeparatingAxes axes = new SeparatingAxes();
@@ -52,7 +52,7 @@ class SeparationTest {
         }
     }
 
-    /** Two boxes are as far apart, or as deep in each other, seen from either, and the ways out are opposite. */
+    /** Two boxes have the same distance or depth, whichever of them is the collider. */
     @Test
     void twoBoxesMeasureEachOtherAlike() {
         var random = new SplittableRandom(4);
@@ -72,7 +72,7 @@ class SeparationTest {
         assertTrue(deep > 1000, "deep " + deep);
     }
 
-    /** Half edges of a box, a plate or a stick, turned anyhow. */
+    /** Returns the half edges of a box, a plate or a stick, in any orientation. */
     private static Vec3[] halves(SplittableRandom random) {
         Vector3d x = Solids.direction(random);
         Vector3d y = Solids.direction(random).cross(x).normalize();
@@ -85,7 +85,10 @@ class SeparationTest {
         return halves;
     }
 
-    /** Touching, parallel, crossing at a corner, tiny, vast. GJK's bound loses length² / distance · 1e-16: it errs to "meet". */
+    /**
+     * Covers touching, parallel, crossing at a corner, tiny and vast. GJK's bound loses length² / distance · 1e-16,
+     * towards intersection.
+     */
     @Test
     void gjkAndSeparatingAxesAgreeOnDegeneratePairs() {
         var random = new SplittableRandom(3);

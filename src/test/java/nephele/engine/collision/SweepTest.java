@@ -18,7 +18,7 @@ class SweepTest {
     private static final double SKIN = Sweep.SKIN_METRES;
     private static final RoundedHull PLAYER = RoundedHull.uprightCapsule(0.3, 1.8);
 
-    /** A wall of 1 cm stops everything, at the same place. */
+    /** A wall of 1 cm stops any speed, at the same place. */
     @ParameterizedTest
     @ValueSource(doubles = {0.001, 1, 10, 100, 1000, 10_000, 1e6, 1e9})
     void aThinWallStopsAnySpeed(double metres) {
@@ -72,7 +72,7 @@ class SweepTest {
         assertFalse(new Sweep().cast(Solids.world(), PLAYER, new Vector3d(), new Vector3d(1, 0, 0)));
     }
 
-    /** Capsules of any tilt against needles, plates, boxes and tilted solids equal bisection. */
+    /** Sweeps of capsules in any orientation against needles, plates, boxes and tilted solids equal bisection. */
     @Test
     void equalsBruteForce() {
         var random = new SplittableRandom(5);
@@ -94,8 +94,9 @@ class SweepTest {
     }
 
     /**
-     * The first fraction of the way at which a capsule is {@code gap} from the solid, 1 for none: the distance is convex
-     * along the way, so thirds find the nearest place and halves the first near enough.
+     * Returns the first fraction of the displacement at which a capsule is {@code gap} from the solid, 1 for none. The
+     * distance is convex along it, so that a ternary search finds the minimum and bisection the first place near
+     * enough.
      */
     private static double fraction(Vector3d halfAxis, Vector3d from, Vector3d way, double gap, ConvexPolyhedron solid) {
         DoubleUnaryOperator excess = t -> {
@@ -133,12 +134,14 @@ class SweepTest {
         return low;
     }
 
-    /** A tangent way meets its solid at a double root: its place is known to the root of the tolerance only. */
+    /**
+     * Returns true for a tangent displacement: it touches at a double root, known only to the root of the tolerance.
+     */
     private static boolean isGrazing(Sweep sweep, Vector3d way) {
         return sweep.collider() < 0 || -sweep.normal().dot(way) < 0.02 * way.length();
     }
 
-    /** A floor and a wall are touched already: the first of the world stops the sweep, whichever that is. */
+    /** A floor and a wall are touched at the start: the one with the lower index stops the sweep. */
     @Test
     void ofSolidsTouchedAtOnceTheFirstIsTold() {
         double[] floor = {-9, -9, -9, 9, 0, 9};

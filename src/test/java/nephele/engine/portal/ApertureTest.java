@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 import nephele.engine.level.PortalShape;
 import org.junit.jupiter.api.Test;
 
-/** One convex polygon of at most 24 sides; the default arch has a flat bottom edge of at least 0.8 m. */
+/** An aperture is one convex polygon of at most 24 sides; the default arch has a flat bottom edge of at least 0.8 m. */
 class ApertureTest {
     private static final double[] SIZES = {0.01, 0.1, 0.7, 1.2, 2.1, 33, 1e4};
 
@@ -98,7 +98,7 @@ class ApertureTest {
         assertFalse(arch.contains(0.59, 1.04));
     }
 
-    /** Where there is no room for a half circle the top is half an ellipse on the flat bottom. */
+    /** Without room for a semicircle, the top is half an ellipse on the flat bottom. */
     @Test
     void anArchLowerThanHalfItsWidthIsAllTop() {
         Aperture low = Aperture.of(PortalShape.ARCH, 4, 1);
@@ -116,7 +116,7 @@ class ApertureTest {
             double y = random.nextDouble(-1.5, 1.5);
             assertEquals(Math.abs(x) <= 0.7 && Math.abs(y) <= 1.1, rectangle.contains(x, y));
             double radius = Math.sqrt(x * x / 0.49 + y * y / 1.21);
-            // 24 chords leave a hundredth of the circle out.
+            // 24 chords omit a hundredth of the circle.
             if (radius > 1 || radius < 0.99) {
                 assertEquals(radius < 1, ellipse.contains(x, y));
             }

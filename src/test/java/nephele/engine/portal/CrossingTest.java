@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** When a point enters which portal. */
+/** A point enters the right portal at the right time. */
 final class CrossingTest {
     private static final Vector3d NONE = new Vector3d();
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -48,7 +48,9 @@ final class CrossingTest {
         assertFalse(crossing.find(closed, new Vector3d(0, 0, 1), new Vector3d(0, 0, -4), NONE, 1), "closed");
     }
 
-    /** Half-open [0, 1): on the plane at the end is before it, and the next piece crosses at its start. */
+    /**
+     * The interval is half-open: a path that ends on the plane does not cross, and the next one crosses at its start.
+     */
     @Test
     void aWayThatEndsOnThePlaneCrossesNext() {
         Portals portals = wall(0);
@@ -59,7 +61,7 @@ final class CrossingTest {
         assertTrue(crossing.find(portals, new Vector3d(0, 0, -1e-13), new Vector3d(0, 0, -1), NONE, 1), "by rounding");
     }
 
-    /** The same parity for 1 to 64 pieces of the same way, from either side, at the origin and 10 km away. */
+    /** A path in 1 to 64 pieces crosses as often as the whole, from either side, at the origin and 10 km away. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 10_000})
     void piecesCrossAsOftenAsTheWhole(double away) {
@@ -87,7 +89,10 @@ final class CrossingTest {
         assertTrue(whole > 250, "crossings " + whole);
     }
 
-    /** The exact time on an arc, where the textbook formula cancels: slow and long, fast and near, up and down again. */
+    /**
+     * Times on a parabola are exact where the textbook formula cancels: slow and long, fast and near, up and down
+     * again.
+     */
     @Test
     void timesAreExactOnTheArc() {
         var random = new SplittableRandom(5);
@@ -106,7 +111,7 @@ final class CrossingTest {
         assertEquals(2, Crossing.descent(0, 1, -1), 1e-15, "up from the plane and down again");
     }
 
-    /** The earliest of many; of equally early ones the lowest index. */
+    /** The earliest of several entries counts; of equally early ones the lowest index. */
     @Test
     void theEarliestCounts() {
         Portal near = portal(0, 0, -1, SOUTH, UP);

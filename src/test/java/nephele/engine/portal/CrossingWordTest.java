@@ -12,14 +12,14 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** The laws of reduced words over the portals as letters, a portal's partner being its inverse. */
+/** Crossing words obey the laws of reduced words, with portals as letters and partners as inverses. */
 final class CrossingWordTest {
     private static final int LETTERS = 6;
 
     private final SplittableRandom random = new SplittableRandom(9);
     private final Portals portals = threePairs();
 
-    /** 0–3, 1–4, 2–5. */
+    /** Returns three pairs: 0–3, 1–4, 2–5. */
     private static Portals threePairs() {
         List<Portal> all = new ArrayList<>();
         List<Integer> partners = new ArrayList<>();
@@ -72,7 +72,7 @@ final class CrossingWordTest {
         assertEquals(2, then(CrossingWord.EMPTY, 2, 2).length());
     }
 
-    /** In whatever order the two ends go through portals, the word between them is the same. */
+    /** The word between two ends is the same for any order in which they go through portals. */
     @Test
     void bothEndsMayMoveInAnyOrder() {
         for (int i = 0; i < 2000; i++) {
@@ -106,7 +106,7 @@ final class CrossingWordTest {
         return word;
     }
 
-    /** Going where the other end went leaves nothing between the two. */
+    /** If one end follows the other through the same portals, the word between them is empty. */
     @Test
     void whoFollowsArrives() {
         for (int i = 0; i < 2000; i++) {

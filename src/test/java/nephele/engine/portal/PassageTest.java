@@ -13,7 +13,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** The map between two portals is rigid and leads back. */
+/** The portal transform is rigid, and that of the partner is its inverse. */
 final class PassageTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
@@ -32,7 +32,7 @@ final class PassageTest {
         assertEquals(expected.z(), actual.z(), tolerance);
     }
 
-    /** Into a wall that looks south, out of one that looks east: what was left stays left. */
+    /** Through a wall that faces south and out of one that faces east, left stays left. */
     @Test
     void fromWallToWall() {
         Portal a = portal(new Vec3(1, 1, 0), new Vec3(0, 0, 1), UP);
@@ -54,7 +54,7 @@ final class PassageTest {
         assertEquals(v, passage.direction(v), "not a bit is turned");
     }
 
-    /** Lengths, angles and handedness stay; the way back undoes it; at 10 km as at the origin. */
+    /** Lengths and handedness are preserved and the partner's map inverts it, at the origin and at 10 km. */
     @Test
     void isRigidAndLeadsBack() {
         var random = new SplittableRandom(1);
@@ -79,7 +79,7 @@ final class PassageTest {
         }
     }
 
-    /** What stands at a level's portals: links by id, and closed ones without. */
+    /** A portal with a partner has a map to it; one without is closed and has none. */
     @Test
     void portalsKnowTheirPartners() {
         Portal a = portal(Vec3.ZERO, new Vec3(0, 0, 1), UP);

@@ -23,7 +23,7 @@ final class PathTraceTest {
         return new Portal(id, centre, Portal.facing(normal, up), Aperture.of(PortalShape.ARCH, 1.2, 2.1));
     }
 
-    /** Pairs 0–1, 2–3, and so on. */
+    /** Returns the portals in the pairs 0–1, 2–3, and so on. */
     private static Portals pairs(List<Portal> portals) {
         List<Integer> partners = new ArrayList<>();
         for (int i = 0; i < portals.size(); i++) {
@@ -45,7 +45,10 @@ final class PathTraceTest {
                 .mul(reach);
     }
 
-    /** The inside of a cube of 4 m with two portals in each face, linked at random: most ways cross several times. */
+    /**
+     * Returns the inside of a cube of 4 m with two portals in each face, linked at random: most paths cross several
+     * times.
+     */
     private Portals crowd() {
         var aperture = Aperture.of(random.nextBoolean() ? PortalShape.ARCH : PortalShape.ELLIPSE, 1.8, 3.6);
         List<Portal> portals = new ArrayList<>();
@@ -78,7 +81,7 @@ final class PathTraceTest {
         return List.of(partners);
     }
 
-    /** The cube's walls, seen from within. */
+    /** Returns the free share of a displacement within the cube's walls. */
     private static double toCube(Vector3dc from, Vector3dc way) {
         double free = 1;
         for (int axis = 0; axis < 3; axis++) {
@@ -90,7 +93,7 @@ final class PathTraceTest {
         return free;
     }
 
-    /** Portals 2 i and 2 i + 1: a straight beam along −z meets the entries one after another, 2 m apart. */
+    /** Returns pairs 2 i and 2 i + 1: a straight ray along −z enters them one after another, 2 m apart. */
     private static Portals chain(int pairs) {
         List<Portal> portals = new ArrayList<>();
         for (int i = 0; i < pairs; i++) {
@@ -101,7 +104,7 @@ final class PathTraceTest {
         return pairs(portals);
     }
 
-    /** A wall across everything, so many metres ahead on the −z axis. */
+    /** Returns an infinite wall at this z, for displacements along −z. */
     private static Obstacles wallAtZ(double z) {
         return (from, way) -> way.z() < 0 ? Math.max(0, Math.min(1, (z - from.z()) / way.z())) : 1;
     }
@@ -116,7 +119,7 @@ final class PathTraceTest {
         assertEquals(End.ARRIVED, trace.walk(new Vector3d(1, 2, 3), new Vector3d()));
     }
 
-    /** Cutting a segment into 1 to 64 pieces gives the same end and the same word. */
+    /** A segment cut into 1 to 64 pieces has the same end and the same word as the whole. */
     @Test
     void piecesGoWhereTheWholeGoes() {
         int crossings = 0;
@@ -137,7 +140,7 @@ final class PathTraceTest {
         assertTrue(crossings > 300, "crossings: " + crossings);
     }
 
-    /** A path in pieces: each begins where the last one ended. */
+    /** A path in pieces: each begins at the end of the last one. */
     private static final class Walked {
         private final Portals portals;
         private final PathTrace trace;
@@ -165,7 +168,7 @@ final class PathTraceTest {
         }
     }
 
-    /** A path and the same path backwards undo each other; its map is a rigid one. */
+    /** A path followed by the same path backwards has the empty word and ends at the start; its map is rigid. */
     @Test
     void theWayBackLeadsBack() {
         for (int i = 0; i < 500; i++) {
@@ -195,11 +198,12 @@ final class PathTraceTest {
         }
     }
 
-    /** A laser through 0 to 16 portals ends at its target, and the length is that of the whole path. */
+    /** A ray through 0 to 16 portals ends at its target, and its length is that of the whole path. */
     @Test
     void aBeamThroughManyPortalsMeasuresItsWholePath() {
         for (int pairs = 0; pairs <= 16; pairs++) {
-            // 2 m before the first wall, 2 m between an exit and the next entry, a wall 0.75 m beyond the last exit.
+            // 2 m in front of the first wall, 2 m between an exit and the next entry, a wall 0.75 m beyond the last
+            // exit.
             double whole = pairs == 0 ? 1.75 : 2 + 2 * (pairs - 1) + 0.75;
             double target = pairs == 0 ? -0.75 : 0.25;
             double lastX = 10 * pairs;
@@ -211,12 +215,12 @@ final class PathTraceTest {
             assertEquals(pairs, trace.word().length());
             assertEquals(whole, 100 * trace.freeFraction(), 1e-9);
             assertEquals(0, trace.place().distance(new Vector3d(lastX, 1, target)), 1e-9);
-            // A sound that carries no farther than this path ends with it, wherever the portals led.
+            // A path slightly shorter than this is not blocked, whatever portals it crosses.
             assertEquals(End.ARRIVED, trace.walk(new Vector3d(0, 1, 1), new Vector3d(0, 0, -whole + 1e-6)));
         }
     }
 
-    /** Between facing portals a beam goes on to the cap, however long it is. */
+    /** Between facing portals a ray ends at the limit of crossings, however long it is. */
     @Test
     void aClosedLoopEndsAtTheCap() {
         Portal near = portal("near", new Vec3(0, 1, 0), new Vec3(0, 0, -1));
@@ -232,8 +236,8 @@ final class PathTraceTest {
     }
 
     /**
-     * Three pairs bend a beam back into its own start, 2 m a leg: it never arrives anywhere, ends at
-     * the cap at its own beginning, and a sound of any shorter reach ends after exactly that way.
+     * Three pairs lead a ray back to its own start, 2 m a leg: it ends at the limit of crossings, and any shorter path
+     * ends after exactly its length.
      */
     @Test
     void aBeamThatRunsIntoItsOwnStartEndsAtTheCap() {
@@ -264,11 +268,11 @@ final class PathTraceTest {
         }
     }
 
-    /** The wall that a portal is in does not stop what goes through it; what stands before it does. */
+    /** A path through a portal is not blocked by the wall around it, but by obstacles in front of it. */
     @Test
     void theHostWallIsOpenAndNothingElse() {
         Portals portals = chain(1);
-        // The entry's wall is flush with its plane and some 1e-9 before it.
+        // The entry's wall is flush with its plane, or 1e-9 m in front of or behind it.
         for (double z : new double[] {-1, -1 + 1e-9, -1 - 1e-9}) {
             var trace = new PathTrace(
                     portals, (from, way) -> from.x() < 5 ? wallAtZ(z).free(from, way) : 1);
@@ -282,7 +286,7 @@ final class PathTraceTest {
         assertEquals(CrossingWord.EMPTY, grating.word());
     }
 
-    /** Row 35, for paths: what is not a number goes nowhere and ends. */
+    /** A path that is not finite terminates. */
     @Test
     void whatIsNotANumberEnds() {
         var trace = new PathTrace(crowd(), Obstacles.NONE);

@@ -8,8 +8,13 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
+<<<<<<< HEAD:src/test/java/nephele/engine/portal/PortalsTest.java
 /** A point belongs to the other side when the straight line from its shape's centre meets the aperture. */
 class PortalsTest {
+=======
+/** A point is on the other side if the segment to it from its shape's centre crosses the aperture. */
+class ThroughPortalsTest {
+>>>>>>> c13-1:src/test/java/nephele/engine/collision/rigid/ThroughPortalsTest.java
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Aperture APERTURE = Aperture.of(PortalShape.RECTANGLE, 1.2, 2.1);
 
@@ -21,7 +26,7 @@ class PortalsTest {
 
     @Test
     void theLineFromTheCentreDecides() {
-        // A quarter of the way lies before the plane.
+        // A quarter of the segment is in front of the plane.
         Vector3d centre = new Vector3d(0, 0, 0.2);
         assertEquals(1, through(centre, new Vector3d(2.2, 0, -0.6)), "meets the plane 0.55 m off the middle");
         assertEquals(0, through(centre, new Vector3d(2.6, 0, -0.6)), "0.65 m");

@@ -20,14 +20,14 @@ import nephele.lab.prove.DoorwayRooms.Doors;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** The camera behind the player, beside and beyond portals. */
+/** The third-person camera, beside and beyond portals. */
 class BoomTest {
     private static final double TICK = 1.0 / 120;
     private static final int SHARES = 4;
-    /** Beside a real doorway what stands close behind the thin wall shortens the boom a little; beside a portal nothing. */
+    /** A doorway's boom is slightly shortened by solids close behind the thin wall; a portal's is not. */
     private static final double MOST_OFF_METRES = 0.005;
 
-    /** However frames cut the time, the camera is at the same place: the spring's step is exact. */
+    /** Any division of the time into frames gives the same camera: the spring's step is exact. */
     @Test
     void anyCutOfTheTimeGivesTheSameSpring() {
         var random = new Random(5);
@@ -51,7 +51,7 @@ class BoomTest {
         }
     }
 
-    /** Through 0 to 3 portals the boom ends before the wall at the word's end. */
+    /** Through 0 to 3 portals the boom ends in front of the wall behind the last one. */
     @Test
     void theWallAtTheWordsEndShortensTheBoom() {
         for (int doors = 0; doors <= 3; doors++) {
@@ -72,7 +72,9 @@ class BoomTest {
         }
     }
 
-    /** A wall before the player's eyes is not in the boom's way, nor is one that the shoulder touches behind it. */
+    /**
+     * A wall in front of the player does not shorten the boom, nor does one that the shoulder touches behind the eye.
+     */
     @Test
     void theWallThatOneFacesLeavesTheBoomOut() {
         Level level = new RoomLevel().box(-3, 0, -0.6, 3, 4, -0.3).level();
@@ -82,7 +84,7 @@ class BoomTest {
         }
     }
 
-    /** Wherever it goes and however it turns, it is where a doorway of the same shape lets it be. */
+    /** For any walk and view, the boom through portals equals the boom through doorways of the same shape. */
     @Test
     void portalsAreDoorwaysToTheBoom() {
         int exact = 0;
@@ -100,7 +102,7 @@ class BoomTest {
         assertTrue(exact > 0.9 * all, exact + " of " + all + " frames");
     }
 
-    /** There is no pop: four times as many frames move the camera a quarter as far, and it grows no faster than it may. */
+    /** The boom is continuous: four times as many frames move it a quarter as far, and it extends at a limited rate. */
     @Test
     void theBoomNeverPops() {
         Level level = DoorwayRooms.level(2, Doors.PORTALS);
@@ -122,7 +124,10 @@ class BoomTest {
         return most;
     }
 
-    /** The arm in the view's axes, several times a tick, of a walk through all doors with a look around in each. */
+    /**
+     * Returns the boom in the view's axes, several times a tick, on a walk through all doors with a look around in
+     * each.
+     */
     private static List<Vec3> arms(Level level, int shares) {
         var simulation = new Simulation(level, SimSettings.DEFAULT);
         var boom = new Boom(CollisionWorld.of(level), TICK);

@@ -4,7 +4,7 @@ import nephele.engine.level.Level;
 import nephele.engine.sim.PlayerInput;
 import nephele.engine.sim.SimSettings;
 
-/** A walk in a level whose input the test gives. */
+/** A walk in a level with input from the test. */
 final class HandWalk {
     private final Walk walk;
     private PlayerInput hands = PlayerInput.NONE;
@@ -27,7 +27,7 @@ final class HandWalk {
         return walk;
     }
 
-    /** From now on. */
+    /** Sets the input of all later ticks. */
     HandWalk hold(PlayerInput held) {
         hands = held;
         return this;

@@ -9,7 +9,7 @@ import nephele.engine.sim.Replay;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** What is told of the crate that the recorded walk carries through a portal. */
+/** The frame state of the crate that the recorded walk carries through a portal. */
 class HeldInPlayTest {
     private static final LevelName LEVEL = new LevelName("levels/04-cube.json");
 
@@ -32,7 +32,7 @@ class HeldInPlayTest {
         }
     }
 
-    /** It does not blink: in the hand, in the portal and beyond it is as clear, straight ahead and as far. */
+    /** The held crate becomes transparent and stays so through the portal, straight ahead and at the same distance. */
     @Test
     void itBecomesClearAndStaysThroughThePortal() {
         pickUp();

@@ -14,7 +14,7 @@ import nephele.engine.scene.Moment.Posture;
 import nephele.engine.sim.PlayerPose;
 import org.junit.jupiter.api.Test;
 
-/** The figure between two ticks: nothing about it jumps where its middle goes through a portal before its body does. */
+/** The character between two ticks does not jump when its middle goes through a portal before its body does. */
 class LiveMomentTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
@@ -23,7 +23,7 @@ class LiveMomentTest {
                 new PortalSpec(id, linkedTo, centre, normal, new Vec3(0.3, 0.2, -1), 3, 3, PortalShape.RECTANGLE));
     }
 
-    /** Over a floor portal that leads to a wall: the figure sinks as its eye does, crouching too, turned all ways. */
+    /** Over a floor portal that leads to a wall, the character sinks with its eye, also crouching, for any yaw. */
     @Test
     void theFigureSinksThroughAFloorWithoutAJump() {
         Portals portals = new Portals(

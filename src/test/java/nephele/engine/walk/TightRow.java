@@ -4,7 +4,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.RoomLevel;
 import nephele.engine.math.Vec3;
 
-/** Walls with portals 0.6 m before one another, far apart in the level, and a wall behind the last. */
+/** Walls with portals, 0.6 m one after another along the path, far apart in the level, and a wall behind the last. */
 final class TightRow {
     static final double TO_DOOR = 0.6;
 

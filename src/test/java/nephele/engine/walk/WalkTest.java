@@ -10,7 +10,7 @@ import nephele.engine.sim.PlayerInput;
 import org.junit.jupiter.api.Test;
 
 class WalkTest {
-    /** Two ticks and a half, rounded up. */
+    /** Length of two and a half ticks, rounded up. */
     private static final long FRAME_NANOS = 20_833_334;
 
     @Test
@@ -22,7 +22,7 @@ class WalkTest {
         assertEquals(250, walk.state().tick());
     }
 
-    /** Whoever falls out of the level begins again: the picture before has nothing to do with it. */
+    /** A player that falls out of the level is reset: the view is discontinuous. */
     @Test
     void aBeginningAndALeapAreCuts() {
         HandWalk room = new HandWalk(new RoomLevel().box(-1, -1, -1, 1, 0, 1).level());
@@ -39,7 +39,7 @@ class WalkTest {
         assertTrue(cuts >= 1, "fell");
     }
 
-    /** Straight on through a portal is no cut. */
+    /** A walk straight on through a portal is continuous. */
     @Test
     void aCrossingIsNoCut() {
         HandWalk room = new HandWalk(RoomLevel.hall()

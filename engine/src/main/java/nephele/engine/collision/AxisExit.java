@@ -7,12 +7,12 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * The shortest way out of any number of solids along one of the six directions of the axes. It takes solids for their
- * boxes and so goes too far rather than not far enough, but always ends and takes as long as sorting them. Reused for
- * every query.
+ * The shortest displacement along one of the six axis directions that frees a shape from all solids. It replaces the
+ * solids by their bounding boxes, so the displacement may be longer than necessary but never too short; it always
+ * terminates, in the time of a sort. Reused for every query.
  */
 final class AxisExit {
-    /** A solid that only touches the shape's sides is not in its way. */
+    /** Overlap to the sides that counts as touching only. */
     private static final double TOUCH_METRES = 1e-6;
 
     private final ItemList near = new ItemList();
@@ -21,7 +21,7 @@ final class AxisExit {
     private double[][] spans = new double[0][];
     private double metres;
 
-    /** Leads to a place {@link Sweep#SKIN_METRES} off the last solid. */
+    /** Returns the displacement found; it ends {@link Sweep#SKIN_METRES} from the last solid. */
     Vector3dc way() {
         return way;
     }
@@ -30,7 +30,7 @@ final class AxisExit {
         return metres;
     }
 
-    /** Returns {@link #metres}. */
+    /** Finds the shortest displacement and returns its length, {@link #metres}. */
     double find(CollisionWorld world, RoundedHull shape, Vector3dc at) {
         metres = Double.POSITIVE_INFINITY;
         for (int axis = 0; axis < 3; axis++) {
@@ -45,7 +45,7 @@ final class AxisExit {
         return metres;
     }
 
-    /** Where on the way the shape's box is first clear of all others. */
+    /** Returns the distance along the direction at which the shape's box is first clear of all other boxes. */
     private double firstGap(CollisionWorld world, RoundedHull shape, Vector3dc at, int axis, int sign) {
         Aabb all = world.extent();
         double end = sign > 0
@@ -67,7 +67,7 @@ final class AxisExit {
         return gap;
     }
 
-    /** From where to where on the way a box is met. */
+    /** Writes the interval of distances along the direction in which the shape overlaps a box or its skin. */
     private static void span(Aabb box, RoundedHull shape, double at, int axis, int sign, double[] span) {
         double begin =
                 sign > 0 ? least(box, axis) - at - shape.greatest(axis) : at + shape.least(axis) - greatest(box, axis);
@@ -77,7 +77,7 @@ final class AxisExit {
         span[1] = end + Sweep.SKIN_METRES;
     }
 
-    /** How far a shape has to move along an axis to be clear of a box, at least; 0 when it is. */
+    /** Returns the least distance along an axis that clears the shape's box of another box; 0 when it is clear. */
     static double depth(RoundedHull shape, Vector3dc at, Aabb box) {
         double least = Double.POSITIVE_INFINITY;
         for (int axis = 0; axis < 3; axis++) {

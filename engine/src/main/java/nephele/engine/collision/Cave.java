@@ -11,12 +11,13 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
 /**
- * The hole in this side's solids behind an open portal: the aperture's own prism for the first {@link #FRAME_METRES},
- * then a box so wide and deep that nothing whose centre is in front reaches its end. So what is left of the wall at the
- * portal's plane is a thin, exact frame, and there is room behind it for the other side.
+ * The aperture volume: the hole in this side's solids behind an open portal. It is the aperture's own prism for the
+ * first {@link #FRAME_METRES}, then a box so wide and deep that no body with its centre in front of the portal reaches
+ * its end. What is left of the wall at the portal's plane is a thin, exact frame, with room behind it for the other
+ * side's solids.
  */
 final class Cave {
-    /** Thickness of the frame that is left of the host. */
+    /** Thickness of the frame that is left of the wall. */
     static final double FRAME_METRES = 5e-4;
 
     /** Portals whose unit normals differ by less face the same way. */
@@ -45,12 +46,15 @@ final class Cave {
         bounds = bounds(portal, x, y, reachMetres);
     }
 
-    /** @param shared planes beyond which another portal's cave begins; this one lies behind them */
+    /**
+     * @param reachMetres depth of the volume, and its margin around the aperture
+     * @param shared planes that separate it from the volumes of other portals; it is on their negative side
+     */
     static Cave behind(Portal portal, double reachMetres, List<Plane> shared) {
         return new Cave(portal, reachMetres, shared);
     }
 
-    /** The plane so far behind the portal, looking as it does. */
+    /** Returns the plane at a distance behind the portal, with the portal's normal. */
     private static Plane behind(Portal portal, double metres) {
         return Plane.through(portal.normal(), portal.world(0, 0, -metres));
     }
@@ -64,7 +68,10 @@ final class Cave {
         return edges;
     }
 
-    /** A plane across the portal's own, by its unit normal and distance from the centre within that. */
+    /**
+     * Returns a plane perpendicular to the portal's, from its unit normal and distance from the centre in portal
+     * coordinates.
+     */
     private static Plane lateral(Portal portal, double x, double y, double metres) {
         Vec3 right = portal.frame().right();
         Vec3 up = portal.frame().up();
@@ -84,7 +91,7 @@ final class Cave {
         return bounds;
     }
 
-    /** Adds what is left of a solid, as convex pieces. */
+    /** Adds the parts of a solid outside the volume, as convex pieces. */
     void carve(ConvexPolyhedron solid, List<ConvexPolyhedron> left) {
         PolyhedronCut atFront = PolyhedronCut.of(solid, front);
         add(atFront.inFront(), left);
@@ -95,7 +102,7 @@ final class Cave {
         }
     }
 
-    /** Adds what of a solid lies in the cave, as convex pieces. */
+    /** Adds the parts of a solid inside the volume, as convex pieces. */
     void fill(ConvexPolyhedron solid, List<ConvexPolyhedron> inside) {
         ConvexPolyhedron rest = PolyhedronCut.of(solid, front).behind();
         if (rest != null) {
@@ -111,7 +118,7 @@ final class Cave {
         }
     }
 
-    /** The parts of a solid that are outside at least one of the planes. */
+    /** Adds the parts of a solid that are outside at least one of the planes. */
     private static void takeOut(ConvexPolyhedron solid, List<Plane> planes, List<ConvexPolyhedron> left) {
         if (common(solid, planes) == null) {
             add(solid, left);

@@ -7,8 +7,8 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
 /**
- * A solid convex obstacle: a polyhedron, or a segment with a radius around it. It is stored relative to its own centre:
- * a level a thousand kilometres out keeps the precision of one at the origin.
+ * A solid convex obstacle: a polyhedron, or a segment with a radius around it. It is stored relative to its own centre,
+ * so that a level a thousand kilometres from the origin keeps the precision of one at the origin.
  */
 public final class Collider implements ConvexPoints {
     private final ColliderForm form;
@@ -19,14 +19,15 @@ public final class Collider implements ConvexPoints {
     private final double[] edges;
     private final Aabb bounds;
     private final double radiusMetres;
-    /** Made when the first body comes near. */
+    /** Built on first use. */
     private ContactHull contactHull;
 
+    /** Makes a collider from a polyhedron in world coordinates, in metres. */
     public Collider(String solidId, ConvexPolyhedron shape) {
         this(solidId, new ColliderForm.Solid(shape), shape);
     }
 
-    /** A {@link ThinSheet}. */
+    /** Makes a {@link ThinSheet} from its four corners. */
     Collider(String solidId, Vec3[] sheet) {
         this(solidId, new ColliderForm.Sheet(sheet), ThinSheet.shape(sheet));
     }
@@ -42,7 +43,7 @@ public final class Collider implements ConvexPoints {
         edges = form.edges(vertices);
     }
 
-    /** Everything within a radius of a segment: a capsule, or a sphere where the ends are one point. */
+    /** Makes the set of all points within a radius of a segment: a capsule, or a sphere when the ends coincide. */
     private Collider(String solidId, Vec3 centre, Vec3 halfAxis, double radiusMetres) {
         this.solidId = solidId;
         this.centre = centre;
@@ -57,7 +58,7 @@ public final class Collider implements ConvexPoints {
                 .grown(radiusMetres);
     }
 
-    /** A capsule whose axis runs from −{@code halfAxis} to +{@code halfAxis} about its centre; a sphere for zero. */
+    /** Returns a capsule about its centre, its axis from −{@code halfAxis} to +{@code halfAxis}; a sphere for zero. */
     public static Collider capsule(String solidId, Vec3 centre, Vec3 halfAxis, double radiusMetres) {
         return new Collider(solidId, centre, halfAxis, radiusMetres);
     }
@@ -72,7 +73,9 @@ public final class Collider implements ConvexPoints {
         return relative;
     }
 
-    /** The plane's distance is taken at a corner of the face, where it is exact although the plane's own is large. */
+    /**
+     * Takes each plane's distance at a corner of its face, where it is exact even if the plane's own distance is large.
+     */
     private static double[] relativePlanes(List<ConvexPolyhedron.Face> faces, Vec3 centre) {
         double[] relative = new double[4 * faces.size()];
         for (int i = 0; i < faces.size(); i++) {
@@ -88,7 +91,11 @@ public final class Collider implements ConvexPoints {
         return relative;
     }
 
-    /** For contact points of bodies. */
+    /**
+     * Returns the form used for contact points of bodies; built on the first call, which is not thread-safe.
+     *
+     * @throws IllegalStateException for a sphere or a capsule
+     */
     public ContactHull contactHull() {
         if (contactHull == null) {
             contactHull = new ContactHull(this);
@@ -96,30 +103,36 @@ public final class Collider implements ConvexPoints {
         return contactHull;
     }
 
+    /** Returns the id of the level object that this collider was made from. */
     public String solidId() {
         return solidId;
     }
 
-    /** @throws IllegalStateException for a sphere or a capsule */
+    /**
+     * Returns the polyhedron in world coordinates.
+     *
+     * @throws IllegalStateException for a sphere or a capsule
+     */
     public ConvexPolyhedron shape() {
         return form.polyhedron();
     }
 
+    /** Returns the bounding box in world coordinates. */
     public Aabb bounds() {
         return bounds;
     }
 
-    /** How far the surface lies outside the hull of the vertices. */
+    /** Returns the distance of the surface outside the convex hull of the vertices. */
     double radiusMetres() {
         return radiusMetres;
     }
 
-    /** The origin of {@link #vertex}, {@link #plane} and every local offset. */
+    /** Returns the origin of {@link #vertex}, {@link #plane} and every local offset. */
     public Vec3 centre() {
         return centre;
     }
 
-    /** Whether a point of the world lies strictly inside. */
+    /** Returns true if a point in world coordinates is strictly inside. */
     boolean holds(double x, double y, double z) {
         for (int i = 0; i < faces(); i++) {
             if (inFrontOf(i, x - centre.x(), y - centre.y(), z - centre.z()) >= 0) {
@@ -133,7 +146,7 @@ public final class Collider implements ConvexPoints {
         return planes.length / 4;
     }
 
-    /** Components 0–2 are the outward unit normal of a face, 3 is its distance from the centre. */
+    /** Returns a component of a face's plane: 0–2 the outward unit normal, 3 its distance from the centre. */
     double plane(int face, int component) {
         return planes[4 * face + component];
     }
@@ -165,7 +178,7 @@ public final class Collider implements ConvexPoints {
         return best;
     }
 
-    /** The signed distance of a point, relative to the centre, from the plane of a face. */
+    /** Returns the signed distance of a point, relative to the centre, from the plane of a face. */
     double inFrontOf(int face, double x, double y, double z) {
         int i = 4 * face;
         return planes[i] * x + planes[i + 1] * y + planes[i + 2] * z - planes[i + 3];

@@ -6,11 +6,11 @@ import nephele.engine.math.Vec3;
 
 /** The shape that a {@link Collider} was made from. */
 sealed interface ColliderForm {
-    /** The same as a polyhedron, for what cuts it or lies on its faces. */
+    /** Returns the form as a polyhedron in world coordinates, for cutting and for its faces. */
     ConvexPolyhedron polyhedron();
 
     /**
-     * Three numbers for each edge: its direction, of any length.
+     * Returns three numbers for each edge: its direction, of any length.
      *
      * @param vertices three numbers each
      */
@@ -18,7 +18,7 @@ sealed interface ColliderForm {
 
     /** A convex solid. */
     record Solid(ConvexPolyhedron polyhedron) implements ColliderForm {
-        /** Each edge once or twice, as two faces see it. */
+        /** Contains an edge twice when two faces share it. */
         @Override
         public double[] edges(double[] vertices) {
             List<ConvexPolyhedron.Face> faces = polyhedron.faces();
@@ -38,14 +38,16 @@ sealed interface ColliderForm {
         }
     }
 
-    /** The corners of a {@link ThinSheet}: there are many, few are ever cut or lain on, and then the polyhedron is made. */
+    /**
+     * The corners of a {@link ThinSheet}. There are many and few need the polyhedron, so it is built on each request.
+     */
     record Sheet(Vec3[] corners) implements ColliderForm {
         @Override
         public ConvexPolyhedron polyhedron() {
             return ThinSheet.shape(corners);
         }
 
-        /** The six edges between four corners. */
+        /** Returns the directions of the six edges between the four corners. */
         @Override
         public double[] edges(double[] vertices) {
             int[] pairs = {0, 1, 1, 2, 2, 0, 0, 3, 1, 3, 2, 3};

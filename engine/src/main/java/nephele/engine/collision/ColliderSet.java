@@ -7,27 +7,31 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
 import nephele.engine.math.Vec3;
 
-/** Some of a world's colliders, numbered from 0 and found by their boxes. */
+/** Some of a world's colliders, numbered from 0 and indexed by their bounding boxes. */
 sealed interface ColliderSet permits ListedColliders, HeightFieldColliders {
     int size();
 
     Collider collider(int item);
 
-    /** Around all of them; empty for none. */
+    /** Returns the bounding box of all of them; empty for none. */
     Aabb bounds();
 
-    /** The ray parameter at which a ray enters one of them, infinity for a miss. */
+    /** Returns the ray parameter at which a ray enters a collider, infinity for a miss. */
     double entry(Ray ray, int item, RayCast by);
 
-    /** The nearest hit by the caller's own test, the lowest item among equally near ones. */
+    /**
+     * Finds the nearest hit by the caller's own test, the lowest item among equally near ones; returns false for none.
+     */
     boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit);
 
-    /** All whose boxes overlap or touch a box. */
+    /** Visits all colliders with boxes that overlap or touch a box. */
     void overlapping(Aabb box, ItemVisitor found);
 
-    /** The same for six numbers of an array from {@code at} on: three least, three greatest. */
+    /**
+     * Does the same for a box of six numbers of an array from {@code at} on: three least, three greatest coordinates.
+     */
     void overlapping(double[] box, int at, ItemVisitor found);
 
-    /** All whose boxes a box may touch on its way along {@code motion}. */
+    /** Visits all colliders with boxes that a box may touch while it moves by {@code motion}. */
     void swept(Aabb box, Vec3 motion, ItemVisitor found);
 }

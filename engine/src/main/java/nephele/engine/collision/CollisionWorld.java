@@ -14,21 +14,22 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
 /**
- * Everything solid that never moves. A level without solids gives an empty world. One world may stand for another with
- * a few solids replaced; it shares the rest, and a solid keeps its index.
+ * The static collision geometry. A level without solids gives an empty world. A world can be derived from another with
+ * a few solids replaced; it shares the rest, and a shared solid keeps its index.
  */
 public final class CollisionWorld {
-    /** Nothing of the base is absent. */
+    /** No solid of the base is absent. */
     private static final long[] ALL = new long[0];
 
     private final ColliderSet own;
-    /** The world whose solids this one shares; {@code null} for a world of its own. */
+    /** The world with which this one shares solids; {@code null} for none. */
     private final CollisionWorld base;
-    /** One bit for each solid of the base, up to the last that is not here: whether it is not. */
+    /** One bit for each solid of the base, up to the last absent one; set if the solid is absent here. */
     private final long[] absent;
-    /** What this is the world of; {@code null} where it is not one of static shapes. */
+    /** The static shapes that this world was built from; {@code null} if it was not built from static shapes. */
     private final StaticShapes statics;
 
+    /** Makes a world of these colliders; their indices are those in the list. */
     public CollisionWorld(List<Collider> colliders) {
         this(new ListedColliders(colliders), null, ALL);
     }
@@ -47,13 +48,16 @@ public final class CollisionWorld {
     /**
      * Builds the world of a level without models.
      *
-     * @throws IllegalArgumentException when a solid encloses no volume; the level rules say so first
+     * @throws IllegalArgumentException when a solid encloses no volume; the level rules report that first
      */
     public static CollisionWorld of(Level level) {
         return of(StaticShapes.of(level));
     }
 
-    /** Solids and convex models, then each triangle of other models, then each triangle of the ground. */
+    /**
+     * Builds a world: first solids and convex models, then each triangle of other models, then each triangle of the
+     * ground.
+     */
     public static CollisionWorld of(StaticShapes statics) {
         StaticColliders sorted = StaticColliders.of(statics);
         return of(statics, new ListedColliders(sorted.listed()), sorted.ground());
@@ -69,8 +73,8 @@ public final class CollisionWorld {
     }
 
     /**
-     * The world of an edited level, as {@link #of} builds it; a collider of the same shape is the same object, and so is the
-     * world where all are.
+     * Returns the world of an edited level, as {@link #of} builds it. Colliders of unchanged shape are reused, and this
+     * world is returned when all are unchanged.
      *
      * @throws IllegalStateException when this is not the world of a level
      */
@@ -88,13 +92,13 @@ public final class CollisionWorld {
         return isSame ? this : of(others, now, sorted.ground());
     }
 
-    /** What is not ground, in the world of a level. */
+    /** Returns the colliders that are not ground, in the world of a level. */
     private ListedColliders listed() {
         return base == null ? (ListedColliders) own : base.listed();
     }
 
     /**
-     * This world with some of its solids replaced; takes no longer than the replacement is large.
+     * Returns this world with some of its solids replaced; takes time proportional to the replacement.
      *
      * @param without indices in this world
      * @param added get the indices from {@link #size} on
@@ -111,18 +115,18 @@ public final class CollisionWorld {
         return new CollisionWorld(new ListedColliders(added), this, bits);
     }
 
-    /** This world and more; they get the indices from {@link #size} on. */
+    /** Returns this world with more colliders, which get the indices from {@link #size} on. */
     public CollisionWorld with(List<Collider> added) {
         return new CollisionWorld(new ListedColliders(added), this, ALL);
     }
 
-    /** This world and ground, whose triangles get the indices from {@link #size} on. */
+    /** Returns this world with ground; its triangles get the indices from {@link #size} on. */
     private CollisionWorld with(StaticShape.HeightGrid grid) {
         Math.addExact(size(), grid.field().triangles());
         return new CollisionWorld(new HeightFieldColliders(grid.id(), grid.field()), this, ALL, statics);
     }
 
-    /** One more than the greatest index. */
+    /** Returns one more than the greatest index. */
     public int size() {
         return shared() + own.size();
     }
@@ -131,12 +135,12 @@ public final class CollisionWorld {
         return base == null ? 0 : base.size();
     }
 
-    /** A solid by its index; one that was replaced is still told. */
+    /** Returns a solid by its index; also one that was replaced. */
     public Collider collider(int item) {
         return item < shared() ? base.collider(item) : own.collider(item - shared());
     }
 
-    /** Around everything, replaced solids too; empty for an empty world. */
+    /** Returns the bounding box of all solids, replaced ones included; empty for an empty world. */
     public Aabb extent() {
         return base == null ? own.bounds() : base.extent().union(own.bounds());
     }
@@ -145,7 +149,7 @@ public final class CollisionWorld {
         return item >> 6 < absent.length && (absent[item >> 6] & 1L << item) != 0;
     }
 
-    /** The nearest hit by the caller's own test. */
+    /** Finds the nearest hit by the caller's own test; returns false for none. */
     boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
         if (base == null) {
             return own.nearest(ray, limit, test, hit);
@@ -164,12 +168,12 @@ public final class CollisionWorld {
         return hit.item() >= 0;
     }
 
-    /** The ray parameter at which a ray enters one solid, infinity for a miss. */
+    /** Returns the ray parameter at which a ray enters a solid, infinity for a miss. */
     double entry(Ray ray, int item, RayCast by) {
         return item < shared() ? base.entry(ray, item, by) : own.entry(ray, item - shared(), by);
     }
 
-    /** Fills {@code found} with the solids whose boxes overlap or touch {@code box}, in ascending order. */
+    /** Fills {@code found} with the solids of which the box touches {@code box}, in ascending order. */
     public void overlapping(Aabb box, ItemList found) {
         found.clear();
         collect(box, found);
@@ -183,7 +187,9 @@ public final class CollisionWorld {
         own.overlapping(box, own(found));
     }
 
-    /** The same for six numbers of an array from {@code at} on: three least, three greatest. */
+    /**
+     * Does the same for a box of six numbers of an array from {@code at} on: three least, three greatest coordinates.
+     */
     public void overlapping(double[] box, int at, ItemList found) {
         found.clear();
         collect(box, at, found);
@@ -198,7 +204,7 @@ public final class CollisionWorld {
     }
 
     /**
-     * Fills {@code found} with the colliders that a shape may touch on its way, in ascending order.
+     * Fills {@code found} with the colliders that a shape may touch along a displacement, in ascending order.
      *
      * @param margin in metres around the shape
      */

@@ -6,8 +6,8 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 
 /**
- * A collider as contact points need it: corners, faces as rings of corners, the planes that stand upright on each face's
- * edges, and every edge direction once. All relative to the collider's centre.
+ * A collider in the form that contact generation needs: corners, faces as rings of corners, the planes through each
+ * face's edges perpendicular to the face, and every edge direction once. All are relative to the collider's centre.
  */
 public final class ContactHull {
     private static final double PARALLEL = 1e-9;
@@ -16,7 +16,9 @@ public final class ContactHull {
     private final double[] planes;
     private final int[] ringStart;
     private final int[] ring;
-    /** For each place of a ring the outward unit normal of the edge that starts there, and its distance. */
+    /**
+     * Four numbers for each place of a ring: the outward unit normal of the edge that starts there, and its distance.
+     */
     private final double[] sides;
 
     private final double[] edges;
@@ -133,7 +135,7 @@ public final class ContactHull {
         return upright;
     }
 
-    /** True for a box along the axes of the world: {@link #halfSize} says all. */
+    /** Returns true for a box aligned with the world axes, which {@link #halfSize} describes completely. */
     public boolean uprightBox() {
         return uprightBox;
     }
@@ -154,22 +156,25 @@ public final class ContactHull {
         return planes.length / 4;
     }
 
-    /** Components 0–2 are the outward unit normal of a face, 3 is its distance from the centre. */
+    /** Returns a component of a face's plane: 0–2 the outward unit normal, 3 its distance from the centre. */
     public double plane(int face, int component) {
         return planes[4 * face + component];
     }
 
-    /** The places of the ring of a face go from here to that of the next. */
+    /** Returns the first place of a face's ring; the ring ends before the first place of the next face. */
     public int ringStart(int face) {
         return ringStart[face];
     }
 
-    /** The corner at a place of the rings. */
+    /** Returns the corner at a place of the rings. */
     public int ring(int place) {
         return ring[place];
     }
 
-    /** Components 0–2: unit normal, in the face and away from it, of the edge that starts at a place; 3: its distance. */
+    /**
+     * Returns a component for the edge that starts at a place: 0–2 its unit normal, in the plane of the face and
+     * pointing out of it, 3 its distance.
+     */
     public double side(int place, int component) {
         return sides[4 * place + component];
     }
@@ -178,7 +183,7 @@ public final class ContactHull {
         return edges.length / 3;
     }
 
-    /** Unit direction of an edge; parallel ones are one. */
+    /** Returns a component of an edge's unit direction; parallel edges share one direction. */
     public double edge(int edge, int axis) {
         return edges[3 * edge + axis];
     }

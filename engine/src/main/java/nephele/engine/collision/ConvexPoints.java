@@ -1,10 +1,10 @@
 package nephele.engine.collision;
 
-/** Points around a place whose convex hull is meant. */
+/** Points relative to an origin, which stand for their convex hull. */
 interface ConvexPoints {
-    /** The point that lies farthest along a direction. */
+    /** Returns the index of the point farthest along a direction. */
     int farthest(double x, double y, double z);
 
-    /** One coordinate of a point, relative to the place. */
+    /** Returns one coordinate of a point, relative to the origin. */
     double vertex(int point, int axis);
 }

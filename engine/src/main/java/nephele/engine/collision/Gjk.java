@@ -3,7 +3,8 @@ package nephele.engine.collision;
 /**
  * Distance between a moving shape's core and a collider: Gilbert, Johnson and Keerthi (1988), with the lower bound of
  * van den Bergen (1999), section 3. Every direction tried gives a plane that separates by v · w / |v|; the best of them
- * is the result, so that a search cut short errs towards "nearer", never through a wall. Reused for every query.
+ * is the result, so that a search cut short underestimates the distance and never overestimates it. Reused for every
+ * query.
  */
 final class Gjk {
     private static final int MAX_ITERATIONS = 48;
@@ -15,12 +16,15 @@ final class Gjk {
     private double normalY;
     private double normalZ;
 
-    /** Metres between core and collider, never more than the truth; not positive when they meet. */
+    /**
+     * Returns the distance in metres between core and collider, never more than the true one; not positive when they
+     * intersect.
+     */
     double distance() {
         return distance;
     }
 
-    /** From the collider towards the shape, unit length; means nothing when they meet. */
+    /** Returns a component of the unit vector from the collider towards the shape; undefined when they intersect. */
     double normalX() {
         return normalX;
     }
@@ -33,12 +37,16 @@ final class Gjk {
         return normalZ;
     }
 
-    /** The collider's nearest point: one coordinate, relative to the collider's centre. */
+    /** Returns one coordinate of the collider's nearest point, relative to the collider's centre. */
     double onCollider(ConvexPoints collider, int axis) {
         return simplex.onCollider(collider, axis);
     }
 
-    /** @param x of the shape's origin relative to the collider's centre; y and z alike */
+    /**
+     * Measures the distance.
+     *
+     * @param x coordinate of the shape's origin relative to the collider's centre; likewise y and z
+     */
     void measure(RoundedHull shape, double x, double y, double z, ConvexPoints collider) {
         simplex.clear();
         distance = Double.NEGATIVE_INFINITY;

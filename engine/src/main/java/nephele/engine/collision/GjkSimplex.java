@@ -1,7 +1,7 @@
 package nephele.engine.collision;
 
 /**
- * One to four points of a Minkowski difference, and the point of their hull that is nearest to the origin. Voronoi
+ * One to four points of a Minkowski difference, and the point of their convex hull nearest to the origin. Voronoi
  * regions after Ericson, Real-Time Collision Detection (2005), sections 5.1.2, 5.1.5 and 9.5.
  */
 final class GjkSimplex {
@@ -52,12 +52,12 @@ final class GjkSimplex {
         return bestZ;
     }
 
-    /** The square of the distance from the origin. */
+    /** Returns the squared distance from the origin. */
     double square() {
         return bestSquare;
     }
 
-    /** The nearest point as seen on the collider: one coordinate, relative to the collider's centre. */
+    /** Returns one coordinate of the nearest point on the collider, relative to the collider's centre. */
     double onCollider(ConvexPoints collider, int axis) {
         double sum = 0;
         for (int i = 0; i < size; i++) {
@@ -66,7 +66,7 @@ final class GjkSimplex {
         return sum;
     }
 
-    /** Finds the nearest point and drops the points that it does not need; true when the origin is inside. */
+    /** Finds the nearest point and drops the points that it does not need; returns true if the origin is inside. */
     boolean reduce() {
         bestSquare = Double.POSITIVE_INFINITY;
         switch (size) {
@@ -104,7 +104,10 @@ final class GjkSimplex {
         return !outside;
     }
 
-    /** Takes part in the search when the origin is not strictly on the side of {@code opposite}, or that side is flat. */
+    /**
+     * Tests a face unless the origin is strictly on the side of {@code opposite}; returns true if the face was tested.
+     * A flat tetrahedron has no such side.
+     */
     private boolean face(int a, int b, int c, int opposite) {
         double abX = p[3 * b] - p[3 * a];
         double abY = p[3 * b + 1] - p[3 * a + 1];
@@ -141,7 +144,7 @@ final class GjkSimplex {
         double dY = p[3 * b + 1] - p[3 * a + 1];
         double dZ = p[3 * b + 2] - p[3 * a + 2];
         double t = -(p[3 * a] * dX + p[3 * a + 1] * dY + p[3 * a + 2] * dZ) / (dX * dX + dY * dY + dZ * dZ);
-        // Written so that a zero-length edge (t is NaN) ends at its first corner.
+        // The negated comparison sends a zero-length edge (t is NaN) to its first corner.
         if (!(t > 0)) {
             corner(a);
         } else if (t >= 1) {
@@ -181,7 +184,7 @@ final class GjkSimplex {
         double nX = abY * acZ - abZ * acY;
         double nY = abZ * acX - abX * acZ;
         double nZ = abX * acY - abY * acX;
-        // Projected on the plane: the weighted sum of far corners would cancel.
+        // Projects on the plane: the weighted sum of far corners would cancel.
         double scale = dot(nX, nY, nZ, a) / (nX * nX + nY * nY + nZ * nZ);
         if (offer(nX * scale, nY * scale, nZ * scale)) {
             keepThree(a, b, c);

@@ -9,8 +9,8 @@ import nephele.engine.math.RayHit;
 import nephele.engine.math.Vec3;
 
 /**
- * The triangles of a height field, each a {@link ThinSheet} that is made when it is asked for and kept by nobody. Rays meet
- * the triangles themselves, so that none passes along an edge.
+ * The triangles of a height field, each a {@link ThinSheet} built on request and not stored. Rays are tested against
+ * the triangles themselves, so that none passes through along an edge.
  */
 final class HeightFieldColliders implements ColliderSet {
     private final String id;

@@ -1,8 +1,9 @@
 package nephele.engine.collision;
 
 /**
- * Signed distance between two rounded shapes, with the direction that increases it. While their cores overlap, only that
- * they do is known: they are told to overlap by both radii, and to part along the line of their centres. Reused.
+ * Signed distance between two rounded shapes, with the direction that increases it. When their cores overlap, the depth
+ * is unknown: the result is then minus the sum of the radii, along the line between the centres. Reused for every
+ * query.
  */
 public final class HullDistance {
     private final Gjk gjk = new Gjk();
@@ -11,12 +12,12 @@ public final class HullDistance {
     private double normalY;
     private double normalZ;
 
-    /** Never more than the truth. */
+    /** Returns the signed distance, outside overlapping cores never more than the true one. */
     public double metres() {
         return metres;
     }
 
-    /** Unit length, from the second shape towards the first. */
+    /** Returns a component of the unit vector from the second shape towards the first. */
     public double normalX() {
         return normalX;
     }
@@ -29,7 +30,11 @@ public final class HullDistance {
         return normalZ;
     }
 
-    /** @param x of the first shape's origin relative to the second's; y and z alike */
+    /**
+     * Measures the distance.
+     *
+     * @param x coordinate of the first shape's origin relative to the second's; likewise y and z
+     */
     public void measure(RoundedHull first, double x, double y, double z, RoundedHull second) {
         gjk.measure(first, x, y, z, second);
         double radii = first.radiusMetres() + second.radiusMetres();

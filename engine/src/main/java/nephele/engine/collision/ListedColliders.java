@@ -10,7 +10,7 @@ import nephele.engine.math.RayHit;
 import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
 
-/** Colliders one by one. */
+/** Colliders stored one by one, in a spatial index. */
 final class ListedColliders implements ColliderSet {
     private final List<Collider> colliders;
     private final SpatialIndex index;
@@ -28,7 +28,7 @@ final class ListedColliders implements ColliderSet {
         return colliders.stream().map(Collider::bounds).toList();
     }
 
-    /** Others, or these where all are the same. */
+    /** Returns a set of other colliders, or this one when all are the same. */
     ListedColliders edited(List<Collider> others) {
         return Kept.list(colliders, others) == colliders
                 ? this

@@ -4,12 +4,12 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import org.joml.Vector3dc;
 
-/** Whether a shape on its way comes so near to an aperture that it has to meet the world with it open. */
+/** Decides whether a moving shape comes so near to an aperture that it must collide with the world opened there. */
 final class Neighbourhood {
-    /** Touching begins at the skin; this is ahead of it. */
+    /** Distance at which the world is opened; larger than the skin at which contact begins. */
     private static final double MARGIN_METRES = 0.02;
 
-    /** A centre so little behind the plane has just come out of the portal. */
+    /** A centre at most this far behind the plane counts as in front: it has just come out of the portal. */
     private static final double ROUNDING_METRES = 1e-9;
 
     private Portal portal;
@@ -45,7 +45,10 @@ final class Neighbourhood {
         return isBehind() ? isThrough() : !endsAround(height, way);
     }
 
-    /** Whether the way of what is still in front leads around the wall's edge, not over the centre's own plane. */
+    /**
+     * Returns true if the shape ends with its centre in front of the plane and reaches behind the plane only around the
+     * wall's edge.
+     */
     private boolean endsAround(double height, Vector3dc way) {
         double atEnd = height + dot(portal.normal(), way);
         if (!(atEnd >= 0)) {
@@ -71,7 +74,10 @@ final class Neighbourhood {
         return leastX <= mostX;
     }
 
-    /** Whether the part behind the plane got there through the aperture, not past the wall's edge. */
+    /**
+     * Returns true if the part behind the plane overlaps the aperture's bounding rectangle, so that it is not beyond
+     * the wall's edge.
+     */
     private boolean isThrough() {
         return leastX <= portal.aperture().widthMetres() / 2
                 && mostX >= -portal.aperture().widthMetres() / 2
@@ -79,7 +85,11 @@ final class Neighbourhood {
                 && mostY >= -portal.aperture().heightMetres() / 2;
     }
 
-    /** Finds the rectangle in the portal's plane that the shape, its centre so high before it, cuts the plane in. */
+    /**
+     * Finds the bounding rectangle, in the portal's plane, of the shape's part at the plane or behind it.
+     *
+     * @param height of the shape's centre in front of the plane
+     */
     private void cut(double height) {
         leastX = Double.POSITIVE_INFINITY;
         mostX = Double.NEGATIVE_INFINITY;
@@ -104,7 +114,7 @@ final class Neighbourhood {
         return shape.core(point, 0) * axis.x() + shape.core(point, 1) * axis.y() + shape.core(point, 2) * axis.z();
     }
 
-    /** A disc around a point between two core points. */
+    /** Extends the rectangle by a disc around a point between two core points. */
     private void include(int from, int to, double share, double radius) {
         Vec3 right = portal.frame().right();
         Vec3 up = portal.frame().up();

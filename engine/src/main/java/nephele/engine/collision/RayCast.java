@@ -5,11 +5,11 @@ import nephele.engine.math.RayHit;
 
 /**
  * The first face that a ray enters: clipping against the half spaces of each solid (Cyrus and Beck 1978). Only entering
- * counts, so a ray that starts on a face and leaves it does not see it, and one that starts inside a solid sees what
- * lies beyond; neither needs an offset. Reused for every query.
+ * counts: a ray that starts on a face and leaves it does not hit it, and one that starts inside a solid hits what is
+ * beyond, both without an offset. Reused for every query.
  */
 public final class RayCast {
-    /** A ray that starts this far behind a face, and goes in, started on it. */
+    /** Depth behind a face up to which a ray that enters it counts as starting on it. */
     private static final double ON_SURFACE_METRES = 1e-9;
 
     private CollisionWorld world;
@@ -17,30 +17,30 @@ public final class RayCast {
     private int entered;
     private double entry;
 
-    /** The ray parameter of the hit: metres for a direction of unit length. */
+    /** Returns the ray parameter of the hit: metres for a direction of unit length. */
     public double distance() {
         return hit.distance();
     }
 
-    /** Index in the world that was asked of what was hit, −1 for nothing. */
+    /** Returns the index of the solid that was hit in the world of the query, −1 for none. */
     public int collider() {
         return hit.item();
     }
 
-    /** True when something is hit up to the ray parameter {@code limit}. */
+    /** Returns true if something is hit up to the ray parameter {@code limit}. */
     public boolean cast(CollisionWorld in, Ray ray, double limit) {
         world = in;
         return in.nearest(ray, limit, (r, item, most) -> in.entry(r, item, this), hit);
     }
 
-    /** Which of {@code shape().faces()} of the solid that was hit the ray entered. */
+    /** Returns the index in {@code shape().faces()} of the face that the ray entered, of the solid that was hit. */
     public int face(Ray ray) {
         entered = 0;
         world.entry(ray, hit.item(), this);
         return entered;
     }
 
-    /** The ray parameter at which the solid is entered, at least 0; infinity for a miss. */
+    /** Returns the ray parameter at which the solid is entered, at least 0; infinity for a miss. */
     double entry(Ray ray, Collider solid) {
         double x = ray.originX() - solid.centre().x();
         double y = ray.originY() - solid.centre().y();

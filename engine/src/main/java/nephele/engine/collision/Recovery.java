@@ -5,16 +5,17 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Finds a short way out for a shape that starts inside solids: by the nearest surfaces first, and when these push it to
- * and fro, by each face of each solid that it is in, or along the axes where these are too many. Reused for every query.
+ * Depenetration: finds a short displacement that frees a shape which starts inside solids. It first pushes out of the
+ * nearest surfaces. If that fails or the displacement is long, it tries each face of each overlapped solid, or the axis
+ * directions when there are too many. Reused for every query.
  */
 public final class Recovery {
     private static final int MAX_PUSHES = 12;
 
-    /** Solids around a shape from which on it is lost in a crowd: to try each of their faces would take seconds. */
+    /** Number of solids near a shape above which the faces are not tried one by one: that would take seconds. */
     private static final int CROWD = 128;
 
-    /** Budget of separations for one way out by the faces: some hundredths of a second. */
+    /** Budget of distance queries for one search by the faces: some hundredths of a second. */
     private static final int MOST_MEASURES = 20_000;
 
     private CollisionWorld world;
@@ -28,20 +29,20 @@ public final class Recovery {
     private int measures;
     private double shortest;
 
-    /** True when the shape reaches into no solid; touching is free. */
+    /** Returns true if the shape overlaps no solid; touching is allowed. */
     public boolean isFree(CollisionWorld in, RoundedHull shape, Vector3dc at) {
         world = in;
         return deepest(shape, at) >= 0;
     }
 
-    /** How far the shape reaches into the solid that it is deepest in; 0 for none. */
+    /** Returns the shape's depth in metres in the solid that it is deepest in; 0 for none. */
     public double depth(CollisionWorld in, RoundedHull shape, Vector3dc at) {
         world = in;
         return -deepest(shape, at);
     }
 
     /**
-     * The displacement to a free place, {@link Sweep#SKIN_METRES} off what was overlapped.
+     * Finds the displacement to a free place, {@link Sweep#SKIN_METRES} from the overlapped solids.
      *
      * @param out receives it; zero when the shape is free already
      * @return false when no free place was found: {@code out} is then the best push
@@ -69,7 +70,7 @@ public final class Recovery {
         return shortest < Double.POSITIVE_INFINITY;
     }
 
-    /** Tries each face of each solid that the shape is in; false when these were too many to try all. */
+    /** Tries each face of each overlapped solid; returns false when the budget did not suffice for all. */
     private boolean leaveByFaces(RoundedHull shape, Vector3dc at, Vector3d out) {
         measures = 0;
         listOverlapped(shape, at);
@@ -100,7 +101,7 @@ public final class Recovery {
         }
     }
 
-    /** Sets {@code place} to where the shape stands just in front of a face. */
+    /** Sets {@code place} to the position at which the shape is just in front of a face. */
     private void leaveBy(Collider solid, int face, RoundedHull shape, Vector3dc at) {
         double nX = solid.plane(face, 0);
         double nY = solid.plane(face, 1);
@@ -115,7 +116,7 @@ public final class Recovery {
         place.set(at).add(nX * way, nY * way, nZ * way);
     }
 
-    /** Pushes out of the deepest overlap again and again; true when that ends in a free place. */
+    /** Pushes the shape out of its deepest overlap repeatedly; returns true if that ends in a free place. */
     private boolean relax(RoundedHull shape, Vector3d from) {
         for (int i = 0; i < MAX_PUSHES; i++) {
             double depth = deepest(shape, from);
@@ -127,7 +128,7 @@ public final class Recovery {
         return deepest(shape, from) >= 0;
     }
 
-    /** The least separation from any solid, not positive; {@code push} leads out of the solid that has it. */
+    /** Returns the least separation from any solid, at most 0; {@code push} leads out of the solid that has it. */
     private double deepest(RoundedHull shape, Vector3dc at) {
         lookAround(shape, at);
         boolean crowded = near.size() > CROWD;

@@ -35,22 +35,23 @@ public final class RoundedHull implements ConvexPoints {
         }
     }
 
+    /** Returns a sphere about the origin. */
     public static RoundedHull sphere(double radiusMetres) {
         return new RoundedHull(new double[3], radiusMetres);
     }
 
-    /** A capsule of any orientation: its axis runs from −{@code halfAxis} to +{@code halfAxis}. */
+    /** Returns a capsule of any orientation: its axis runs from −{@code halfAxis} to +{@code halfAxis}. */
     public static RoundedHull capsule(Vec3 halfAxis, double radiusMetres) {
         double[] ends = {-halfAxis.x(), -halfAxis.y(), -halfAxis.z(), halfAxis.x(), halfAxis.y(), halfAxis.z()};
         return new RoundedHull(ends, radiusMetres);
     }
 
-    /** An upright capsule by its whole height, caps included; the origin is its centre. */
+    /** Returns an upright capsule from its whole height, caps included; the origin is its centre. */
     public static RoundedHull uprightCapsule(double radiusMetres, double heightMetres) {
         return capsule(new Vec3(0, heightMetres / 2 - radiusMetres, 0), radiusMetres);
     }
 
-    /** A box of any orientation by its half edges, which need not be axis-aligned. */
+    /** Returns a box of any orientation from its half edges, which need not be axis-aligned. */
     public static RoundedHull box(Vec3 halfX, Vec3 halfY, Vec3 halfZ) {
         double[] corners = new double[24];
         for (int i = 0; i < 8; i++) {
@@ -64,15 +65,16 @@ public final class RoundedHull implements ConvexPoints {
         return new RoundedHull(corners, 0);
     }
 
-    /** The same shape, for an owner who wants to {@link #turn} it. */
+    /** Returns a copy that can be given another orientation by {@link #turn}. */
     public RoundedHull copy() {
         return new RoundedHull(core.clone(), radiusMetres);
     }
 
     /**
-     * Becomes another shape turned: for an owner who keeps one shape for many queries, and hands it to nobody else.
+     * Sets this shape to another one rotated. Only for an owner that keeps one shape for many queries and does not
+     * share it.
      *
-     * @param axes from {@code at} on nine numbers: where the axes x, y and z of the upright shape point
+     * @param axes from {@code at} on nine numbers: the directions of the axes x, y and z of the upright shape
      */
     public void turn(RoundedHull upright, double[] axes, int at) {
         for (int i = 0; i < core.length; i += 3) {
@@ -90,14 +92,12 @@ public final class RoundedHull implements ConvexPoints {
         return radiusMetres;
     }
 
-    /** The farthest that the shape reaches from its origin. */
+    /** Returns the greatest distance of the shape from its origin. */
     public double reachMetres() {
         return reachMetres;
     }
 
-    /**
-     * The greatest ({@code sign} 1) or least (−1) coordinate along a unit axis, radius included.
-     */
+    /** Returns the greatest ({@code sign} 1) or least (−1) coordinate along a unit axis, radius included. */
     public double support(int sign, Vec3 axis) {
         int point = least(-sign * axis.x(), -sign * axis.y(), -sign * axis.z());
         double along = core(point, 0) * axis.x() + core(point, 1) * axis.y() + core(point, 2) * axis.z();
@@ -108,22 +108,22 @@ public final class RoundedHull implements ConvexPoints {
         return core.length / 3;
     }
 
-    /** Component {@code axis} (0, 1, 2) of a core point. */
+    /** Returns component {@code axis} (0, 1, 2) of a core point. */
     public double core(int point, int axis) {
         return core[3 * point + axis];
     }
 
-    /** The greatest coordinate along an axis (0, 1, 2), radius included. */
+    /** Returns the greatest coordinate along an axis (0, 1, 2), radius included. */
     public double greatest(int axis) {
         return greatest[axis];
     }
 
-    /** The least coordinate along an axis (0, 1, 2), radius included. */
+    /** Returns the least coordinate along an axis (0, 1, 2), radius included. */
     public double least(int axis) {
         return least[axis];
     }
 
-    /** The core point that lies least far along a direction. */
+    /** Returns the index of the core point least far along a direction. */
     int least(double x, double y, double z) {
         int best = 0;
         double bestDot = Double.POSITIVE_INFINITY;

@@ -12,16 +12,16 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
 /**
- * Cuts solids at portals and puts the other side's into the caves. The other side may hold portals within reach, the
- * entry itself before facing ones: these are opened in turn, each as far as the reach still goes, up to
- * {@link #MOST_DEPTH} behind one another; farther ones are closed.
+ * Cuts solids at the apertures and puts the other side's solids into the aperture volumes. The other side may have
+ * portals within reach; when two portals face each other, one of them is the entry itself. They are opened in turn,
+ * each as far as the remaining reach goes, up to {@link #MOST_DEPTH} behind one another; farther ones are closed.
  */
 final class Seam {
-    /** No part of a body is farther from its centre than this. */
+    /** Upper bound of the distance of a body's parts from its centre. */
     static final double REACH_METRES = 2.5;
 
     private static final int MOST_DEPTH = 3;
-    /** A portal beyond which so little can be reached stays closed. */
+    /** Least remaining reach with which a further portal is opened. */
     private static final double LEAST_REACH_METRES = 0.05;
 
     private final CollisionWorld statics;
@@ -36,10 +36,10 @@ final class Seam {
     /** A convex part of a solid. */
     private record Piece(String solidId, ConvexPolyhedron shape) {}
 
-    /** A portal that is open here, and what it takes out. */
+    /** A portal that is open here, and the aperture volume that it removes. */
     private record Opening(int portal, double reachMetres, Cave cave) {}
 
-    /** The static world with these portals open. */
+    /** Returns the static world with these portals open. */
     CollisionWorld open(long mask) {
         List<Opening> openings = openings(mask, REACH_METRES, portals.size());
         ItemList cut = new ItemList();
@@ -82,7 +82,7 @@ final class Seam {
         return java.util.Arrays.stream(items);
     }
 
-    /** @param from the portal whose partner's side this is, or any other number for none */
+    /** @param from the portal from which the reach is measured, or any index from the number of portals on for none */
     private List<Opening> openings(long mask, double reachMetres, int from) {
         List<Opening> openings = new ArrayList<>();
         for (int i = 0; i < portals.size(); i++) {
@@ -123,7 +123,7 @@ final class Seam {
         return rest;
     }
 
-    /** The solids seen through an opening, brought behind it, as far as they touch the box. */
+    /** Returns the solids seen through an opening, moved behind it, as far as they touch the box. */
     private List<Piece> otherSide(Opening opening, Aabb box, int depth) {
         int partner = portals.partner(opening.portal());
         Aabb beyond = moved(box, portals.passage(opening.portal()));
@@ -161,7 +161,7 @@ final class Seam {
         return Aabb.of(corners.stream().map(passage::point).toList());
     }
 
-    /** The portals, but for the exit itself, that can be reached from before an exit. */
+    /** Returns the open portals, other than the exit itself, that can be reached from in front of an exit. */
     private long reached(int exit, double reachMetres) {
         long mask = 0;
         for (int i = 0; i < Math.min(portals.size(), Long.SIZE); i++) {
@@ -179,7 +179,7 @@ final class Seam {
                 .anyMatch(corner -> plane.inFront(corner.x(), corner.y(), corner.z()) > 1e-6);
     }
 
-    /** Metres between two apertures, or less. */
+    /** Returns a lower bound of the distance in metres between two apertures. */
     private double distance(int a, int b) {
         Aabb first = Aabb.of(portals.portal(a).corners());
         Aabb second = Aabb.of(portals.portal(b).corners());

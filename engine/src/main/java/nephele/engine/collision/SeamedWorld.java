@@ -13,16 +13,16 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
 
 /**
- * The static world as bodies meet it near portals: this side cut open behind each aperture, and there the other side's
- * solids. A body asks for the world of the portals that it is <em>active</em> on: its centre is before them and it
- * reaches their neighbourhood. Bit i of a mask is the portal with index i. Worlds are built once for each mask, when
- * first asked for. Not for two threads at once.
+ * The static world as bodies collide with it near portals: this side is cut open behind each aperture and holds the
+ * other side's solids there. A body uses the world of the portals on which it is <em>active</em>: its centre is in
+ * front of them and it reaches their neighbourhood. Bit i of a mask is the portal with index i. Each mask's world is
+ * built once, on first use. Not thread-safe.
  */
 public final class SeamedWorld {
-    /** A mask has this many bits: portals with a greater index are closed. */
+    /** Number of bits of a mask: portals with a greater index are closed. */
     public static final int MOST_PORTALS = Long.SIZE;
 
-    /** An exit with a solid this near before its centre is no place to come out. */
+    /** Distance in front of an exit's centre at which a solid makes the exit unusable. */
     private static final double EXIT_CLEARANCE_METRES = 1e-3;
 
     private final CollisionWorld statics;
@@ -50,6 +50,7 @@ public final class SeamedWorld {
     }
 
     /** Returns the world with these portals; closed are those where the exit is obstructed. */
+    /** Builds the world, with those pairs closed of which an exit is blocked by a solid. */
     public static SeamedWorld of(CollisionWorld statics, Portals portals) {
         return new SeamedWorld(statics, withValidExits(statics, portals));
     }
@@ -82,7 +83,7 @@ public final class SeamedWorld {
         return index < MOST_PORTALS;
     }
 
-    /** The world without openings. */
+    /** Returns the world without openings. */
     public CollisionWorld statics() {
         return statics;
     }
@@ -93,12 +94,15 @@ public final class SeamedWorld {
         return cast.cast(statics, ray, 1) ? cast.distance() : 1;
     }
 
-    /** Those given, but closed where the exit is no place to come out: who crosses has to ask these. */
+    /** Returns the given portals, with those of unusable exits closed; portal crossings must be tested with these. */
     public Portals portals() {
         return portals;
     }
 
-    /** The open portals that a shape is active on while its centre goes from {@code at} along {@code way}. */
+    /**
+     * Returns the mask of open portals on which a shape is active while its centre moves from {@code at} by
+     * {@code way}.
+     */
     public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
         long mask = 0;
         for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
@@ -109,7 +113,9 @@ public final class SeamedWorld {
         return mask;
     }
 
-    /** The solids for a body that is active on these portals; the static world itself for none. Closed ones are wall. */
+    /**
+     * Returns the solids for a body active on these portals; the static world itself for none. Closed portals are wall.
+     */
     public CollisionWorld around(long activeMask) {
         long mask = activeMask & open;
         if (mask == 0) {

@@ -1,9 +1,9 @@
 package nephele.engine.collision;
 
 /**
- * The separating axis test between a shape's core and a collider (Gottschalk, Lin and Manocha 1996): how far the core
- * has to move, and along which axis, to touch the collider from outside. Exact for points, segments and boxes. Axes of
- * nearly zero length are skipped: parallel edges separate nothing that a face does not.
+ * The separating axis test between a shape's core and a collider (Gottschalk, Lin and Manocha 1996): the distance and
+ * axis by which the core has to move to touch the collider from outside. Exact for points, segments and boxes. Axes of
+ * nearly zero length are skipped: parallel edges add no axis that the faces do not give.
  */
 final class SeparatingAxes {
     private static final double PARALLEL = 1e-10;
@@ -18,12 +18,12 @@ final class SeparatingAxes {
     private double normalY;
     private double normalZ;
 
-    /** Greatest separation over all axes; negative: depth of the core in the collider. */
+    /** Returns the greatest separation over all axes; negative: depth of the core in the collider. */
     double distance() {
         return distance;
     }
 
-    /** Unit axis of that separation, from the collider towards the core. */
+    /** Returns a component of that separation's unit axis, from the collider towards the core. */
     double normalX() {
         return normalX;
     }
@@ -36,7 +36,11 @@ final class SeparatingAxes {
         return normalZ;
     }
 
-    /** @param localX of the shape's origin relative to the collider's centre; y and z alike */
+    /**
+     * Measures the separation.
+     *
+     * @param localX coordinate of the shape's origin relative to the collider's centre; likewise y and z
+     */
     void measure(RoundedHull of, double localX, double localY, double localZ, Collider against) {
         shape = of;
         collider = against;
@@ -60,7 +64,7 @@ final class SeparatingAxes {
             boxFaces(4, 1);
         }
         if (distance == Double.NEGATIVE_INFINITY) {
-            // A point within a point, or parallel segments in one: every way out is as long.
+            // A point in a point, or coincident parallel segments: every direction of separation is equally long.
             axis(0, 1, 0);
         }
     }

@@ -1,6 +1,8 @@
 package nephele.engine.collision;
 
-/** Signed distance between a moving shape and a collider, with the direction that increases it. Reused for every query. */
+/**
+ * Signed distance between a moving shape and a collider, with the direction that increases it. Reused for every query.
+ */
 public final class Separation {
     private final Gjk gjk = new Gjk();
     private final SeparatingAxes axes = new SeparatingAxes();
@@ -11,25 +13,30 @@ public final class Separation {
     private double normalY;
     private double normalZ;
 
-    /** Negative when the shape reaches into the collider; never more than the truth. */
+    /** Returns the signed distance, negative when the shape overlaps the collider; never more than the true one. */
     public double metres() {
         return metres;
     }
 
-    /** Unit length, from the collider towards the shape. */
+    /** Returns a component of the unit vector from the collider towards the shape. */
     public double normalX() {
         return normalX;
     }
 
+    /** Returns the y component of that vector. */
     public double normalY() {
         return normalY;
     }
 
+    /** Returns the z component of that vector. */
     public double normalZ() {
         return normalZ;
     }
 
-    /** Coordinate of the collider's nearest point along an axis; valid while the shape's core is outside. */
+    /**
+     * Returns a world coordinate of the collider's nearest point along an axis (0, 1, 2); valid while the shape's core
+     * is outside.
+     */
     public double onCollider(int axis) {
         double centre =
                 switch (axis) {
@@ -44,7 +51,9 @@ public final class Separation {
         return axis == 0 ? normalX : axis == 1 ? normalY : normalZ;
     }
 
-    /** The index of the face that holds the nearest point, or −1; of several the one that looks most upwards. */
+    /**
+     * Returns the face that contains the nearest point, of several the one with the most upward normal; −1 for none.
+     */
     int upmostFace(double toleranceMetres) {
         if (overlapping) {
             return -1;
@@ -62,7 +71,7 @@ public final class Separation {
         return best;
     }
 
-    /** Measures a shape whose origin is at x, y, z in the world. */
+    /** Measures a shape with its origin at x, y, z in the world. */
     public void measure(RoundedHull shape, double x, double y, double z, Collider against) {
         collider = against;
         double localX = x - against.centre().x();

@@ -10,8 +10,8 @@ import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Kept;
 
 /**
- * Sorts static shapes by how they are solid: convex through and through, triangle by triangle, or as ground. Colliders of
- * shapes that are in a world already are used again.
+ * Sorts static shapes by their kind of collider: convex, a sheet for each triangle, or ground. Colliders of shapes that
+ * are already in a world are reused.
  */
 final class StaticColliders implements StaticShape.Cases {
     private final List<Collider> convex = new ArrayList<>();
@@ -19,11 +19,11 @@ final class StaticColliders implements StaticShape.Cases {
     private final List<StaticShape.HeightGrid> ground = new ArrayList<>();
     private final CollisionWorld world;
     private final int solidsBefore;
-    /** Where each solid and each model was in its list, {@link Kept#NEW} where it was not. */
+    /** The place that each solid and each model had in the list before, {@link Kept#NEW} for new ones. */
     private final int[] placeOfSolid;
 
     private final int[] placeOfModel;
-    /** Of each model before: its first item in the world. */
+    /** The first item in the world of each model before. */
     private final int[] itemOfModel;
 
     private StaticColliders(StaticShapes shapes, StaticShapes before, CollisionWorld world) {
@@ -56,7 +56,7 @@ final class StaticColliders implements StaticShape.Cases {
         return new StaticColliders(shapes, StaticShapes.of(List.of()), null);
     }
 
-    /** @param world of the shapes before */
+    /** @param world built from the shapes before */
     static StaticColliders edited(StaticShapes shapes, StaticShapes before, CollisionWorld world) {
         return new StaticColliders(shapes, before, world);
     }
@@ -64,7 +64,7 @@ final class StaticColliders implements StaticShape.Cases {
     @Override
     public void convexHull(StaticShape.ConvexHull hull) {
         int index = hull.index();
-        // A solid that was painted otherwise is another brush of the same shape, at the same place.
+        // A solid with a changed surface is another brush of the same shape, at the same place.
         int place = placeOfSolid[index] == Kept.NEW && index < solidsBefore ? index : placeOfSolid[index];
         convex.add(place == Kept.NEW ? collider(hull.brush()) : same(place, hull.brush()));
     }
@@ -93,13 +93,13 @@ final class StaticColliders implements StaticShape.Cases {
         return new Collider(brush.solidId(), brush.shape());
     }
 
-    /** The world's collider where it is that of a brush. */
+    /** Returns the world's collider if it is that of the brush, a new one otherwise. */
     private Collider same(int item, Brush brush) {
         Collider known = world.collider(item);
         return known.solidId().equals(brush.solidId()) && known.shape().equals(brush.shape()) ? known : collider(brush);
     }
 
-    /** The convex ones, then the sheets. */
+    /** Returns the convex colliders, then the sheets. */
     List<Collider> listed() {
         List<Collider> all = new ArrayList<>(convex);
         all.addAll(sheets);

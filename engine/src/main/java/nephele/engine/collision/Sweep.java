@@ -5,20 +5,20 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Moves a shape along a straight line until it is {@link #SKIN_METRES} from the first solid. Reused for every query;
- * the accessors speak of the last one.
+ * Moves a shape along a straight line until it is {@link #SKIN_METRES} from the first solid. The accessors describe the
+ * last query. Reused for every query.
  *
- * <p>The distance to a convex solid is a convex function of the way travelled, and Gjk gives a tangent below it. So
- * Newton's method from the near side never passes the first root: no speed tunnels through any thickness (conservative
- * advancement, Mirtich 1996; van den Bergen 2004).
+ * <p>The distance to a convex solid is a convex function of the distance travelled, and Gjk gives a tangent below it.
+ * So Newton's method from the near side never passes the first root: no speed tunnels through any thickness
+ * (conservative advancement, Mirtich 1996; van den Bergen 2004).
  */
 public final class Sweep {
-    /** The shape rests this far from what it touches. */
+    /** Distance at which the shape rests from what it touches. */
     public static final double SKIN_METRES = 1e-3;
 
     private static final double TOUCH_METRES = 1e-8;
     private static final int MAX_STEPS = 64;
-    /** Approaching by less than this per metre travelled is sliding: what rounding makes of a tangent. */
+    /** Approach per metre travelled below which the shape is sliding: the rounding error of a tangent direction. */
     private static final double SLIDING = 1e-9;
 
     private static final double SAME_POINT_METRES = 1e-6;
@@ -32,32 +32,32 @@ public final class Sweep {
     private double fraction;
     private int collider;
 
-    /** How much of the displacement is free, 0 to 1. */
+    /** Returns the free share of the displacement, 0 to 1. */
     public double fraction() {
         return fraction;
     }
 
-    /** The normal of the surface that was hit, towards the shape; unit length. */
+    /** Returns the unit normal of the surface that was hit, towards the shape. */
     public Vector3dc normal() {
         return normal;
     }
 
-    /** The point where the solid was hit. */
+    /** Returns the point where the solid was hit. */
     public Vector3dc point() {
         return point;
     }
 
-    /** Index of the solid that was hit in the world that was asked, −1 for none. */
+    /** Returns the index of the solid that was hit in the world of the query, −1 for none. */
     public int collider() {
         return collider;
     }
 
-    /** Outward normal of the face that looks most upwards among those that meet the point: the tread at a stair's edge. */
+    /** Returns the outward normal of the most upward face at the point: the tread at a stair's edge. */
     public Vector3dc upmostNormal() {
         return upmostNormal;
     }
 
-    /** True when something stands in the way. Solids that the shape leaves or slides along do not. */
+    /** Returns true if a solid blocks the displacement. Solids that the shape leaves or slides along do not. */
     public boolean cast(CollisionWorld in, RoundedHull shape, Vector3dc from, Vector3dc displacement) {
         world = in;
         fraction = 1;
@@ -96,7 +96,7 @@ public final class Sweep {
     }
 
     private void keep(int index, Collider solid, double t) {
-        // At the start several may be touched: the lowest index is kept, the others are found by the next slide.
+        // Several solids may be touched at the start: the lowest index is kept, the others are found by the next slide.
         if (collider >= 0 && t >= fraction) {
             return;
         }

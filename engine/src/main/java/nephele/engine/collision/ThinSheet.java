@@ -10,11 +10,11 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
 /**
- * A triangle of a mesh as something solid: a flat pyramid below it. Its sides fall away from the triangle's edges, so
- * that neighbours in one plane join as abutting floors do. Sweeps are continuous: nothing is too fast for it.
+ * A triangle of a mesh as a solid: a flat pyramid below it. Its sides slope inwards from the triangle's edges, so that
+ * neighbours in one plane join like abutting floors. Sweeps are continuous, so that no speed passes through it.
  */
 final class ThinSheet {
-    /** At its middle; a fraction of the triangle's size where that is small. */
+    /** Greatest depth of the pyramid; less for small triangles. */
     static final double DEPTH_METRES = 0.02;
 
     private static final double DEPTH_SHARE = 0.25;
@@ -29,14 +29,14 @@ final class ThinSheet {
         return sheets;
     }
 
-    /** @param normal unit, of the side from which the corners lie counter-clockwise */
+    /** @param normal unit normal of the side on which the corners are counter-clockwise */
     static Collider of(String id, Vec3 a, Vec3 b, Vec3 c, Vec3 normal) {
         Vec3[] corners = {a, b, c, null};
         corners[3] = apex(corners, normal);
         return new Collider(id, corners);
     }
 
-    /** Below the middle of the circle within the triangle: the three sides are equally steep there. */
+    /** Returns the apex below the triangle's incentre, where the three sides are equally steep. */
     private static Vec3 apex(Vec3[] p, Vec3 normal) {
         double a = p[2].minus(p[1]).length();
         double b = p[0].minus(p[2]).length();
@@ -50,7 +50,7 @@ final class ThinSheet {
                 (a * p[0].z() + b * p[1].z() + c * p[2].z()) / around - depth * normal.z());
     }
 
-    /** Four faces, the triangle first. */
+    /** Returns the pyramid with four faces, the triangle first. */
     static ConvexPolyhedron shape(Vec3[] p) {
         int[][] faces = {{0, 1, 2}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}};
         List<ConvexPolyhedron.Face> made = new ArrayList<>();

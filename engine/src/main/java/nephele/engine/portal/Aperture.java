@@ -4,10 +4,11 @@ import nephele.engine.level.PortalShape;
 
 /**
  * The opening of a portal: a convex polygon in the portal's plane. x runs to the right and y up as seen from in front,
- * in metres from the centre of the bounding rectangle; corners go counter-clockwise. What is drawn is what is open.
+ * in metres from the centre of the bounding rectangle; corners are counter-clockwise. The same polygon is drawn and
+ * passed.
  */
 public final class Aperture {
-    /** No shape has more corners than this. */
+    /** Greatest number of corners of any shape. */
     public static final int MOST_CORNERS = 24;
 
     private static final int ARCH_SEGMENTS = 20;
@@ -28,8 +29,8 @@ public final class Aperture {
     }
 
     /**
-     * An arch has a flat bottom as wide as itself, upright sides and a round top; where it is less high than half its
-     * width the top is half an ellipse.
+     * Makes an aperture. An arch has a flat bottom as wide as itself, vertical sides and a round top; if its height is
+     * less than half its width, the top is half an ellipse.
      */
     public static Aperture of(PortalShape shape, double widthMetres, double heightMetres) {
         double[] corners =
@@ -90,31 +91,37 @@ public final class Aperture {
         return edges;
     }
 
+    /** Returns the shape from which the polygon was made. */
     public PortalShape shape() {
         return shape;
     }
 
+    /** Returns the width of the bounding rectangle. */
     public double widthMetres() {
         return widthMetres;
     }
 
+    /** Returns the height of the bounding rectangle. */
     public double heightMetres() {
         return heightMetres;
     }
 
+    /** Returns the number of corners. */
     public int corners() {
         return corners.length / 2;
     }
 
+    /** Returns a corner's distance to the right of the centre, in metres. */
     public double cornerX(int corner) {
         return corners[2 * corner];
     }
 
+    /** Returns a corner's distance above the centre, in metres. */
     public double cornerY(int corner) {
         return corners[2 * corner + 1];
     }
 
-    /** Outward unit normal of the edge from a corner to the next. */
+    /** Returns a component of the outward unit normal of the edge from a corner to the next. */
     public double edgeNormalX(int edge) {
         return edges[3 * edge];
     }
@@ -123,12 +130,12 @@ public final class Aperture {
         return edges[3 * edge + 1];
     }
 
-    /** Metres from the centre to the line through an edge. */
+    /** Returns the distance in metres from the centre to the line through an edge. */
     public double edgeDistance(int edge) {
         return edges[3 * edge + 2];
     }
 
-    /** Metres by which a point lies outside the farthest edge's line; not positive within the aperture. */
+    /** Returns the distance in metres of a point outside the farthest edge's line; not positive within the aperture. */
     public double outside(double x, double y) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < edges.length; i += 3) {
@@ -137,6 +144,7 @@ public final class Aperture {
         return most;
     }
 
+    /** Returns true if a point is within the aperture or on its edge. */
     public boolean contains(double x, double y) {
         return outside(x, y) <= 0;
     }

@@ -4,33 +4,38 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * When and where a moving point first enters an open portal. The point flies along p + v t + a t² / 2. A portal is
- * entered by passing from its front to behind it within the aperture, at a time in [0, end): the side decides, no timer,
- * so a way cut into pieces crosses as often as the whole. Reused for every query; the accessors speak of the last one.
+ * The first entry of a moving point into an open portal. The point moves along p + v t + a t² / 2. It enters a portal
+ * by passing from its front to behind it within the aperture, at a time in [0, end). Only the side of the plane
+ * decides, without a timer, so that a path cut into pieces crosses as often as the whole. Reused for every query; the
+ * accessors describe the last one.
  */
 public final class Crossing {
-    /** A point so little behind a portal's plane is there by rounding and counts as in front. */
+    /** Depth up to which a point behind a portal's plane counts as in front: rounding error. */
     private static final double ROUNDING_METRES = 1e-9;
 
     private int portal = Portals.CLOSED;
     private double seconds;
     private final Vector3d place = new Vector3d();
 
-    /** The portal that is entered. */
+    /** Returns the index of the portal that is entered, {@link Portals#CLOSED} for none. */
     public int portal() {
         return portal;
     }
 
+    /** Returns the time of the entry, in the unit of {@code end}. */
     public double seconds() {
         return seconds;
     }
 
-    /** Where, in the entry's space. */
+    /** Returns the place of the entry, in the entry's space. */
     public Vector3dc place() {
         return place;
     }
 
-    /** The earliest entry before {@code end} seconds; false for none. Of two at one time the lower index counts. */
+    /**
+     * Finds the earliest entry before {@code end} seconds; returns false for none. Of two at one time the lower index
+     * counts.
+     */
     public boolean find(Portals portals, Vector3dc p, Vector3dc v, Vector3dc a, double end) {
         portal = Portals.CLOSED;
         seconds = end;
@@ -66,7 +71,10 @@ public final class Crossing {
                 + portal.normal().z() * v.z();
     }
 
-    /** The time at which height + speed t + acceleration t² / 2 falls below zero, without cancellation; NaN for never. */
+    /**
+     * Returns the time at which height + speed t + acceleration t² / 2 falls below zero, without cancellation; NaN for
+     * never.
+     */
     static double descent(double height, double speed, double acceleration) {
         double root = Math.sqrt(speed * speed - 2 * acceleration * height);
         double t = speed > 0 ? (-root - speed) / acceleration : 2 * height / (root - speed);

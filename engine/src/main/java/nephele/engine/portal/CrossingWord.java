@@ -4,8 +4,8 @@ import java.util.Arrays;
 import nephele.engine.math.BitHash;
 
 /**
- * Which portals lie between two places, in order, with every there-and-back taken out: a reduced word of the free group
- * whose letters are the portals and whose inverses are their partners. A value.
+ * The portals between two places, in order and without any pair that goes through and back: a reduced word of the free
+ * group that has the portals as letters and their partners as inverses. A value.
  */
 public final class CrossingWord {
     public static final CrossingWord EMPTY = new CrossingWord(new int[0]);
@@ -16,16 +16,17 @@ public final class CrossingWord {
         this.entries = entries;
     }
 
+    /** Returns the number of portals. */
     public int length() {
         return entries.length;
     }
 
-    /** The portal that is entered at a place of the word. */
+    /** Returns the index of the portal that is entered at a place of the word. */
     public int entry(int place) {
         return entries[place];
     }
 
-    /** Goes on into {@code portal}; into the partner of the last one it goes back. */
+    /** Returns the word continued into {@code portal}; shorter if that is the partner of the last one. */
     public CrossingWord then(int portal, Portals portals) {
         int last = entries.length - 1;
         if (last >= 0 && portals.partner(entries[last]) == portal) {
@@ -36,7 +37,7 @@ public final class CrossingWord {
         return new CrossingWord(longer);
     }
 
-    /** The word from here when the place it begins at has itself gone through {@code portal}. */
+    /** Returns the word from here when the place where it begins has itself gone through {@code portal}. */
     public CrossingWord afterEntering(int portal, Portals portals) {
         if (entries.length > 0 && entries[0] == portal) {
             return entries.length == 1 ? EMPTY : new CrossingWord(Arrays.copyOfRange(entries, 1, entries.length));
@@ -47,7 +48,7 @@ public final class CrossingWord {
         return new CrossingWord(longer);
     }
 
-    /** Joins its length and its letters to a hash. */
+    /** Joins the length and the letters to a hash. */
     public long hash(long before) {
         long hash = BitHash.join(before, (long) entries.length);
         for (int entry : entries) {

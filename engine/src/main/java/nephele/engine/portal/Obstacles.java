@@ -2,12 +2,12 @@ package nephele.engine.portal;
 
 import org.joml.Vector3dc;
 
-/** What stops a path: solids for a body, opaque ones for light. */
+/** The geometry that stops a path: solids for a body, opaque ones for light. */
 @FunctionalInterface
 public interface Obstacles {
-    /** Nothing anywhere. */
+    /** No obstacles. */
     Obstacles NONE = (from, way) -> 1;
 
-    /** How much of the way is free, 0 to 1; 1 when nothing is in it. */
+    /** Returns the free share of the displacement {@code way}, 0 to 1; 1 without an obstacle. */
     double free(Vector3dc from, Vector3dc way);
 }

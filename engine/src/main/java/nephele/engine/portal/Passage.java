@@ -14,9 +14,9 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * The rigid map from the space before one portal to the space before its partner: a turn about the entry's centre by
- * half a revolution around its up, carried to the exit's frame. It keeps lengths, angles and handedness. Points are
- * mapped relative to the centres, so that a portal far from the origin costs no precision.
+ * The portal transform: the rigid map from the space in front of one portal to the space in front of its partner. It
+ * rotates by half a revolution about the entry's up axis and then to the exit's frame; it preserves lengths, angles and
+ * handedness. Points are mapped relative to the centres, so that a distant origin costs no precision.
  */
 public final class Passage implements Isometry {
     private final Vec3 entry;
@@ -35,6 +35,7 @@ public final class Passage implements Isometry {
         return new Vec3(m.get(column, 0), m.get(column, 1), m.get(column, 2));
     }
 
+    /** Returns the map from an entry to an exit. */
     public static Passage between(Portal entry, Portal exit) {
         Basis a = entry.frame();
         Basis b = exit.frame();
@@ -49,14 +50,17 @@ public final class Passage implements Isometry {
         return new Matrix3d(x.toVector(), y.toVector(), z.toVector());
     }
 
-    /** Moves a point from before the entry to before the exit. */
+    /**
+     * Maps a point from the entry's space to the exit's, in place, and returns it; a point behind the entry maps to in
+     * front of the exit.
+     */
     @Override
     public Vector3d point(Vector3d p) {
         p.sub(entry.x(), entry.y(), entry.z());
         return rotation.transform(p).add(exit.x(), exit.y(), exit.z());
     }
 
-    /** Turns a direction, a velocity or an angular velocity. */
+    /** Rotates a direction, a velocity or an angular velocity, in place, and returns it. */
     @Override
     public Vector3d direction(Vector3d v) {
         return rotation.transform(v);
@@ -67,11 +71,13 @@ public final class Passage implements Isometry {
         return false;
     }
 
+    /** Returns the mapped point. */
     public Vec3 point(Vec3 p) {
         Vector3d moved = point(p.toVector());
         return new Vec3(moved.x, moved.y, moved.z);
     }
 
+    /** Returns the rotated direction. */
     public Vec3 direction(Vec3 v) {
         Vector3d turned = direction(v.toVector());
         return new Vec3(turned.x, turned.y, turned.z);
@@ -89,17 +95,17 @@ public final class Passage implements Isometry {
         return new ConvexPolyhedron(List.copyOf(faces), corners, Aabb.of(corners));
     }
 
-    /** Turns how one looks. */
+    /** Returns the rotated view axes. */
     public Basis basis(Basis view) {
         return new Basis(direction(view.right()), direction(view.up()), direction(view.back()));
     }
 
-    /** Turns an orientation (world from body) and makes it unit length again. */
+    /** Rotates an orientation (world from body) in place, normalises it and returns it. */
     public Quaterniond orientation(Quaterniond worldFromBody) {
         return worldFromBody.premul(turn).normalize();
     }
 
-    /** World directions after the passage from those before. The caller keeps it unchanged. */
+    /** Returns the rotation of world directions from the entry's to the exit's side. The caller must not change it. */
     public Matrix3d rotation() {
         return rotation;
     }

@@ -5,31 +5,31 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Walks a straight segment through portals: an eye's ray, a camera's boom, the way to a held thing, an aim, a sound, a
- * beam of light. One walker for one set of portals, reused for every path; the accessors speak of the last one.
+ * Follows a straight segment through portals: an eye's ray, a camera boom, the path to a held body, an aim, a sound, a
+ * ray of light. One tracer for one set of portals, reused for every path; the accessors describe the last one.
  */
 public final class PathTrace {
-    /** A path that crosses more often than this ends there: between facing portals it would go on for ever. */
+    /** Greatest number of crossings of a path, which ends there: between facing portals it would go on for ever. */
     public static final int MOST_CROSSINGS = 64;
 
-    /** A wall and the portal in it are met at one place: the portal wins by this. */
+    /** Distance by which a portal takes precedence over the wall around it at the same place. */
     private static final double FLUSH_METRES = 1e-6;
 
     private static final Vector3dc NO_ACCELERATION = new Vector3d();
 
-    /** How a path ended. */
+    /** The reason for the end of a path. */
     public enum End {
         ARRIVED,
         BLOCKED,
         TOO_MANY_CROSSINGS
     }
 
-    /** Hears of each straight piece of a path, in the space where it lies. */
+    /** Receives each straight piece of a path, in the space that contains it. */
     @FunctionalInterface
     public interface Legs {
         Legs NOBODY = (from, way) -> {};
 
-        /** Both vectors are the walker's own: read them at once. */
+        /** Receives one piece. The vectors are reused and valid only during the call. */
         void leg(Vector3dc from, Vector3dc way);
     }
 
@@ -44,17 +44,18 @@ public final class PathTrace {
     private double freeFraction;
     private End end;
 
+    /** Makes a tracer for these portals and obstacles. */
     public PathTrace(Portals portals, Obstacles obstacles) {
         this.portals = portals;
         this.obstacles = obstacles;
     }
 
-    /** Walks from a point as far as {@code way} goes, through every portal on it, up to the first obstacle. */
+    /** Follows the segment from a point along {@code way}, through every portal on it, up to the first obstacle. */
     public End walk(Vector3dc from, Vector3dc way) {
         return walk(from, way, Legs.NOBODY);
     }
 
-    /** The same, telling of each piece before the next one. */
+    /** Does the same and reports each piece before the next one. */
     public End walk(Vector3dc from, Vector3dc way, Legs legs) {
         place.set(from);
         rest.set(way);
@@ -94,26 +95,27 @@ public final class PathTrace {
         entered[crossings++] = crossing.portal();
     }
 
-    /** Where the path ended, in the space behind its last crossing. */
+    /** Returns the end of the path, in the space behind its last crossing. */
     public Vector3dc place() {
         return place;
     }
 
-    /** How much of the way was walked, 0 to 1. */
+    /** Returns the share of the segment up to its end, 0 to 1. */
     public double freeFraction() {
         return freeFraction;
     }
 
+    /** Returns the number of portals that were entered. */
     public int crossings() {
         return crossings;
     }
 
-    /** The portal that was entered at a crossing. */
+    /** Returns the index of the portal that was entered at a crossing. */
     public int entered(int place) {
         return entered[place];
     }
 
-    /** The crossings with every there-and-back taken out. */
+    /** Returns the crossings as a word, without any pair that goes through and back. */
     public CrossingWord word() {
         CrossingWord word = CrossingWord.EMPTY;
         for (int i = 0; i < crossings; i++) {
@@ -122,7 +124,7 @@ public final class PathTrace {
         return word;
     }
 
-    /** Turns a direction at the path's start into the one at its end. */
+    /** Maps a direction from the path's start to its end, in place, and returns it. */
     public Vector3d carryDirection(Vector3d direction) {
         for (int i = 0; i < crossings; i++) {
             portals.passage(entered[i]).direction(direction);
@@ -130,7 +132,7 @@ public final class PathTrace {
         return direction;
     }
 
-    /** Moves a point as if it had gone the path's way. */
+    /** Maps a point through the portals of the path, in place, and returns it. */
     public Vector3d carryPoint(Vector3d point) {
         for (int i = 0; i < crossings; i++) {
             portals.passage(entered[i]).point(point);

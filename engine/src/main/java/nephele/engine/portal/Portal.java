@@ -8,25 +8,30 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * One end: a place in the world with an opening. It looks along {@code frame.back()}, away from its wall; x and y of the
- * {@link Aperture} are {@code frame.right()} and {@code frame.up()}.
+ * One end of a portal pair: a place in the world with an opening. It faces along {@code frame.back()}, away from its
+ * wall; x and y of the {@link Aperture} are {@code frame.right()} and {@code frame.up()}.
  *
  * @param id as in the level, or the colour of the shot
  */
 public record Portal(String id, Vec3 centre, Basis frame, Aperture aperture) {
-    /** @param spec as the level rules allow it: the normal is not zero, up not along it */
+    /**
+     * Makes a portal.
+     *
+     * @param spec as the level rules allow it: the normal is not zero, up not parallel to it
+     */
     public static Portal of(PortalSpec spec) {
         Basis frame = facing(spec.normal(), spec.up());
         return new Portal(
                 spec.id(), spec.centre(), frame, Aperture.of(spec.shape(), spec.widthMetres(), spec.heightMetres()));
     }
 
-    /** The frame that looks along {@code normal}, with its up as near to {@code up} as can be. */
+    /** Returns the frame that faces along {@code normal}, with its up axis as close to {@code up} as possible. */
     public static Basis facing(Vec3 normal, Vec3 up) {
         Vec3 behind = normal.negated();
         return Basis.lookAt(Vec3.ZERO, behind, up, Basis.WORLD);
     }
 
+    /** Returns the unit normal, away from the wall. */
     public Vec3 normal() {
         return frame.back();
     }
@@ -40,17 +45,17 @@ public record Portal(String id, Vec3 centre, Basis frame, Aperture aperture) {
         return corners;
     }
 
-    /** Metres in front of the portal's plane, negative behind it. */
+    /** Returns the distance of a point in front of the portal's plane in metres, negative behind it. */
     public double inFront(double x, double y, double z) {
         return along(frame.back(), x, y, z);
     }
 
-    /** The point's place to the right of the centre. */
+    /** Returns the distance of a point to the right of the centre, in metres. */
     public double across(double x, double y, double z) {
         return along(frame.right(), x, y, z);
     }
 
-    /** The point's place above the centre, along the portal's own up. */
+    /** Returns the distance of a point above the centre along the portal's up axis, in metres. */
     public double upward(double x, double y, double z) {
         return along(frame.up(), x, y, z);
     }
@@ -59,7 +64,7 @@ public record Portal(String id, Vec3 centre, Basis frame, Aperture aperture) {
         return axis.x() * (x - centre.x()) + axis.y() * (y - centre.y()) + axis.z() * (z - centre.z());
     }
 
-    /** From the portal's frame to the world. */
+    /** Returns the point in the world with these coordinates in the portal's frame. */
     public Vec3 world(double across, double upward, double inFront) {
         Vector3d p = centre.toVector()
                 .fma(across, frame.right().toVector())

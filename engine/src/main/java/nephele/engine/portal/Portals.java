@@ -8,12 +8,12 @@ import nephele.engine.math.Plane;
 import org.joml.Vector3dc;
 
 /**
- * The portals that exist at a time, and which leads where. A value: whoever shoots makes another. Portals are named by
- * their index here; one without a partner is closed.
+ * The portals that exist at a time, and their pairing. A value: a shot makes another. Portals are identified by their
+ * index here; a portal without a partner is closed.
  */
 public final class Portals {
     public static final Portals NONE = new Portals(List.of(), List.of());
-    /** The partner of a portal that leads nowhere. */
+    /** The partner of a closed portal. */
     public static final int CLOSED = -1;
 
     private static final double EDGE_METRES = 2e-3;
@@ -39,7 +39,7 @@ public final class Portals {
         return Plane.through(portal.normal(), portal.centre());
     }
 
-    /** Those that a level starts with, in its order. */
+    /** Returns the portals with which a level starts, in its order. */
     public static Portals of(Level level) {
         List<String> ids = level.portals().stream().map(PortalSpec::id).toList();
         List<Portal> portals = new ArrayList<>();
@@ -51,20 +51,22 @@ public final class Portals {
         return new Portals(portals, partners);
     }
 
+    /** Returns the number of portals, closed ones included. */
     public int size() {
         return portals.size();
     }
 
+    /** Returns a portal by its index. */
     public Portal portal(int index) {
         return portals.get(index);
     }
 
-    /** Where a portal leads, or {@link #CLOSED}. */
+    /** Returns the index of the portal's partner, or {@link #CLOSED}. */
     public int partner(int index) {
         return partners.get(index);
     }
 
-    /** In which a portal lies, its front outside. */
+    /** Returns the plane of a portal, with its normal towards the front. */
     public Plane plane(int index) {
         return planes[index];
     }
@@ -101,11 +103,12 @@ public final class Portals {
         return portal.aperture().outside(across, upward) <= EDGE_METRES;
     }
 
+    /** Returns true if a portal has a partner. */
     public boolean isOpen(int index) {
         return passages[index] != null;
     }
 
-    /** From before an open portal to before its partner. */
+    /** Returns the map from an open portal to its partner, {@code null} for a closed one. */
     public Passage passage(int index) {
         return passages[index];
     }

@@ -1,2 +1,2 @@
-/** Portals without pictures or physics: apertures, the rigid maps between them, where they fit, and paths through them. */
+/** Portals independent of rendering and physics: apertures, the rigid maps between them, and paths through them. */
 package nephele.engine.portal;

@@ -10,9 +10,11 @@ import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 import nephele.engine.sim.TickEvent;
 
-/** What each shot would do in the last state: asked for once a tick at most, and only when a frame shows it. */
+/**
+ * The result that each shot would have in the last state: computed at most once a tick, and only if a frame shows it.
+ */
 final class Aiming {
-    /** Two portals nearer than this are one place: one outline is enough. */
+    /** Distance below which two portals are at one place, so that one preview is enough. */
     private static final double SAME_PLACE_METRES = 0.05;
 
     private final Simulation simulation;
@@ -25,7 +27,7 @@ final class Aiming {
         this.simulation = simulation;
     }
 
-    /** A tick has ended in this state. */
+    /** Follows a tick that ended in this state. */
     void after(SimState state) {
         for (TickEvent event : state.around().trace().events()) {
             if (event instanceof TickEvent.PortalOpened opened) {
@@ -34,13 +36,16 @@ final class Aiming {
         }
     }
 
-    /** Where portals would open; where both shots would open one, that of the shot whose turn it is. */
+    /**
+     * Returns the previews of the portals that shots would open; if both are at one place, that of the shot not fired
+     * last.
+     */
     List<Ghost> ghosts(SimState state) {
         ask(state);
         return ghosts;
     }
 
-    /** A half of the crosshair, {@code null} without a gun. */
+    /** Returns a half of the crosshair, {@code null} without a gun. */
     Sights.Half half(SimState state, Shots.Colour shot) {
         ask(state);
         Placed would = placed[shot.ordinal()];

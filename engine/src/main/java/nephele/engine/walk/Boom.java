@@ -11,14 +11,14 @@ import nephele.engine.sim.SimState;
 import org.joml.Vector3d;
 
 /**
- * The camera of the third person: behind and above the right shoulder, on a spring, through portals, before whatever is
- * in the way. It moves with the ticks, so that no frame rate changes it; a frame sees it between two of them.
+ * The third-person camera boom: behind and above the right shoulder, on a spring, through portals, shortened by
+ * obstacles. It moves with the ticks, so that the frame rate does not affect it; frames interpolate between two ticks.
  */
 final class Boom {
     private static final double RIGHT_METRES = 0.5;
     private static final double UP_METRES = 0.3;
     private static final double BACK_METRES = 2.6;
-    /** However hard a landing, the camera does not lag farther. */
+    /** Greatest lag of the camera behind its rest position, however hard a landing. */
     private static final double MOST_LAG_METRES = 0.5;
 
     private static final double FARTHEST_METRES = 500;
@@ -35,7 +35,7 @@ final class Boom {
         reach = new BoomReach(statics);
     }
 
-    /** From first to third person or back: the camera glides. */
+    /** Switches between first and third person; the camera moves gradually. */
     void toggle() {
         wanted = !wanted;
     }
@@ -44,7 +44,7 @@ final class Boom {
         return wanted || after.extent() > 0 || before.extent() > 0;
     }
 
-    /** A tick has led from one state to the other. */
+    /** Follows a tick from one state to another. */
     void tick(SimState earlier, SimState later) {
         before = after;
         if (isOut()) {
@@ -55,16 +55,16 @@ final class Boom {
         }
     }
 
-    /** Nothing led from one place to the other: the camera follows at once. */
+    /** Moves the camera at once, after a discontinuity of the player's motion. */
     void cut() {
         after = new BoomState(CameraSpring.AT_REST, Vec3.ZERO, after.extent());
         before = after;
     }
 
     /**
-     * The camera at a share of the tick between two states.
+     * Returns the camera at a share of the tick between two states.
      *
-     * @param aimed a point that the eye looks at; becomes what the camera sees it as
+     * @param aimed a point in the eye's space; mapped to the camera's space
      */
     PlayerPose camera(SimState earlier, SimState later, double share, Vector3d aimed) {
         PlayerPose pose = PlayerPose.between(earlier, later, share);
@@ -76,7 +76,7 @@ final class Boom {
                 Vec3.of(trace.place()), carried(pose.view(), trace, portals(later)), pose.body(), pose.later());
     }
 
-    /** From eye to camera at a share of the tick, as the eye sees it: to its right, up and back. */
+    /** Returns the vector from eye to camera at a share of the tick, in the axes of the view: right, up and back. */
     Vec3 arm(SimState earlier, SimState later, double share) {
         PlayerPose pose = PlayerPose.between(earlier, later, share);
         stretch(pose, earlier, later, share);
@@ -92,7 +92,7 @@ final class Boom {
         way.mul(Math.min(there.extent(), reach.free(portals(later), pose.eye().toVector(), way)));
     }
 
-    /** What a straight line from the eye meets first. */
+    /** Returns the first hit of a straight line from the eye. */
     Vector3d aimedAt(PlayerPose pose) {
         Vector3d eye = pose.eye().toVector();
         Vector3d line = pose.view().back().toVector().mul(-FARTHEST_METRES);
@@ -111,7 +111,7 @@ final class Boom {
         return state.around().portals();
     }
 
-    /** The state before the tick, as the later space has it, with the tick's velocity. */
+    /** Returns the state before the tick, mapped to the space after it, with the tick's velocity. */
     private BoomState entering(SimState earlier, SimState later) {
         CrossingWord crossed = later.around().trace().playerCrossed();
         Portals portals = portals(later);
@@ -123,7 +123,7 @@ final class Boom {
         return before.through(crossed, portals).restingAt(Vec3.of(velocity));
     }
 
-    /** From the eye to the camera, in the eye's space, were nothing in the way. */
+    /** Returns the vector from the eye to the camera without obstacles, in the eye's space. */
     private Vector3d way(PlayerPose pose, BoomState state) {
         Vector3d lag = pose.fromLater(state.spring().lag().toVector());
         lag.div(Math.sqrt(1 + lag.lengthSquared() / (MOST_LAG_METRES * MOST_LAG_METRES)));

@@ -13,21 +13,27 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * How far a camera on a boom may be from the eye: through open portals, and a ball's radius before the first solid. What
- * the boom passes closely shortens it already, the more the nearer it is: so a corner that comes into its way does not
- * cut it off at once, and the length is a continuous function of eye and direction.
+ * The greatest length of a camera boom: through open portals, and a sphere's radius in front of the first solid. Solids
+ * near the boom shorten it too, the more the nearer they are: so a corner that comes into its path does not cut it off
+ * at once, and the length is a continuous function of eye and direction.
  */
 final class BoomReach {
-    /** More than the near plane's corners need; at the eye itself the player's own body keeps walls away. */
+    /**
+     * Distance from solids; more than the near plane's corners need. At the eye itself the player's body keeps walls
+     * away.
+     */
     static final double CLEARANCE_METRES = 0.2;
 
     private static final double LEAST_CLEARANCE_METRES = 0.1;
     private static final double CLEARANCE_PER_METRE = 0.2;
-    /** A solid so far beside the boom, as a share of the way to it, does not shorten it: the tangent of 10°. */
+    /**
+     * Ratio of a solid's distance beside the boom to that along it, from which on it does not shorten the boom: tangent
+     * of 10°.
+     */
     private static final double FREE_SLOPE = 0.176;
 
     private static final double SAMPLE_METRES = 0.15;
-    /** Solids farther than this from a sample are left to the others, fading from half of it on. */
+    /** Range of a sample: solids farther from it are left to other samples; their effect fades from half of it on. */
     private static final double SIGHT_METRES = 0.6;
 
     private static final RoundedHull POINT = RoundedHull.sphere(0);
@@ -52,7 +58,7 @@ final class BoomReach {
         this.statics = statics;
     }
 
-    /** The free part of a boom, 0 to 1. */
+    /** Returns the free share of a boom, 0 to 1. */
     double free(Portals portals, Vector3dc eye, Vector3dc boom) {
         fullMetres = boom.length();
         freeMetres = fullMetres;
@@ -63,7 +69,7 @@ final class BoomReach {
         return fullMetres > 0 ? Math.max(0, freeMetres) / fullMetres : 0;
     }
 
-    /** Goes a boom's way up to where it ends; obstacles are the caller's to have asked for. */
+    /** Returns the path tracer that follows a boom to its end. */
     PathTrace trace(Portals portals) {
         if (portals != asked) {
             asked = portals;
@@ -73,7 +79,7 @@ final class BoomReach {
         return trace;
     }
 
-    /** How much of a way is free of solids, portals aside. */
+    /** Returns the share of a displacement that is free of solids, without portals. */
     double freeOfSolids(Vector3dc from, Vector3dc way) {
         var ray = new Ray(from.x(), from.y(), from.z(), way.x(), way.y(), way.z());
         return cast.cast(statics, ray, 1) ? cast.distance() : 1;
@@ -105,7 +111,7 @@ final class BoomReach {
             separation.measure(POINT, sample.x, sample.y, sample.z, world.collider(found.get(i)));
             double metres = Math.max(0, separation.metres());
             double ahead = metres > 0 ? -metres * alongNormal() : 0;
-            // What the player faces lies behind the eye as the boom goes.
+            // Solids in front of the player are behind the eye in the boom's direction.
             if (metres < SIGHT_METRES && alongMetres + ahead >= 0) {
                 double beside = Math.sqrt(Math.max(0, metres * metres - ahead * ahead));
                 double fading = Math.max(0, metres / SIGHT_METRES - 0.5) * 2 * fullMetres;
@@ -114,14 +120,14 @@ final class BoomReach {
         }
     }
 
-    /** The part along the boom of the direction away from the solid. */
+    /** Returns the component along the boom of the direction away from the solid. */
     private double alongNormal() {
         return separation.normalX() * direction.x
                 + separation.normalY() * direction.y
                 + separation.normalZ() * direction.z;
     }
 
-    /** How far a boom may go that passes a solid's point so far along it and beside it. */
+    /** Returns the greatest length of a boom that passes a solid's point at these distances along and beside it. */
     private double limit(double along, double beside) {
         double clearance = Math.min(CLEARANCE_METRES, LEAST_CLEARANCE_METRES + CLEARANCE_PER_METRE * along);
         if (beside <= clearance) {

@@ -7,13 +7,13 @@ import nephele.engine.portal.Portals;
 /**
  * A boom after a tick, in the space of the player's body.
  *
- * @param restVelocity of the eye, which it hangs on, in the last tick
- * @param extent how far it is out, 0 to 1
+ * @param restVelocity velocity of the eye, which carries the boom, in the last tick, m/s
+ * @param extent extended share of the boom, 0 to 1
  */
 record BoomState(CameraSpring spring, Vec3 restVelocity, double extent) {
     static final BoomState FOLDED = new BoomState(CameraSpring.AT_REST, Vec3.ZERO, 0);
 
-    /** What has got out of the way lets it out no faster. */
+    /** Rate in extents at which the boom extends, also after an obstacle has gone. */
     static final double EXTENDING_PER_SECOND = 1.6;
 
     private static final double FOLDING_PER_SECOND = 3;
@@ -30,7 +30,7 @@ record BoomState(CameraSpring spring, Vec3 restVelocity, double extent) {
         return new BoomState(spring.restTurnsFrom(restVelocity, velocity), velocity, extent);
     }
 
-    /** With nothing in the way. */
+    /** Returns the state after a time without obstacles. */
     BoomState after(double seconds, double wantedExtent) {
         double out = Math.min(wantedExtent, extent + EXTENDING_PER_SECOND * seconds);
         double in = Math.max(wantedExtent, extent - FOLDING_PER_SECOND * seconds);

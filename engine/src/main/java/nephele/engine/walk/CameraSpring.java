@@ -6,12 +6,12 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 
 /**
- * How far a camera lags behind where it rests, on a critically damped spring: x'' + 2 ω x' + ω² x = 0 relative to the
- * rest, solved in closed form: x(t) = (x₀ + (v₀ + ω x₀) t) exp(−ω t). Any cut of the time gives the same, and a rest
- * that moves evenly is not lagged behind at all.
+ * The lag of a camera behind its rest position, on a critically damped spring: x'' + 2 ω x' + ω² x = 0 relative to the
+ * rest position, solved in closed form: x(t) = (x₀ + (v₀ + ω x₀) t) exp(−ω t). Any division of the time gives the same
+ * result, and there is no lag behind a rest position of constant velocity.
  *
  * @param lag metres
- * @param velocity of the lag
+ * @param velocity of the lag, m/s
  */
 record CameraSpring(Vec3 lag, Vec3 velocity) {
     static final CameraSpring AT_REST = new CameraSpring(Vec3.ZERO, Vec3.ZERO);
@@ -27,13 +27,13 @@ record CameraSpring(Vec3 lag, Vec3 velocity) {
         return new CameraSpring(Vec3.of(moved), Vec3.of(slowed));
     }
 
-    /** The rest's velocity changes from one to another; the camera's own does not at once. */
+    /** Returns the spring after a change of the rest position's velocity, which the camera does not follow at once. */
     CameraSpring restTurnsFrom(Vec3 before, Vec3 now) {
         return new CameraSpring(
                 lag, Vec3.of(velocity.toVector().add(before.toVector()).sub(now.toVector())));
     }
 
-    /** The same behind portals. */
+    /** Returns the spring mapped through portals. */
     CameraSpring through(CrossingWord crossed, Portals portals) {
         CameraSpring there = this;
         for (int i = 0; i < crossed.length(); i++) {

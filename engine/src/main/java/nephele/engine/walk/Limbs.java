@@ -9,25 +9,26 @@ import nephele.engine.sim.SimState;
 import org.joml.Vector3d;
 
 /**
- * How the player's figure moves its limbs after a tick, all of it smoothly; nothing of the game depends on it.
+ * The animation state of the player's character after a tick. All of it changes smoothly; the simulation does not
+ * depend on it.
  *
  * @param heightMetres from sole to crown, following the stance as the eye does
- * @param step of the walking cycle, 0 to 1
- * @param ahead how fast it goes where it looks, in strides; {@code left} alike
+ * @param step phase of the walking cycle, 0 to 1
+ * @param ahead speed in the direction of view, as a multiple of the walking speed; likewise {@code left}
  * @param airborne 0 on the ground, 1 in the air
- * @param carrying 0 with free hands, 1 with a thing before it
+ * @param carrying 0 with free hands, 1 with a held body
  */
 record Limbs(double heightMetres, double step, double ahead, double left, double airborne, double carrying) {
-    /** The eye's rate in the simulation, so that the feet stay where they are when the player crouches. */
+    /** The eye's rate in the simulation, so that the feet stay in place when the player crouches. */
     private static final double HEIGHT_PER_SECOND = 15;
 
     private static final double LIMBS_PER_SECOND = 10;
-    /** Slower than this nobody lifts a foot. */
+    /** Stride below which the feet stay on the ground. */
     private static final double STANDING_STRIDE = 0.02;
 
     static final Limbs STANDING = new Limbs(Stance.STANDING.heightMetres(), 0, 0, 0, 0, 0);
 
-    /** After one more tick of this length that ended in {@code state}. */
+    /** Returns the state after one more tick of this length, which ended in {@code state}. */
     Limbs next(SimState state, double seconds) {
         PlayerState player = state.player();
         boolean onGround = player.isGrounded();
@@ -44,23 +45,23 @@ record Limbs(double heightMetres, double step, double ahead, double left, double
                 mix(carrying, state.around().holding().isHolding() ? 1 : 0, limbs));
     }
 
-    /** Along an axis of the ground. */
+    /** Returns the speed along an axis of the ground, as a multiple of the walking speed. */
     private static double strides(PlayerState player, Vec3 axis) {
         Vector3d velocity = player.velocity().toVector();
         return velocity.dot(axis.toVector()) / Gait.WALKING_METRES_PER_SECOND;
     }
 
-    /** 0 standing, 1 walking, more running. */
+    /** Returns the speed as a multiple of the walking speed: 0 standing, 1 walking, more running. */
     double stride() {
         return Math.hypot(ahead, left);
     }
 
-    /** Where it goes, seen from where it looks: 0 ahead, positive to the left. */
+    /** Returns the direction of motion relative to the view: 0 ahead, positive to the left. */
     double travelRadians() {
         return Math.atan2(left, ahead);
     }
 
-    /** Between this and the next tick's. */
+    /** Interpolates between this state and that of the next tick. */
     Limbs towards(Limbs later, double share) {
         double cycles = later.step - step;
         double onward = cycles < 0 ? cycles + 1 : cycles;

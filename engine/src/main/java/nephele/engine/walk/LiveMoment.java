@@ -15,8 +15,8 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * What is drawn of a game between two ticks. Bodies that went through portals in the tick are where the straight way
- * through them leads, on their own side of each; the figure likewise.
+ * The frame state of a game between two ticks. A body that went through portals in the tick is interpolated along the
+ * straight path through them and drawn on the side of each that it has reached; likewise the character.
  */
 final class LiveMoment {
     private static final double EYE_BELOW_CROWN_METRES = 0.15;
@@ -31,12 +31,12 @@ final class LiveMoment {
         moment = Moment.atStart(level);
     }
 
-    /** The same object every time. */
+    /** Returns the frame state, always the same object. */
     Moment moment() {
         return moment;
     }
 
-    /** Portals as the later state has them, bodies at a share of the way to it. */
+    /** Sets the portals of the later state, and the bodies at a share of the tick. */
     void world(SimState before, SimState after, double share, PortalAges ages) {
         Changeable around = after.around();
         moment.portals(around.portals());
@@ -73,7 +73,12 @@ final class LiveMoment {
         moment.body(body, centre, turn.normalize());
     }
 
-    /** @param fromCamera where what is held is from it, to the right, up and back */
+    /**
+     * Sets the held body.
+     *
+     * @param fromCamera its position relative to the camera: right, up and back
+     * @param clarity transparency of the held body, 0 (as other bodies) to 1
+     */
     void held(SimState after, Vec3 fromCamera, double clarity) {
         if (clarity == 0) {
             moment.nothingHeld();
@@ -82,7 +87,7 @@ final class LiveMoment {
         }
     }
 
-    /** The player, and the time. */
+    /** Sets the player's character and the time. */
     void figure(PlayerPose pose, Limbs limbs, double seconds) {
         PlayerPose.Body body = pose.body();
         moment.seconds(seconds);
@@ -102,14 +107,17 @@ final class LiveMoment {
                         limbs.carrying())));
     }
 
-    /** Half the figure's height below its crown, which follows the eye; in the space of the body's centre. */
+    /**
+     * Returns the point half the character's height below its crown, which follows the eye; in the space of the body's
+     * centre.
+     */
     private static Vector3d middle(PlayerPose.Body body, double heightMetres) {
         return body.eye()
                 .toVector()
                 .fma(EYE_BELOW_CROWN_METRES - heightMetres / 2, body.up().toVector());
     }
 
-    /** The middle of the figure need not be on the body's side of a portal. */
+    /** Maps the posture through the portals between the body's centre and the character's middle. */
     private Moment.Posture beyondPortals(Vec3 from, Moment.Posture posture) {
         Portals portals = moment.portals();
         if (portals.size() == 0) {

@@ -4,10 +4,10 @@ import java.util.Arrays;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.SimState;
 
-/** Since when each portal is where it is: one that a shot has just made opens before the player's eyes. */
+/** The age of each portal since its last change of place: one that a shot has just made opens gradually. */
 final class PortalAges {
     static final double OPENING_SECONDS = 0.25;
-    /** So small an aperture nobody sees; none at all is no shape to draw. */
+    /** Least openness: the aperture is practically invisible, but one of no size could not be drawn. */
     private static final double LEAST_OPENNESS = 0.02;
 
     private static final long ALWAYS = Long.MIN_VALUE / 2;
@@ -28,7 +28,7 @@ final class PortalAges {
         return longer;
     }
 
-    /** A tick has ended in this state. */
+    /** Follows a tick that ended in this state. */
     void after(SimState state) {
         Portals now = state.around().portals();
         if (now == portals) {
@@ -44,7 +44,9 @@ final class PortalAges {
         portals = now;
     }
 
-    /** How far a portal has opened, 0 to 1, at a share of the tick that ends in {@code tick}: fast, then slower. */
+    /**
+     * Returns the openness of a portal, 0 to 1, at a share of the tick that ends in {@code tick}: fast, then slower.
+     */
     double openness(int portal, long tick, double share) {
         double seconds = (tick - madeInTick[portal] + share) * secondsPerTick;
         double left = Math.max(0, 1 - seconds / OPENING_SECONDS);

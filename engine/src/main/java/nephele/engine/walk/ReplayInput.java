@@ -3,12 +3,13 @@ package nephele.engine.walk;
 import nephele.engine.sim.PlayerInput;
 import nephele.engine.sim.Replay;
 
-/** A replay, tick by tick; afterwards the player stands still. */
+/** The input of a replay, tick by tick; no input after its end. */
 public final class ReplayInput implements TickInput {
     private final Replay replay;
     private int run;
     private int tickOfRun;
 
+    /** Starts at the first tick of a replay. */
     public ReplayInput(Replay replay) {
         this.replay = replay;
     }

@@ -1,26 +1,26 @@
 package nephele.engine.walk;
 
 /**
- * What the crosshair says.
+ * The state of the crosshair.
  *
- * @param right where a shot would hit, in points from the middle of the picture; {@code down} alike
- * @param first what the first shot would do, {@code null} without a gun; {@code second} alike
+ * @param right position at which a shot would hit, in points from the middle of the picture; likewise {@code down}
+ * @param first result of the first shot, {@code null} without a gun; likewise {@code second}
  */
 public record Sights(double right, double down, Half first, Half second) {
     public static final Sights MIDDLE = new Sights(0, 0, null, null);
 
-    /** Whether the shot's portal is already somewhere. */
+    /** Tells if the shot's portal exists already. */
     public enum Portal {
         NONE,
         MADE
     }
 
-    /** Whether a shot would open it where it points. */
+    /** Tells if a shot would open the portal at the place aimed at. */
     public enum Shot {
         OPENS,
         REFUSED
     }
 
-    /** One of the two. */
+    /** The half of the crosshair for one shot. */
     public record Half(Portal portal, Shot shot) {}
 }

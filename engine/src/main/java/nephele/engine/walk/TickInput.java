@@ -2,11 +2,11 @@ package nephele.engine.walk;
 
 import nephele.engine.sim.PlayerInput;
 
-/** Who plays: hands and mouse, or a replay. */
+/** The source of the player's input: devices or a replay. */
 public interface TickInput {
-    /** What is done in the next tick. */
+    /** Returns the input of the next tick. */
     PlayerInput next();
 
-    /** True when a replay has no further tick. */
+    /** Returns true when a replay has no further tick. */
     boolean isFinished();
 }

@@ -23,14 +23,17 @@ import nephele.engine.sim.Simulation;
 import nephele.engine.sim.TickEvent;
 import org.joml.Vector3d;
 
-/** The simulated part of a game: two states to draw between, the clock that makes ticks and the record of all input. */
+/**
+ * The simulated part of a game: two states between which frames interpolate, the clock that makes ticks and the record
+ * of all input.
+ */
 public final class Walk {
-    /** A way longer than the velocities of its ends account for, and this, is no way: the player began again. */
+    /** A displacement longer by this than the velocities account for is a discontinuity: the player was reset. */
     private static final double LEAP_METRES = 1;
 
     private static final double LEAST_DEPTH_METRES = 0.1;
 
-    /** In which what is held becomes see-through, and solid again when the camera leaves the eye. */
+    /** Time in which a held body becomes transparent, or opaque again when the camera leaves the eye. */
     private static final double CLEARING_SECONDS = 0.2;
 
     private final Simulation simulation;
@@ -53,18 +56,23 @@ public final class Walk {
     private Limbs limbsAfter = Limbs.STANDING;
 
     /**
-     * Where a walk begins and what its recording is called.
+     * The start of a walk and the name in its recording.
      *
-     * @param from null: where the level starts
+     * @param levelFile file of the level, as the recording names it
+     * @param from {@code null} for the start of the level
      */
     public record Beginning(String levelFile, SimSettings settings, PlayerStart from) {}
 
-    /** Through a level without models. */
+    /** Starts a walk through a level without models. */
     public Walk(Level level, Beginning beginning, TickInput input) {
         this(level, SimLevel.of(level), beginning, input);
     }
 
-    /** @param simLevel of the level */
+    /**
+     * Starts a walk through a level.
+     *
+     * @param simLevel made from the level
+     */
     public Walk(Level level, SimLevel simLevel, Beginning beginning, TickInput input) {
         this.input = input;
         simulation = new Simulation(simLevel, beginning.settings, FaultLog.SILENT);
@@ -88,7 +96,7 @@ public final class Walk {
         }
     }
 
-    /** One tick. */
+    /** Simulates one tick. */
     public void tick() {
         var done = input.next();
         recorder.record(done);
@@ -125,44 +133,50 @@ public final class Walk {
         return metres > LEAP_METRES + speed * secondsPerTick;
     }
 
-    /** What happened since the last call. */
+    /** Returns the events since the last call. */
     public List<TickEvent> takeNews() {
         List<TickEvent> taken = List.copyOf(news);
         news.clear();
         return taken;
     }
 
-    /** Whether the view has nothing to do with the one before: at first, and after the player began again. Tells it once. */
+    /**
+     * Returns true if the view is discontinuous with the one before: at first, and after a reset of the player. Clears
+     * the flag.
+     */
     public boolean takeCut() {
         boolean was = isCut;
         isCut = false;
         return was;
     }
 
+    /** Returns true when the input is a replay that has no further tick. */
     public boolean isFinished() {
         return input.isFinished();
     }
 
+    /** Returns the state after the last tick. */
     public SimState state() {
         return after;
     }
 
+    /** Returns the record of all input so far. */
     public ReplayRecorder recorder() {
         return recorder;
     }
 
-    /** From the first to the third person or back. */
+    /** Switches between first and third person. */
     public void changePerson() {
         boom.toggle();
     }
 
-    /** The player's view between the last two ticks: from the eye, or along the boom. */
+    /** Returns the player's view between the last two ticks: from the eye, or from the camera boom. */
     public View view(double aspect) {
         PlayerPose camera = seen().camera();
         return Viewpoints.ofEye(camera.eye(), camera.view(), aspect);
     }
 
-    /** The crosshair of the last view, in a picture of this size. */
+    /** Returns the crosshair of the last view, for a picture of this size. */
     public Sights sights(double widthPoints, double heightPoints) {
         Seen now = seen();
         View view = view(widthPoints / heightPoints);
@@ -177,12 +191,12 @@ public final class Walk {
                 aiming.half(after, Shots.Colour.SECOND));
     }
 
-    /** The overlay is made anew when it changes: not for what nobody sees. */
+    /** Rounds to half points: the overlay is redrawn whenever it changes. */
     private static double toHalves(double points) {
         return Math.rint(2 * points) / 2 + 0.0;
     }
 
-    /** What is to be seen between the last two ticks; the same object every time. */
+    /** Returns the frame state between the last two ticks; always the same object. */
     public Moment moment() {
         double share = clock.share();
         double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
@@ -193,14 +207,14 @@ public final class Walk {
         return live.moment();
     }
 
-    /** @param fromEye of what is held, {@code null} for nothing, which is never see-through */
+    /** @param fromEye position of the held body, {@code null} for none, which is never transparent */
     private void fadeHeld(Vec3 fromEye) {
         double step = (boom.isOut() ? -1 : 1) * secondsPerTick / CLEARING_SECONDS;
         heldFromEye = fromEye;
         heldClarity = fromEye == null ? 0 : Math.max(0, Math.min(1, heldClarity + step));
     }
 
-    /** While the camera glides away the eye's sight of it fades. */
+    /** Returns the held body's position relative to the camera, also while the camera leaves the eye. */
     private Vec3 heldFromCamera(double share) {
         if (heldClarity == 0 || !boom.isOut()) {
             return heldFromEye;
@@ -209,9 +223,9 @@ public final class Walk {
     }
 
     /**
-     * Where the picture is taken from, and what a shot from the eye would hit.
+     * The camera of a frame, and the hit of a shot from the eye.
      *
-     * @param aimed as the camera sees it
+     * @param aimed in the camera's space
      */
     private record Seen(SimState after, double share, PlayerPose player, PlayerPose camera, Vec3 aimed) {
         boolean isFirstPerson() {
@@ -219,7 +233,7 @@ public final class Walk {
         }
     }
 
-    /** View, moment and crosshair of one frame share it. */
+    /** Returns the view, shared by the picture, the frame state and the crosshair of one frame. */
     private Seen seen() {
         double share = clock.share();
         if (seen == null || seen.after != after || seen.share != share || seen.isFirstPerson() == boom.isOut()) {

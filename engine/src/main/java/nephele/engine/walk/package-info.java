@@ -1,2 +1,2 @@
-/** A simulated walk through a level, and what a camera sees of it between two ticks. */
+/** A simulated walk through a level, and the interpolated frame state and camera between two ticks. */
 package nephele.engine.walk;

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 final class BlockCholeskyTest {
-    /** Whatever bodies are linked, the solution times the matrix is the right side. */
+    /** For any graph, the matrix times the solution is the right side. */
     @ParameterizedTest
     @CsvSource({"1, 0", "2, 1", "12, 0", "9, 0.3", "20, 0.2", "64, 0", "17, 1"})
     void solvesWhateverIsLinked(int nodes, double share) {
@@ -34,7 +34,7 @@ final class BlockCholeskyTest {
         }
     }
 
-    /** The matrix is the sum of k j jᵀ over random rows j of each link, and one on the diagonal. */
+    /** Makes a matrix that is the sum of j jᵀ over random rows j of each link, and one on the diagonal. */
     private static double[][] fill(BlockCholesky matrix, boolean[][] linked, SplittableRandom random) {
         int nodes = linked.length;
         matrix.begin(nodes);
@@ -86,7 +86,7 @@ final class BlockCholeskyTest {
         }
     }
 
-    /** A tower takes work in proportion to its height; bodies that all touch each other take its cube. */
+    /** A tower takes work linear in its height; bodies that all touch each other take its cube. */
     @ParameterizedTest
     @CsvSource({"10", "40", "64"})
     void aChainIsCheap(int nodes) {

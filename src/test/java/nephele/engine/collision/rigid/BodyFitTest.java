@@ -14,9 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A body that flies straight at an aperture passes untouched just when its outline fits. */
+/** A body that flies straight at an aperture passes without contact exactly if its outline fits. */
 class BodyFitTest {
-    /** Outlines this near the aperture's edge may go either way: contacts look ahead. */
+    /** Distance of an outline from the aperture's edge within which either result is allowed: contacts look ahead. */
     private static final double MARGIN_METRES = 0.015;
 
     private static Vec3 v(double x, double y, double z) {
@@ -47,7 +47,7 @@ class BodyFitTest {
         assertTrue(fitting >= 3 && held >= 3, fitting + " fitted, " + held + " did not");
     }
 
-    /** By how much the outline of the corners leaves the aperture: brute force, no GJK. */
+    /** Returns the distance by which the outline of the corners exceeds the aperture: brute force, no GJK. */
     private static double outside(Aperture aperture, Vec3 size, Vec3 at, Quaterniond turn) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < 8; i++) {
@@ -75,7 +75,7 @@ class BodyFitTest {
                 && scene.velocity(box).distance(-2, 0, 0) < 1e-12;
     }
 
-    /** A plank that goes in lengthways gets through, across it is held by the rim. */
+    /** A plank that enters lengthways passes; across, the rim holds it. */
     @Test
     void plankGoesLengthwaysOnly() {
         Aperture aperture = Aperture.of(PortalShape.RECTANGLE, 1.2, 2.1);
@@ -85,7 +85,7 @@ class BodyFitTest {
         }
     }
 
-    /** A corner of a rectangle is not open in an arch, and its foot not in an ellipse. */
+    /** The head corner of a rectangle is closed in an arch, and the foot corner in an ellipse. */
     @Test
     void cornersAreOpenInARectangleOnly() {
         Vec3 cube = v(0.2, 0.2, 0.2);

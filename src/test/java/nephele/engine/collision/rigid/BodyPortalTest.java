@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Bodies and portals: section 5 of the notes on portals, each with the bound there. */
+/** Bodies pass through portals and touch each other through them without loss, gain or leak. */
 class BodyPortalTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
@@ -24,7 +24,7 @@ class BodyPortalTest {
         return new Vec3(x, y, z);
     }
 
-    /** Two rooms whose walls at z = 0 and x = 30 hold a portal pair at floor level. */
+    /** Returns two rooms with a portal pair at floor level, in the walls at z = 0 and x = 30. */
     private static BodyScene rooms(double width, double height) {
         return new BodyScene()
                 .floor()
@@ -33,7 +33,7 @@ class BodyPortalTest {
                 .pair(v(0, height / 2, 0), v(0, 0, 1), v(30, height / 2, 0), v(-1, 0, 0), width, height);
     }
 
-    /** A rod of 1 mm crosses once, and leaves alike at every tick rate. */
+    /** A rod of 1 mm crosses once, and leaves in the same way at every tick rate. */
     @ParameterizedTest
     @CsvSource({"0.001, 30", "0.001, 240", "1, 60", "10, 30", "100, 120", "1000, 30", "1000, 240"})
     void rodCrossesOnce(double speed, double rate) {
@@ -57,13 +57,13 @@ class BodyPortalTest {
         assertEquals(0, scene.velocity(rod).distance(0, 0, -speed), 1e-9 * speed);
     }
 
-    /** Through many portals in one tick, in order, and the motion kept. */
+    /** A body passes several portals in one tick, in order, and keeps its velocity. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 5, 8})
     void manyPortalsInOneTick(int hops) {
         BodyScene scene = new BodyScene().weightless();
         for (int i = 0; i < hops; i++) {
-            // Each exit looks at the next entry from one metre.
+            // Each exit faces the next entry from one metre.
             scene.pair(v(0, 10 * i, 0), v(0, 0, 1), v(0, 10 * (i + 1), 1), v(0, 0, -1), 2, 2);
         }
         int ball = scene.add(new Body.Sphere("ball", v(0.3, 0.2, 1), 0.1, 1, null, 0.6, 0));
@@ -75,7 +75,7 @@ class BodyPortalTest {
         assertEquals(0, scene.velocity(ball).distance(0, 0, -60 * (hops + 0.5)), 1e-9);
     }
 
-    /** An endless fall gathers v² = 2 g h, without loss or gain at the portals. */
+    /** The speed of an endless fall follows v² = 2 g h, without loss or gain at the portals. */
     @Test
     void endlessFallGathersSpeedExactly() {
         BodyScene scene = new BodyScene()
@@ -93,7 +93,7 @@ class BodyPortalTest {
         assertEquals(1, scene.velocity(cube).lengthSquared() / (2 * 9.81 * fall), 1e-9);
     }
 
-    /** From floor to floor the apex stays. */
+    /** Between two floor portals the apex is constant to 1e-6 m. */
     @ParameterizedTest
     @ValueSource(doubles = {30, 60, 120, 240})
     void floorToFloorKeepsTheApex(double rate) {
@@ -111,7 +111,7 @@ class BodyPortalTest {
         assertTrue(worst <= 1e-6, "apex off by " + worst);
     }
 
-    /** An oblique fall keeps what it has sideways. */
+    /** An oblique fall keeps its sideways speed. */
     @Test
     void obliqueFallKeepsItsSidewaysSpeed() {
         BodyScene scene = new BodyScene()
@@ -124,7 +124,7 @@ class BodyPortalTest {
         assertEquals(0.7, Math.abs(scene.velocity(cube).x), 1e-12);
     }
 
-    /** A box that slides through a portal at floor level goes as through an open doorway. */
+    /** A box that slides through a portal at floor level moves as through an open doorway. */
     @ParameterizedTest
     @CsvSource({"0.5, 0.3", "1.5, 0.9", "3, 0.5", "6, 0.9"})
     void slidingThroughIsAsThroughADoorway(double speed, double size) {
@@ -149,7 +149,7 @@ class BodyPortalTest {
         }
     }
 
-    /** What is too large is held by the rim. */
+    /** The rim holds a box that is too large. */
     @ParameterizedTest
     @CsvSource({"1.19, true", "1.21, false", "3, false"})
     void passesOnlyIfItFits(double width, boolean passes) {
@@ -162,7 +162,7 @@ class BodyPortalTest {
         }
     }
 
-    /** A sleeper wakes when a portal opens under it. */
+    /** A sleeping body wakes when a portal opens under it. */
     @Test
     void sleeperFallsWhenAPortalOpensUnderIt() {
         BodyScene scene = new BodyScene().floor().box(5, 2, -5, 6, 8, 5);
@@ -179,7 +179,7 @@ class BodyPortalTest {
         assertTrue(scene.centre(cube).x > 2, "came out of the wall, not at " + scene.centre(cube));
     }
 
-    /** A pair side by side and a plank in both: both sides simulated, no explosion. */
+    /** A plank in both portals of a pair, side by side, gains no energy. */
     @Test
     void plankInBothPortalsOfAPairStaysCalm() {
         BodyScene scene = new BodyScene().floor().pair(v(0, 0, 0), UP, v(1.3, 0, 0), UP, 1.2, 1.2);
@@ -195,7 +195,7 @@ class BodyPortalTest {
         assertTrue(scene.centre(plank).y > -0.2 && scene.centre(plank).isFinite());
     }
 
-    /** Portals that face each other 0.2 m apart: the body touches itself and gains nothing. */
+    /** A body in portals that face each other 0.2 m apart touches itself and gains no energy. */
     @ParameterizedTest
     @ValueSource(doubles = {0.11, 0.16, 0.19})
     void bodyThatTouchesItselfGainsNoEnergy(double size) {
@@ -227,7 +227,7 @@ class BodyPortalTest {
                 + inertia * scene.spin(body).lengthSquared() / 2;
     }
 
-    /** Portals in both walls of a corner: no leak, not stuck. */
+    /** With portals in both walls of a corner, a body neither leaks nor gets stuck. */
     @Test
     void cornerOfTwoPortals() {
         BodyScene scene = new BodyScene()
@@ -246,7 +246,7 @@ class BodyPortalTest {
         assertTrue(scene.centre(cube).distance(0, 0.25, 0) > 0.8, "stuck at " + scene.centre(cube));
     }
 
-    /** A cube that leans out of a floor portal stands on the cube beyond, and both carry each other's weight. */
+    /** A cube that enters a portal pushes the cube in front of the exit, and momentum is shared. */
     @Test
     void cubesPushEachOtherThroughAPortal() {
         BodyScene scene = rooms(1.2, 2.1);
@@ -257,7 +257,7 @@ class BodyPortalTest {
         assertEquals(-0.5, scene.velocity(pushing).z, 0.05, "slowed by as much");
     }
 
-    /** Who stands behind the wall is not in the way of who goes through the portal in it. */
+    /** A body behind the wall does not touch a body that goes through the portal in it. */
     @Test
     void whoIsBehindTheWallIsNotMet() {
         BodyScene scene = new BodyScene()
@@ -272,7 +272,7 @@ class BodyPortalTest {
         assertEquals(0, scene.centre(behind).distance(0.1, 0.1, -0.5), 0);
     }
 
-    /** Orientation and spin go through as everything does. */
+    /** Orientation and angular velocity are mapped through a portal. */
     @Test
     void spinIsMapped() {
         BodyScene scene = rooms(1.2, 2.1).weightless();
@@ -281,13 +281,13 @@ class BodyPortalTest {
         scene.start();
         scene.velocity(ball, v(0, 0, -2), v(1, 2, 3));
         scene.velocity(free, v(0, 0, -2), v(1, 2, 3)).run(1, 120);
-        // In by −z, out by −x: a quarter turn about y.
+        // Enters along −z and leaves along −x: a quarter turn about y.
         assertEquals(0, scene.spin(ball).distance(3, 2, -1), 1e-9);
         Quaterniond turned = new Quaterniond().rotationY(Math.PI / 2).mul(scene.orientation(free));
         assertEquals(1, Math.abs(turned.dot(scene.orientation(ball))), 1e-12);
     }
 
-    /** A body that is half-way through a portal lies still to the bit. */
+    /** A body half-way through a portal rests without a change of any bit. */
     @Test
     void restsHalfWayThrough() {
         BodyScene scene = rooms(1.2, 2.1);
@@ -314,7 +314,7 @@ class BodyPortalTest {
         assertEquals(0, scene.centre(cube).distance(0.05, 0.4, 0), 2e-3);
     }
 
-    /** Ten kilometres out everything is as here. */
+    /** Ten kilometres from the origin a passage equals that at the origin within 1e-6 m. */
     @Test
     void farOutIsAsHere() {
         Vector3d there = null;

@@ -16,7 +16,7 @@ import nephele.engine.portal.Portals;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
-/** A few solids, portals and bodies, and the bodies' motion through them. */
+/** A few solids, portals and bodies, and the simulation of the bodies. */
 final class BodyScene {
     static final Vec3 GRAVITY = new Vec3(0, -9.81, 0);
 
@@ -51,7 +51,7 @@ final class BodyScene {
         return this;
     }
 
-    /** Two portals that lead to each other, rectangles. */
+    /** Adds two rectangular portals that lead to each other. */
     BodyScene pair(Vec3 centreA, Vec3 normalA, Vec3 centreB, Vec3 normalB, double width, double height) {
         return pair(portal(centreA, normalA, width, height), portal(centreB, normalB, width, height));
     }
@@ -91,7 +91,7 @@ final class BodyScene {
         return open(new Portals(portals, partners));
     }
 
-    /** From now on these are the portals. */
+    /** Replaces the portals. */
     BodyScene open(Portals open) {
         surroundings = SeamedWorld.of(new CollisionWorld(solids), open);
         return this;

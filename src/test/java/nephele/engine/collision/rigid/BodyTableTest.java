@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Moments of inertia against sums over thin discs. */
+/** Moments of inertia equal sums over thin discs, or those of textbooks. */
 class BodyTableTest {
     private static final int DISCS = 20_000;
 

@@ -9,13 +9,13 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** A character pushes bodies and is pushed, and both through portals. */
+/** Characters and bodies push each other, also through portals, and stop fast bodies. */
 class CharacterAndBodiesTest {
     private static Vec3 v(double x, double y, double z) {
         return new Vec3(x, y, z);
     }
 
-    /** Momentum: what the body gets the character gives. */
+    /** The body gains the momentum that the character loses. */
     @Test
     void pushGivesAndTakesTheSameMomentum() {
         BodyScene scene = new BodyScene().weightless();
@@ -29,7 +29,7 @@ class CharacterAndBodiesTest {
         assertEquals(1.6, scene.velocity(box).x, 0.02, "an inelastic hit: 80 · 2 / 100");
     }
 
-    /** The same through a portal: the body beyond moves away from its wall. */
+    /** Through a portal, the body behind it moves away from its wall. */
     @Test
     void pushesThroughAPortal() {
         BodyScene scene = new BodyScene()
@@ -47,7 +47,7 @@ class CharacterAndBodiesTest {
         assertEquals(20 * 1.6, player.impulse().z(), 1, "held back in its own space");
     }
 
-    /** The ball flies twice the character's thickness in a tick. */
+    /** A ball that moves several times the character's thickness in a tick does not pass it. */
     @Test
     void nothingFliesThroughACharacter() {
         BodyScene scene = new BodyScene().weightless();
@@ -59,7 +59,7 @@ class CharacterAndBodiesTest {
         assertTrue(scene.centre(ball).x < 0, "before it");
     }
 
-    /** One tick takes the ball through the portal and past what stands beyond. */
+    /** A tick that takes the ball through the portal does not take it past the obstacle behind. */
     @Test
     void nothingFliesThroughWhatStandsBeyondAPortal() {
         BodyScene scene = new BodyScene()
@@ -73,7 +73,7 @@ class CharacterAndBodiesTest {
         assertTrue(scene.centre(ball).x > 28.5 && scene.centre(ball).x < 30, "between both: " + scene.centre(ball));
     }
 
-    /** A floor of tiles is as smooth as one of one piece. */
+    /** A body slides on a floor of tiles as on one of one piece. */
     @Test
     void seamsOfTilesStopNothing() {
         BodyScene tiles = new BodyScene();

@@ -17,7 +17,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Boxes and balls thrown about in a closed room stay in it, however fast they fly and spin and however thin its walls. */
+/** Boxes and balls thrown in a closed room stay in it, for any speed and angular velocity and thin walls. */
 class FastBodiesTest {
     private static final double ROOM_HALF_METRES = 2;
     private static final double SECONDS = 2;

@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Ticks longer than 1/120 s are stepped in parts: nothing of it shows outside. */
+/** Ticks longer than 1/120 s are stepped in parts, without visible effect. */
 final class LongTicksTest {
     private static Vec3 v(double x, double y, double z) {
         return new Vec3(x, y, z);
     }
 
-    /** A body that goes through two portals in one tick tells of both, in the order of its way. */
+    /** A body that goes through two portals in one tick reports both, in the order of passage. */
     @Test
     void crossingsOfAllPartsAreTold() {
         BodyScene scene = new BodyScene()
@@ -37,7 +37,7 @@ final class LongTicksTest {
         assertEquals(0, scene.now.crossings(ball));
     }
 
-    /** What a character and a body give each other is the same in a tick of one part and in one of six. */
+    /** The impulse between a character and a body is the same in a tick of one part and of six. */
     @ParameterizedTest
     @ValueSource(ints = {120, 60, 20})
     void charactersGiveWhatTheyTake(int rate) {
@@ -52,7 +52,7 @@ final class LongTicksTest {
         assertEquals(1.6, scene.velocity(box).x, 1e-6, "an inelastic hit: 80 · 2 / 100");
     }
 
-    /** Two bodies that rest beside each other without leaning on each other fall asleep. */
+    /** Two bodies that rest beside each other without contact force fall asleep. */
     @ParameterizedTest
     @ValueSource(ints = {20, 120, 700})
     void neighboursDoNotWakeEachOther(int rate) {
@@ -63,7 +63,7 @@ final class LongTicksTest {
         assertTrue(scene.now.isAsleep(0) && scene.now.isAsleep(1));
     }
 
-    /** A ball that rolls past a sleeper, a centimetre away, does not wake it; one that rolls at it does. */
+    /** A ball that rolls past a sleeping body, a centimetre away, does not wake it; one that rolls at it does. */
     @ParameterizedTest
     @ValueSource(ints = {20, 120})
     void onlyWhatReachesASleeperWakesIt(int rate) {

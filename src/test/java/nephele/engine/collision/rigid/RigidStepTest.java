@@ -15,13 +15,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Bodies without portals: flight, rest, rubbing, bouncing, sleep, speed and bad numbers. */
+/** Bodies without portals: free flight, rest, friction, restitution, sleep, speed and invalid numbers. */
 class RigidStepTest {
     private static Vec3 v(double x, double y, double z) {
         return new Vec3(x, y, z);
     }
 
-    /** Free flight is the parabola itself at any rate. */
+    /** Free flight is the exact parabola at any tick rate. */
     @ParameterizedTest
     @ValueSource(doubles = {30, 60, 120, 240})
     void freeFlightIsTheParabola(double rate) {
@@ -32,7 +32,7 @@ class RigidStepTest {
         assertEquals(0, scene.velocity(ball).distance(3, 4 - 9.81 * 2, -2), 1e-10);
     }
 
-    /** A cube at 50 rad/s keeps angular momentum and energy to 1e-9. */
+    /** A cube with 50 rad/s keeps its angular velocity and its orientation to 1e-9. */
     @Test
     void spinningCubeKeepsMomentumAndEnergy() {
         BodyScene scene = new BodyScene().weightless();
@@ -45,7 +45,7 @@ class RigidStepTest {
         assertEquals(1, Math.abs(turned.dot(scene.orientation(cube))), 1e-9, "the turn itself is exact");
     }
 
-    /** An uneven box tumbles (Dzhanibekov) with its angular momentum in place and its energy in a narrow band. */
+    /** An uneven box tumbles (Dzhanibekov effect) with constant angular momentum and its energy in a narrow band. */
     @Test
     void tumblingBoxKeepsMomentumAndEnergy() {
         BodyScene scene = new BodyScene().weightless();
@@ -71,7 +71,7 @@ class RigidStepTest {
         return q.transform(spin);
     }
 
-    /** Ten cubes stand: within 5 mm and half a degree of their places. The proof `bodies` runs the whole minute. */
+    /** A tower of ten cubes stays within 5 mm and half a degree. The proof `bodies` runs it for a minute. */
     @ParameterizedTest
     @ValueSource(doubles = {30, 60, 120, 240})
     void towerStands(double rate) {
@@ -87,7 +87,10 @@ class RigidStepTest {
         }
     }
 
-    /** Coulomb: on a slope of 30° what rubs less than tan 30° slides, as fast as theory says; what rubs more stays. */
+    /**
+     * On a slope of 30°, a box with friction below tan 30° slides at the acceleration of Coulomb's law; with more it
+     * stays.
+     */
     @ParameterizedTest
     @CsvSource({"0.3, true", "0.55, true", "0.6, false"})
     void slidesOnASlopeByCoulomb(double friction, boolean slides) {
@@ -112,14 +115,14 @@ class RigidStepTest {
         int box = scene.add(new Body.Box("box", v(0, 0.05, 0), v(1, 0.1, 1), 2, null, 0.3, 0));
         scene.start().run(0.2, 120).velocity(box, Vec3.ZERO, v(0, 5, 0)).run(0.2, 120);
         double slowed = 5 - scene.spin(box).y;
-        // Evenly pressed: μ g · mean distance from the centre / (side² / 6); four corners stand farther out.
+        // With even pressure: μ g · mean distance from the centre / (side² / 6); four corners are farther from it.
         double even = 0.3 * 9.81 * 0.3826 * 6 * 0.2;
         assertTrue(slowed > even && slowed < 2 * even, "slowed by " + slowed + ", " + even + " if evenly pressed");
         scene.run(3, 120);
         assertEquals(0, scene.spin(box).length(), 1e-3);
     }
 
-    /** A bounce gives back its share of the speed: the next apex is e² as high. */
+    /** A bounce returns its share e of the speed: the next apex is e² as high. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 0.9, 1})
     void bouncesBackToItsShareOfTheHeight(double restitution) {
@@ -159,7 +162,7 @@ class RigidStepTest {
         assertSame(rest, scene.now);
     }
 
-    /** Takes the lower of two sleepers away: the upper falls. */
+    /** Removes the lower of two sleeping bodies: the upper one falls. */
     @Test
     void whoLeantOnWhatIsTakenAwayFalls() {
         BodyScene scene = new BodyScene().floor();
@@ -171,7 +174,7 @@ class RigidStepTest {
         assertEquals(0.5, scene.centre(high).y, 2e-3);
     }
 
-    /** 1000 m/s against a wall of a centimetre; thin things at every speed. */
+    /** Bodies of up to 10 km/s, also thin ones, do not pass a wall of a centimetre. */
     @ParameterizedTest
     @CsvSource({"1000, 0.5, 0.5", "1000, 0.001, 0.4", "30, 0.001, 0.4", "3, 0.001, 0.4", "10000, 0.05, 0.05"})
     void nothingTunnels(double speed, double thick, double wide) {
@@ -186,7 +189,7 @@ class RigidStepTest {
         }
     }
 
-    /** A bullet hits what it flies at, whatever the shapes: all momentum is still there, and none of it behind. */
+    /** A fast body hits its target for any shapes: momentum is conserved and the target gets a share of it. */
     @ParameterizedTest
     @CsvSource({"box, box", "box, ball", "ball, box", "ball, ball"})
     void bulletsHitBodies(String bullet, String target) {
@@ -207,7 +210,7 @@ class RigidStepTest {
                 : new Body.Box("box" + at, at, v(2 * half, 2 * half, 2 * half), 1, null, 0, 0);
     }
 
-    /** Two that fly one behind the other at one speed do not hold each other up. */
+    /** Bodies that fly one behind the other at one speed do not slow each other. */
     @Test
     void flyingInFileHoldsNobodyUp() {
         BodyScene scene = new BodyScene().weightless();
@@ -224,7 +227,7 @@ class RigidStepTest {
         }
     }
 
-    /** A body whose motion is no number is frozen, and what rests on it goes on. */
+    /** A body with a non-finite motion is frozen, and the body on it continues. */
     @ParameterizedTest
     @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 1e300})
     void notANumberFreezesTheBodyAlone(double wrong) {
@@ -239,7 +242,7 @@ class RigidStepTest {
         assertEquals(1.5, scene.centre(good).y, 2e-3, "stands on the frozen one");
     }
 
-    /** Bodies that begin inside each other part slowly. */
+    /** Bodies that overlap at the start separate slowly. */
     @Test
     void overlapsPartWithoutExplosion() {
         BodyScene scene = new BodyScene().floor();
@@ -259,7 +262,7 @@ class RigidStepTest {
         }
     }
 
-    /** The same bits, whatever the working set did before. */
+    /** The result is the same to the bit, whatever the working set was used for before. */
     @Test
     void dependsOnNothingButItsArguments() {
         BodyScene scene = heap();
@@ -290,11 +293,11 @@ class RigidStepTest {
 
     @Test
     void heapComesToRest() {
-        // Any longer, and the fastest ball rolls off the floor's edge.
+        // After a longer time, the fastest ball rolls off the floor's edge.
         BodyScene scene = heap().run(9, 120);
         for (int body = 0; body < scene.now.size(); body++) {
             assertTrue(scene.centre(body).y > 0.15, body + " is above the floor: " + scene.centre(body));
-            // What is round rolls on: nothing slows rolling.
+            // Round bodies keep rolling: there is no rolling friction.
             double allowed = body % 3 == 0 ? 0.5 : 6;
             assertTrue(scene.velocity(body).length() < allowed, body + ": " + scene.velocity(body));
         }
@@ -308,7 +311,7 @@ class RigidStepTest {
         assertSame(before, scene.now);
     }
 
-    /** A plate in a slit thinner than itself, held from below and from above side by side, is not thrown out. */
+    /** A plate in a slit thinner than itself, with opposite overlaps side by side, is not thrown out. */
     @Test
     void contradictoryOverlapsThrowNothingAway() {
         BodyScene scene = new BodyScene().box(-1, -1, -1, 0.3, 0, 1).box(0.2985, 0.03, -1, 2, 1, 1);

@@ -14,11 +14,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Contacts of capsules that lie over an edge of a box, or across each other. */
+/** Contacts of capsules over an edge of a box, and across each other. */
 class RoundPairTest {
     private static final double RADIUS = 0.1;
     private static final double HALF_AXIS = 0.5;
-    /** Of x 0 to −4, so that its edge is the z axis; its top is at 0. */
+    /** A block from x = −4 to 0, so that its edge is the z axis; its top is at y = 0. */
     private static final Collider BLOCK =
             new Collider("block", ConvexPolyhedron.box(Aabb.around(new Vec3(-2, -0.5, 0), new Vec3(4, 1, 4))));
 
@@ -39,7 +39,7 @@ class RoundPairTest {
         System.arraycopy(rows, 0, poses.axes, 9 * shape, 9);
     }
 
-    /** An axis that slopes down beyond the edge touches the edge: the normal is perpendicular to both. */
+    /** An axis that descends beyond the edge touches the edge: the normal is perpendicular to both. */
     @ParameterizedTest
     @ValueSource(doubles = {1e-3, 0.01, 0.03, 0.049})
     void capsuleAcrossAnEdgeIsPushedOffTheEdge(double slope) {
@@ -56,7 +56,7 @@ class RoundPairTest {
         assertEquals(2, manifold.count, "the end over the face is held too");
     }
 
-    /** A capsule flat on the face has the face's normal and both ends of what lies over it. */
+    /** A capsule flat on the face has the face's normal, and both ends of its part over the face as points. */
     @Test
     void capsuleThatLiesFlatHasTwoEnds() {
         add(new Vector3d(0, RADIUS, 0), new Vector3d(1, 0, 0));
@@ -68,7 +68,7 @@ class RoundPairTest {
         assertEquals(0, Math.max(manifold.point[0], manifold.point[3]), 1e-9);
     }
 
-    /** Thin capsules across each other touch at the crossing, however small the angle; parallel ones along the length. */
+    /** Capsules across each other touch at the crossing, even at a small angle; parallel ones along the length. */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.04})
     void capsulesTouchWhereTheyAreNearest(double angle) {

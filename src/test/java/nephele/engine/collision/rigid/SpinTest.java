@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 final class SpinTest {
-    /** A body that turns freely keeps its angular momentum, and its energy for ever, however thin it is. */
+    /** A freely rotating body keeps its angular momentum, and its energy within 1e-3, however thin it is. */
     @ParameterizedTest
     @CsvSource({
         "1, 1, 1, 20",
@@ -40,7 +40,9 @@ final class SpinTest {
         }
     }
 
-    /** A rod's axis goes by the momentum across it alone, however fast it spins about itself. */
+    /**
+     * The motion of a rod's axis depends only on the momentum perpendicular to it, however fast it spins about itself.
+     */
     @ParameterizedTest
     @CsvSource({"0", "10", "10000"})
     void aRodTurnsByTheSpinAcrossIt(double about) {
@@ -54,7 +56,7 @@ final class SpinTest {
             new Spin().turn(motion, 0, 1 / 120.0, table, 0);
         }
         Vector3d end = orientation(motion).transform(new Vector3d(1, 0, 0));
-        // The momentum along the rod is a millionth of its spin: at 10 000 rad/s it bends the way by a hundredth.
+        // The momentum along the rod is a millionth of its spin: at 10 000 rad/s it bends the path by a hundredth.
         assertEquals(0, end.distance(Math.cos(2), 0, -Math.sin(2)), about < 100 ? 1e-4 : 0.02);
     }
 

@@ -13,7 +13,7 @@ import nephele.engine.level.placed.NoFiles;
 import nephele.engine.level.placed.StaticShapes;
 import org.junit.jupiter.api.Test;
 
-/** Fixed portals in a wall of 4 m by 3 m whose face is the plane z = 0. */
+/** The rules for fixed portals, in a wall of 4 m by 3 m with its face in the plane z = 0. */
 class FixedPortalRulesTest {
     private static final String WALL = "{\"id\": \"wall\", \"kind\": \"box\", \"centre\": [0, 1.5, -0.5], \"size\":"
             + " [4, 3, 1], \"portalable\": true, \"faces\": {\"-z\": {\"portalable\": false}}}";
@@ -72,7 +72,7 @@ class FixedPortalRulesTest {
         assertEquals(List.of(), told(WALL, portal("a", 5, 1, 0, 1)), "free space is told by another rule");
     }
 
-    /** Faces that abut are one surface, however many there are and whoever has them. */
+    /** Abutting faces are one surface, also those of different solids. */
     @Test
     void theNextSolidsFaceGoesOn() {
         String next = box("next", "[3, 1.5, -0.5]", "[2, 3, 1]");

@@ -11,12 +11,15 @@ import nephele.engine.math.TriangleSoup;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** The student report's test: right where its lines see everything, wrong beside a hole between them. */
+/**
+ * The four-lines test of the student report is right if its lines cross every gap, and wrong beside a hole between
+ * them.
+ */
 class FourLinesTest {
     private static final Vec3 RIGHT = new Vec3(0.6, 0, 0);
     private static final Vec3 UP = new Vec3(0, 1.05, 0);
 
-    /** A wall of unit squares, 4 × 4 m, two triangles each; one square may be missing. */
+    /** Returns a wall of unit squares, 4 × 4 m, two triangles each; one square may be missing. */
     private static TriangleSoup squares(int missing) {
         double[] positions = new double[75];
         for (int i = 0; i < 25; i++) {

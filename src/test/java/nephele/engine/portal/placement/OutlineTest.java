@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The edges of unions whose length is known. */
+/** The outlines of unions have the known lengths. */
 class OutlineTest {
     private static ConvexPolygon rectangle(double x0, double y0, double x1, double y1) {
         return ConvexPolygon.of(new double[] {x0, y0, x1, y0, x1, y1, x0, y1});
@@ -65,7 +65,7 @@ class OutlineTest {
                         .size());
     }
 
-    /** A triangular hole as sharp as 12° keeps its tip. */
+    /** A triangular hole of 12° keeps its tip. */
     @Test
     void holesKeepTheirTips() {
         double tip = 0.1;
@@ -77,7 +77,7 @@ class OutlineTest {
         assertEquals(2 + 2 + 2 * (1 - tip) + 2 * side, length(outline), 2e-6);
     }
 
-    /** As sharp as 5.7° and 0.6°: where it is as narrow as a crack the tip is longer than any corner's. */
+    /** Holes of 5.7° and 0.6° keep their tips; the part as narrow as a crack is longer than any corner's. */
     @Test
     void sharpHolesKeepTheirTips() {
         for (double wide : new double[] {0.1, 0.01}) {
@@ -88,7 +88,7 @@ class OutlineTest {
         }
     }
 
-    /** One opens towards the hole as a tip does, and one is as wide everywhere. */
+    /** A crack that ends at a hole is not a tip, if it widens towards the hole or has constant width. */
     @Test
     void cracksThatEndAtAHoleAreNoTips() {
         for (double wide : new double[] {2e-5, Tolerance.CRACK, 1.8 * Tolerance.CRACK}) {
@@ -100,7 +100,7 @@ class OutlineTest {
         }
     }
 
-    /** The longest piece leans by 2·10⁻⁵ over 0.75 m, which puts its line 10⁻⁴ off the far end. */
+    /** The longest piece is inclined by 2·10⁻⁵ over 0.75 m, which moves its line 10⁻⁴ off the far end. */
     @Test
     void noiseInTheLongestPieceDoesNotBreakTheEdge() {
         List<ConvexPolygon> pieces = new ArrayList<>();

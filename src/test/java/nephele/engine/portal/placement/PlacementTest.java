@@ -10,7 +10,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
 
-/** Placement of what overlaps or hardly fits, and every reason to refuse. */
+/** Placement of portals that overlap or barely fit, and every reason for a refusal. */
 class PlacementTest {
     private static final Gun RECTANGLE = Walls.gun(PortalShape.RECTANGLE, 1.2, 2.1);
 

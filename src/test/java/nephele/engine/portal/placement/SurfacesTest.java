@@ -17,7 +17,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
 
-/** Placement on whole rooms, ramps and meshes, on slopes and at far coordinates. */
+/** Placement in whole rooms, on ramps and meshes, and far from the origin. */
 class SurfacesTest {
     private static final Gun GUN = Walls.ARCH;
 
@@ -30,7 +30,7 @@ class SurfacesTest {
         return new Placement(surfaces, GUN).place("p", aim, List.of(), MovingSurfaces.NONE);
     }
 
-    /** 10 × 3 × 8 m, its floor at y = 0. */
+    /** Returns a room of 10 × 3 × 8 m with its floor at y = 0. */
     private static Walls room() {
         return new Walls()
                 .box(-5, -1, -4, 5, 0, 4, true)
@@ -55,7 +55,7 @@ class SurfacesTest {
         assertEquals(3, ceiling.centre().y(), 1e-9);
     }
 
-    /** Row 33: no NaN, and the portal turns with the shooter. */
+    /** For a view straight down the result is finite, and the portal turns with the shooter. */
     @Test
     void straightDownThePortalLiesBeforeTheShooter() {
         Surfaces room = room().surfaces();
@@ -70,7 +70,7 @@ class SurfacesTest {
         }
     }
 
-    /** Row 34, and farther than it asks for. */
+    /** At up to 1000 km from the origin the result is the same within 1e-6 m. */
     @Test
     void farFromTheOriginTheAnswerIsTheSame() {
         SplittableRandom random = new SplittableRandom(5);
@@ -107,7 +107,7 @@ class SurfacesTest {
                 .surfaces();
     }
 
-    /** 45°: the portal leans on the slope, up along it, and stops at its edges. */
+    /** On a slope of 45° the portal lies in the slope, with its up along it, and stops at its edges. */
     @Test
     void aRampTakesPortalsUpAlongItsSlope() {
         Solid.Wedge wedge = new Solid.Wedge(
@@ -129,7 +129,7 @@ class SurfacesTest {
         assertEquals(1.4, slid.centre().x(), 1e-6);
     }
 
-    /** Row 21: half a millimetre off the plane is the same surface, two are not. */
+    /** Faces that differ by half a millimetre are one surface; faces that differ by two are not. */
     @Test
     void facesWithinAMillimetreAreOneSurface() {
         Walls flush = new Walls().box(-5, 0, -1, 0, 4, 0, true).box(0, 0, -1, 5, 4, 0.0005, true);
@@ -159,7 +159,7 @@ class SurfacesTest {
         assertEquals(499.995, Walls.fits(wall.shoot(tiny, 499.997, 0)).centre().x(), 1e-6);
     }
 
-    /** What was asked before does not matter. */
+    /** The result does not depend on earlier queries. */
     @Test
     void theSameQuestionHasTheSameAnswer() {
         Surfaces room = room().surfaces();

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class TurnedApertureTest {
-    /** Each corner is right · x + up · y in the plane, reflected; right lies a quarter turn clockwise of up. */
+    /** Each corner is right · x + up · y in the plane, reflected; right is a quarter turn clockwise of up. */
     @ParameterizedTest
     @EnumSource(PortalShape.class)
     void itsCornersAreTheAperturesTurnedAndReflected(PortalShape shape) {

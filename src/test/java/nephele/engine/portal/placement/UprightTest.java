@@ -9,7 +9,7 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** Which way up a portal stands, on walls, slopes and level surfaces. */
+/** The up direction of a portal on walls, slopes and level surfaces. */
 class UprightTest {
     private static final Vec3 FLOOR = new Vec3(0, 1, 0);
     private static final Vec3 CEILING = new Vec3(0, -1, 0);
@@ -63,7 +63,7 @@ class UprightTest {
         }
     }
 
-    /** The view's part along the floor vanishes; what is ahead does not. */
+    /** The view's component along the floor vanishes; the direction ahead does not. */
     @Test
     void straightDownItStaysWhatIsAheadAndTurnsWithTheShooter() {
         for (double yaw = -3; yaw < 3; yaw += 0.1) {
@@ -79,14 +79,15 @@ class UprightTest {
         }
     }
 
-    /** Walls tilt to floor and to ceiling, seen from any side they can be shot at from. */
+    /** The up direction is continuous while walls tilt to floor and to ceiling, for any view. */
     @Test
     void nothingJumpsWhileASurfaceTilts() {
         SplittableRandom random = new SplittableRandom(4);
         double most = 0;
         for (int i = 0; i < 300; i++) {
             double turn = random.nextDouble(-3, 3);
-            // Against the surface, exactly along it, where up the wall is opposite to ahead on the floor, or anyhow.
+            // Views against the surface, exactly along it (where up the wall is opposite to ahead on the floor), or
+            // random.
             double yaw = i % 3 == 0 ? turn : i % 3 == 1 ? turn + Math.PI : random.nextDouble(-3, 3);
             Basis view = Basis.ofYawPitch(yaw, random.nextDouble(-1.57, 1.57));
             Vec3 last = null;

@@ -14,7 +14,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
-/** Boxes around a wall in the plane z = 0 that looks towards +z, and shots at it along −z. */
+/** Boxes around a wall in the plane z = 0 that faces +z, and shots at it along −z. */
 final class Walls {
     static final Gun ARCH = gun(PortalShape.ARCH, 1.2, 2.1);
 
@@ -26,7 +26,7 @@ final class Walls {
         return new Gun(Aperture.of(shape, width, height), 200, 0.75 / 2.1 * height);
     }
 
-    /** What follows lies so far from the origin. */
+    /** Shifts all later shapes from the origin. */
     Walls shifted(Vec3 by) {
         shift = by;
         return this;
@@ -40,7 +40,7 @@ final class Walls {
         return this;
     }
 
-    /** A piece of the wall. */
+    /** Adds a piece of the wall. */
     Walls wall(double x0, double y0, double x1, double y1) {
         return box(x0, y0, -1, x1, y1, 0, true);
     }

@@ -8,8 +8,8 @@ import org.joml.Matrix3d;
 import org.joml.Vector3d;
 
 /**
- * Who is active on which portal in a tick, and the images that others meet: the active shape as it is seen through the
- * portal, in the space before the partner. Reused.
+ * The portals on which each shape is active in a tick, and the images with which others collide: the active shape
+ * mapped through the portal into the space in front of the partner. Reused.
  */
 final class Activity {
     private final Poses poses;
@@ -26,7 +26,7 @@ final class Activity {
         this.narrow = narrow;
     }
 
-    /** Finds the masks of all bodies; wakes who is active on portals that have changed, before or now. */
+    /** Finds the masks of all bodies; wakes bodies that are or were active when the portals have changed. */
     void find(TickBodies now, BodyPassages last, SeamedWorld surroundings, Vec3 gravity, double seconds) {
         bodies = now;
         portals = surroundings.portals();
@@ -53,7 +53,7 @@ final class Activity {
         }
     }
 
-    /** Adds an image to the poses for every portal that somebody is active on. */
+    /** Adds an image to the poses for every portal on which a body or a character is active. */
     void addImages(SeamedWorld surroundings, Influences influences, Motions motions, double seconds) {
         if (portals.size() == 0) {
             return;
@@ -109,8 +109,8 @@ final class Activity {
     }
 
     /**
-     * Whether two shapes are to be looked at: an image meets what is real, and of two images that say the same of a pair
-     * one is enough.
+     * Returns true if two shapes are to be tested: an image is tested against real shapes only, and of two images that
+     * give the same contact only one is used.
      */
     boolean isPair(int a, int b) {
         int real = poses.through[a] < 0 ? a : b;
@@ -132,7 +132,7 @@ final class Activity {
         return !twice || owner < met;
     }
 
-    /** From directions in the met one's space to those in the space of the image's owner: nine numbers, by rows. */
+    /** Writes the rotation from the space of the real shape to that of the image's owner: nine numbers, by rows. */
     void turn(int portal, double[] out) {
         Matrix3d r = portals.passage(portal).rotation();
         out[0] = r.m00;
@@ -146,7 +146,9 @@ final class Activity {
         out[8] = r.m22;
     }
 
-    /** Drops the points at which only one of the two really is; points are relative to the first, which is real. */
+    /**
+     * Drops the points at which only one of the two shapes is present; points are relative to the first, which is real.
+     */
     void keepValid(Manifold manifold, int a, int b) {
         int portal = poses.through[b];
         long maskA = mask(poses.owner[a]);

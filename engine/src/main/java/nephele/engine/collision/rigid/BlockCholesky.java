@@ -3,12 +3,12 @@ package nephele.engine.collision.rigid;
 import java.util.Arrays;
 
 /**
- * Sparse Cholesky factorisation of a symmetric positive definite matrix of 6 × 6 blocks, one row of blocks a body.
- * Bodies are eliminated in order of least degree (Tinney and Walker 1967), so that a tower costs time in proportion to
- * its height. Reused for every island.
+ * Sparse Cholesky factorisation of a symmetric positive definite matrix of 6 × 6 blocks, one block row for each body.
+ * Bodies are eliminated in order of least degree (Tinney and Walker 1967), so that the cost of a tower is linear in its
+ * height. Reused for every island.
  */
 final class BlockCholesky {
-    /** The graph's rows are bit masks. */
+    /** Limit of the nodes: the graph's rows are bit masks. */
     static final int MOST_NODES = 64;
 
     private static final int SIZE = 6;
@@ -17,7 +17,7 @@ final class BlockCholesky {
     private final long[] linked = new long[MOST_NODES];
     private final int[] order = new int[MOST_NODES];
     private final int[] place = new int[MOST_NODES];
-    /** For each place in the order the places after it whose blocks in that column are not zero. */
+    /** For each place in the order, the later places with non-zero blocks in that column. */
     private final long[] column = new long[MOST_NODES];
 
     private final int[] blockAt = new int[MOST_NODES * MOST_NODES];
@@ -27,7 +27,7 @@ final class BlockCholesky {
     private int blocks;
     private int updates;
 
-    /** Begins the graph of an island of so many bodies that are not linked yet. */
+    /** Begins the graph of an island of bodies without links. */
     void begin(int bodies) {
         nodes = bodies;
         Arrays.fill(linked, 0, nodes, 0);
@@ -38,7 +38,7 @@ final class BlockCholesky {
         linked[b] |= 1L << a;
     }
 
-    /** Chooses the order and finds which blocks fill; returns the number of products of blocks that a factorisation takes. */
+    /** Chooses the order and finds the fill-in; returns the number of block products of a factorisation. */
     int analyse() {
         long left = nodes == MOST_NODES ? -1L : (1L << nodes) - 1;
         updates = 0;
@@ -74,7 +74,7 @@ final class BlockCholesky {
         return best;
     }
 
-    /** Turns the columns' masks from bodies to places and gives every block that is not zero its room. */
+    /** Converts the columns' masks from bodies to places and allots room to every non-zero block. */
     private void nameBlocks() {
         blocks = 0;
         for (int at = 0; at < nodes; at++) {
@@ -97,22 +97,22 @@ final class BlockCholesky {
         Arrays.fill(block, 0, BLOCK * blocks, 0);
     }
 
-    /** The array that holds the blocks, by rows; a block off the diagonal has the rows of the body eliminated later. */
+    /** Returns the array of the blocks, by rows; a block off the diagonal has the rows of the body eliminated later. */
     double[] values() {
         return block;
     }
 
-    /** Where the block of a body on the diagonal begins. */
+    /** Returns the index at which the diagonal block of a body begins. */
     int diagonal(int node) {
         return blockAt[place[node] * MOST_NODES + place[node]];
     }
 
-    /** True when the block of two linked bodies has the rows of the first. */
+    /** Returns true if the block of two linked bodies has the rows of the first. */
     boolean hasRowsOf(int a, int b) {
         return place[a] > place[b];
     }
 
-    /** Where the block of two linked bodies begins. */
+    /** Returns the index at which the block of two linked bodies begins. */
     int between(int a, int b) {
         int i = Math.max(place[a], place[b]);
         int j = Math.min(place[a], place[b]);
@@ -138,7 +138,7 @@ final class BlockCholesky {
         }
     }
 
-    /** Writes the solution for a right side of six numbers a body over it. */
+    /** Replaces a right side of six numbers for each body by the solution. */
     void solve(double[] rightSide) {
         for (int at = 0; at < nodes; at++) {
             System.arraycopy(rightSide, SIZE * order[at], solution, SIZE * at, SIZE);
@@ -162,7 +162,7 @@ final class BlockCholesky {
         }
     }
 
-    /** The lower factor of a block on the diagonal; its own diagonal is kept as reciprocals. */
+    /** Replaces a diagonal block by its lower factor, with reciprocals on the diagonal. */
     private void factoriseBlock(int at) {
         double[] m = block;
         for (int j = 0; j < SIZE; j++) {

@@ -8,20 +8,20 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * The motion of all bodies at one tick, with what the next tick needs to go on as if nothing had been written down: how
- * long each has rested and what its contacts carried. A value: {@link RigidStep} makes the next one.
+ * The motion of all bodies at one tick, with the state from which the next tick continues deterministically: each
+ * body's time at rest and the contact cache. A value: {@link RigidStep} makes the next one.
  */
 public final class Bodies {
     public static final Bodies NONE = of(List.of());
 
-    /** Doubles a body: centre 3, orientation x y z w, velocity 3, spin 3. */
+    /** Number of doubles for each body: centre 3, orientation x y z w, velocity 3, angular velocity 3. */
     static final int STRIDE = 13;
 
     static final int ORIENTATION = 3;
     static final int VELOCITY = 7;
     static final int SPIN = 10;
 
-    /** In place of seconds of rest. */
+    /** Stored instead of the seconds of rest. */
     static final float ASLEEP = -1;
 
     static final float FROZEN = -2;
@@ -38,7 +38,7 @@ public final class Bodies {
         this.passages = passages;
     }
 
-    /** Awake and without contacts. */
+    /** Returns these bodies, awake and without contacts. */
     public static Bodies of(List<BodyState> states) {
         double[] motion = new double[STRIDE * states.size()];
         for (int i = 0; i < states.size(); i++) {
@@ -64,32 +64,36 @@ public final class Bodies {
         motion[at + 2] = v.z();
     }
 
+    /** Returns the number of bodies. */
     public int size() {
         return rest.length;
     }
 
+    /** Sets {@code out} to the centre of mass in the world and returns it. */
     public Vector3d centre(int body, Vector3d out) {
         int at = STRIDE * body;
         return out.set(motion[at], motion[at + 1], motion[at + 2]);
     }
 
-    /** World from body, unit length. */
+    /** Sets {@code out} to the unit rotation from body to world axes and returns it. */
     public Quaterniond orientation(int body, Quaterniond out) {
         int at = STRIDE * body + ORIENTATION;
         return out.set(motion[at], motion[at + 1], motion[at + 2], motion[at + 3]);
     }
 
+    /** Sets {@code out} to the velocity of the centre in m/s and returns it. */
     public Vector3d velocity(int body, Vector3d out) {
         int at = STRIDE * body + VELOCITY;
         return out.set(motion[at], motion[at + 1], motion[at + 2]);
     }
 
-    /** Angular velocity in world axes, rad/s. */
+    /** Sets {@code out} to the angular velocity in world axes, rad/s, and returns it. */
     public Vector3d spin(int body, Vector3d out) {
         int at = STRIDE * body + SPIN;
         return out.set(motion[at], motion[at + 1], motion[at + 2]);
     }
 
+    /** Returns a body's motion as a value. */
     public BodyState state(int body) {
         return new BodyState(
                 vector(body, 0), orientation(body, new Quaterniond()), vector(body, VELOCITY), vector(body, SPIN));
@@ -100,16 +104,17 @@ public final class Bodies {
         return new Vec3(motion[at], motion[at + 1], motion[at + 2]);
     }
 
+    /** Returns true if a body is asleep: it rests and is not simulated. */
     public boolean isAsleep(int body) {
         return rest[body] == ASLEEP;
     }
 
-    /** True for a body whose motion was no longer finite: it stays where it last was. */
+    /** Returns true for a body of which the motion was no longer finite: it stays at its last finite place. */
     public boolean isFrozen(int body) {
         return rest[body] == FROZEN;
     }
 
-    /** How many bodies are frozen. */
+    /** Returns the number of frozen bodies. */
     public int frozen() {
         int count = 0;
         for (float seconds : rest) {
@@ -118,17 +123,20 @@ public final class Bodies {
         return count;
     }
 
-    /** How many portals a body's centre went through in the last tick. */
+    /** Returns the number of portals that a body's centre went through in the last tick. */
     public int crossings(int body) {
         return passages.count(body);
     }
 
-    /** One of these portals, in the order of the way; for pictures between two ticks and for who follows the body. */
+    /**
+     * Returns the index of one of these portals, in the order of passage; for interpolated frames and for whatever
+     * follows the body.
+     */
     public int crossing(int body, int place) {
         return passages.entered(body, place);
     }
 
-    /** The same with one body elsewhere or otherwise moving; it is awake and its contacts are forgotten by the next tick. */
+    /** Returns the same bodies with one in another state; it is awake and the next tick ignores its old contacts. */
     public Bodies with(int body, BodyState state) {
         double[] moved = motion.clone();
         write(state, moved, body);
@@ -137,12 +145,12 @@ public final class Bodies {
         return new Bodies(moved, woken, contacts, passages);
     }
 
-    /** The same where nothing moved: crossings of the tick before are forgotten, and the portals are these. */
+    /** Returns the same bodies without crossings, at these portals, for a tick in which nothing moved. */
     Bodies at(Portals portals) {
         return passages.isAt(portals) ? this : new Bodies(motion, rest, contacts, passages.at(portals));
     }
 
-    /** 64 bits over every bit that the next tick depends on. */
+    /** Returns a 64-bit hash of everything that the next tick depends on, joined to {@code before}. */
     public long hash(long before) {
         long hash = BitHash.join(before, (long) rest.length);
         for (double number : motion) {

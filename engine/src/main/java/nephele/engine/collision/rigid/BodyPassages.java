@@ -6,18 +6,18 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
 /**
- * What bodies have to do with portals: which each is active on, which it went through in the last tick, and the set of
- * portals that this was said of. Empty while there are none. Immutable.
+ * The portal state of the bodies: the portals on which each is active, those it went through in the last tick, and the
+ * set of portals that the indices refer to. Empty while there are no portals. Immutable.
  */
 final class BodyPassages {
     static final BodyPassages NONE = new BodyPassages(Portals.NONE, null, null);
 
-    /** A body goes through no more portals in a tick. */
+    /** Limit of the portals that a body goes through in a tick. */
     static final int MOST = 8;
 
     private final Portals portals;
     private final long[] active;
-    /** {@value #MOST} places a body, {@link Portals#CLOSED} after the last; {@code null}: nobody crossed. */
+    /** {@value #MOST} places a body, {@link Portals#CLOSED} after the last; {@code null} without crossings. */
     private final byte[] entered;
 
     BodyPassages(Portals portals, long[] active, byte[] entered) {
@@ -34,7 +34,10 @@ final class BodyPassages {
         return active == null ? NONE : new BodyPassages(now, active, null);
     }
 
-    /** Whether these are the portals that the masks were found with, by value: a state goes on alike wherever it does. */
+    /**
+     * Returns true if the masks were found with these portals, compared by value, so that a copied state continues
+     * identically.
+     */
     boolean knows(Portals now) {
         boolean same = portals == now || portals.size() == now.size();
         for (int i = 0; same && portals != now && i < now.size(); i++) {

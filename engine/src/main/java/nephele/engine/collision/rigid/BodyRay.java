@@ -4,7 +4,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Where a ray meets a body. Reused for every query; allocates nothing. */
+/** Intersection of a ray with a body. Reused for every query; allocates nothing. */
 public final class BodyRay {
     private final BodyTable table;
     private final Vector3d origin = new Vector3d();
@@ -17,8 +17,8 @@ public final class BodyRay {
     }
 
     /**
-     * The ray parameter at which the body is entered, 0 for a ray that starts in it, infinity for a miss: metres for a
-     * direction of unit length.
+     * Returns the ray parameter at which the body is entered, 0 for a ray that starts in it, infinity for a miss:
+     * metres for a direction of unit length.
      */
     public double distance(Bodies bodies, int body, Vector3dc from, Vector3dc way) {
         bodies.orientation(body, turn);
@@ -32,7 +32,7 @@ public final class BodyRay {
         };
     }
 
-    /** By the slabs of three pairs of planes (Kay and Kajiya 1986). */
+    /** Intersects the slabs of three pairs of planes (Kay and Kajiya 1986). */
     private double box(int body) {
         double enter = 0;
         double leave = Double.POSITIVE_INFINITY;
@@ -50,7 +50,7 @@ public final class BodyRay {
         return enter <= leave ? enter : Double.POSITIVE_INFINITY;
     }
 
-    /** A ball whose centre is {@code height} above the body's. */
+    /** Intersects a sphere with its centre {@code height} above the body's. */
     private double ball(double height, double radius) {
         double y = origin.y - height;
         double offset = origin.x * origin.x + y * y + origin.z * origin.z - radius * radius;
@@ -58,7 +58,7 @@ public final class BodyRay {
         return entry(direction.lengthSquared(), along, offset);
     }
 
-    /** Two balls and the tube between them. */
+    /** Intersects two spheres and the tube between them. */
     private double capsule(double halfAxis, double radius) {
         double square = direction.x * direction.x + direction.z * direction.z;
         double along = origin.x * direction.x + origin.z * direction.z;
@@ -69,7 +69,7 @@ public final class BodyRay {
                 between ? tube : Double.POSITIVE_INFINITY, Math.min(ball(-halfAxis, radius), ball(halfAxis, radius)));
     }
 
-    /** The first t ≥ 0 with square t² + 2 along t + offset ≤ 0. */
+    /** Returns the first t ≥ 0 with square t² + 2 along t + offset ≤ 0, infinity for none. */
     private static double entry(double square, double along, double offset) {
         if (offset <= 0) {
             return 0;

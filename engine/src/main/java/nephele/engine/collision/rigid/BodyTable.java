@@ -14,8 +14,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What never changes about the bodies of a level; they are named by their index. Inertia of even density: box
- * m (b² + c²) / 12, sphere 2 m r² / 5, capsule as a cylinder and two half balls, joined by Steiner's theorem.
+ * The constant properties of a level's bodies, by index. Inertia of uniform density: box m (b² + c²) / 12, sphere 2 m
+ * r² / 5, capsule as a cylinder and two hemispheres, joined by the parallel axis theorem.
  */
 public final class BodyTable {
     static final int SPHERE = 0;
@@ -24,11 +24,15 @@ public final class BodyTable {
 
     private final List<Body> bodies;
     private final int[] kind;
-    /** Three half edges of a box; half axis (of y) and radius as 1 and 2 of a capsule; radius as 2 of a sphere. */
+    /**
+     * Three numbers a body. Box: its half edges. Capsule: 1 is the half axis (along y), 2 the radius. Sphere: 2 is the
+     * radius.
+     */
     private final double[] half;
-    /** Per kilogram and per kilogram square metre: reciprocal mass and the three principal inertias' reciprocals. */
+    /** Four numbers a body: reciprocal mass (1/kg) and reciprocals of the principal moments of inertia (1/(kg m²)). */
     private final double[] inverse;
 
+    /** Makes a table of these bodies; their indices are those in the list. */
     public BodyTable(List<Body> bodies) {
         this.bodies = List.copyOf(bodies);
         kind = new int[bodies.size()];
@@ -46,6 +50,7 @@ public final class BodyTable {
         }
     }
 
+    /** Returns the table of a level's bodies, in the order of the level. */
     public static BodyTable of(Level level) {
         return new BodyTable(level.bodies());
     }
@@ -96,20 +101,22 @@ public final class BodyTable {
         inverse[4 * i + 3] = 1 / z;
     }
 
+    /** Returns the number of bodies. */
     public int size() {
         return kind.length;
     }
 
-    /** The body as the author wrote it. */
+    /** Returns the body as the level describes it. */
     public Body body(int body) {
         return bodies.get(body);
     }
 
+    /** Returns a body's mass. */
     public double massKilograms(int body) {
         return bodies.get(body).massKilograms();
     }
 
-    /** Every body at rest where the level puts it, awake. */
+    /** Returns every body at rest at its place in the level, awake. */
     public Bodies start() {
         List<BodyState> states = new ArrayList<>(size());
         for (Body body : bodies) {
@@ -118,7 +125,7 @@ public final class BodyTable {
         return Bodies.of(states);
     }
 
-    /** The shape before any turn, around the centre of mass. */
+    /** Returns the unrotated shape, around the centre of mass. */
     public RoundedHull uprightHull(int body) {
         double r = half[3 * body + 2];
         return switch (kind[body]) {
@@ -129,7 +136,7 @@ public final class BodyTable {
         };
     }
 
-    /** The shape of a body that is turned like this, around the centre of mass. */
+    /** Returns the shape of a body with this orientation, around the centre of mass. */
     public RoundedHull hull(int body, Quaterniond orientation) {
         double r = half[3 * body + 2];
         return switch (kind[body]) {
@@ -143,7 +150,7 @@ public final class BodyTable {
         };
     }
 
-    /** A body as an obstacle for who sweeps past it. */
+    /** Returns a body as an obstacle for sweeps. */
     public Collider collider(int body, Vector3dc centre, Quaterniond orientation) {
         Vec3 at = Vec3.of(centre);
         String id = bodies.get(body).id();
@@ -160,7 +167,7 @@ public final class BodyTable {
         return Vec3.of(orientation.transform(new Vector3d(x, y, z)));
     }
 
-    /** The radius of the ball around the centre that holds the body, however it is turned. */
+    /** Returns the radius of the bounding sphere around the body's centre. */
     public double reachMetres(int body) {
         double x = half[3 * body];
         double y = half[3 * body + 1];
@@ -168,26 +175,32 @@ public final class BodyTable {
         return kind[body] == BOX ? Math.sqrt(x * x + y * y + z * z) : y + z;
     }
 
-    /** Whether a body whose centre is here, before a portal, may reach through it. */
+    /** Returns true if a body with its centre here, in front of a portal, may reach through it. */
     public boolean mayReachThrough(int body, Vector3dc centre, Portal portal) {
         double height = portal.inFront(centre.x(), centre.y(), centre.z());
         return height >= 0 && height < reachMetres(body) && mayReachBeside(body, centre, portal);
     }
 
-    /** Whether a body whose centre is here, at any depth, may reach over or under a portal's aperture. */
+    /**
+     * Returns true if a body with its centre here, in front of or behind a portal's plane, may overlap the aperture's
+     * prism.
+     */
     public boolean mayReachBeside(int body, Vector3dc centre, Portal portal) {
         double x = portal.across(centre.x(), centre.y(), centre.z());
         double y = portal.upward(centre.x(), centre.y(), centre.z());
         return portal.aperture().outside(x, y) < reachMetres(body);
     }
 
-    /** Whether all moments of inertia are equal: then no turn changes the energy of a spin. */
+    /**
+     * Returns true if all moments of inertia are equal: then rotation does not change the energy of an angular
+     * velocity.
+     */
     boolean isEven(int body) {
         double x = inverseInertia(body, 0);
         return x == inverseInertia(body, 1) && x == inverseInertia(body, 2);
     }
 
-    /** The greatest extent of a body by its least. */
+    /** Returns the ratio of a body's greatest to its least extent. */
     double slenderness(int body) {
         double x = half[3 * body];
         double y = half[3 * body + 1];
@@ -207,7 +220,7 @@ public final class BodyTable {
         return inverse[4 * body];
     }
 
-    /** Reciprocal of a principal moment of inertia, in the body's axes. */
+    /** Returns the reciprocal of a principal moment of inertia, in the body's axes. */
     double inverseInertia(int body, int axis) {
         return inverse[4 * body + 1 + axis];
     }

@@ -1,6 +1,6 @@
 package nephele.engine.collision.rigid;
 
-/** The edge of a box that lies farthest along a normal, and the parallel one beside it that lies next. Reused. */
+/** The edge of a box farthest along a normal, and the adjacent parallel edge that is next farthest. Reused. */
 final class BoxEdge {
     private final double[] axis = new double[3];
     private final double[] nearest = new double[3];
@@ -8,10 +8,14 @@ final class BoxEdge {
     private int nearestSide;
     private int nextSide;
 
-    /** How much farther back along the normal the other edge lies, metres. */
+    /** Distance in metres by which the other edge is farther back along the normal. */
     double rise;
 
-    /** @param sign of the manifold's normal, as it looks from the box outwards */
+    /**
+     * Finds both edges.
+     *
+     * @param sign 1 if the manifold's normal points out of the box, −1 if into it
+     */
     void take(Poses poses, int box, int ofAxis, Manifold manifold, double sign) {
         double[] x = poses.axes;
         double least = Double.POSITIVE_INFINITY;
@@ -49,12 +53,12 @@ final class BoxEdge {
         return axis[component];
     }
 
-    /** The middle of the nearest edge or of the other one, from the box's centre. */
+    /** Returns the middle of the nearest or the other edge, relative to the box's centre. */
     double middle(boolean other, int component) {
         return other ? next[component] : nearest[component];
     }
 
-    /** 0 to 3: which of the four parallel edges this is. */
+    /** Returns the number, 0 to 3, of the edge among the four parallel ones. */
     int side(boolean other) {
         return other ? nextSide : nearestSide;
     }

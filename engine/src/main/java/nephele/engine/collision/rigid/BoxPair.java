@@ -1,18 +1,21 @@
 package nephele.engine.collision.rigid;
 
 /**
- * Contact of two boxes: the fifteen axes of Gottschalk, Lin and Manocha (1996), in the frame of the first as in Ericson,
- * Real-Time Collision Detection (2005), section 4.4.1; then the face of one clipped by the other, or the nearest points
- * of two edges. Reused.
+ * Contact of two boxes: the fifteen axes of Gottschalk, Lin and Manocha (1996), in the frame of the first as in
+ * Ericson, Real-Time Collision Detection (2005), section 4.4.1; then the face of one clipped by the other, or the
+ * nearest points of two edges. Reused.
  */
 final class BoxPair {
-    /** Axes of edges this parallel separate nothing that a face does not. */
+    /**
+     * Squared sine of the angle between edges below which they are parallel: they add no axis that the faces do not
+     * give.
+     */
     private static final double PARALLEL_SQUARE = 1e-6;
 
     private final FaceClip clip;
     private final double[] dots = new double[9];
     private final double[] size = new double[9];
-    /** Separation along the three axes of either box. */
+    /** Separation along the three axes of each box. */
     private final double[] gap = new double[6];
     /** Signed distance of the centres along them, from the first to the second. */
     private final double[] along = new double[6];
@@ -27,7 +30,7 @@ final class BoxPair {
     private int edge;
     private final BoxEdge onFirst = new BoxEdge();
     private final BoxEdge onSecond = new BoxEdge();
-    /** Metres from the middle of the second box's edge. */
+    /** Distance of the crossing from the middle of the second box's edge, metres. */
     private double onSecondEdge;
 
     private double tolerance;
@@ -105,7 +108,7 @@ final class BoxPair {
         return true;
     }
 
-    /** The face of the first box wins where it is about as good, so that the choice stays. */
+    /** Prefers the first box's faces to nearly equal ones, so that the choice is stable between ticks. */
     private int bestFace() {
         int best = 0;
         for (int i = 1; i < 6; i++) {
@@ -144,7 +147,7 @@ final class BoxPair {
         return true;
     }
 
-    /** False when the faces lie beside each other: then this axis says nothing. */
+    /** Returns false when the faces do not overlap along the axis: then this axis gives no contact. */
     private boolean facePoints(int face, double reach, Manifold out) {
         boolean ofFirst = face < 3;
         int i = ofFirst ? face : face - 3;
@@ -213,8 +216,8 @@ final class BoxPair {
     }
 
     /**
-     * Adds the crossings of the deepest edges, and those of their parallel neighbours if these are near too: faces that lie
-     * across each other are held by all corners of what they share.
+     * Adds the crossings of the deepest edges, and those of their parallel neighbours if these are near too: crossed
+     * narrow faces then get all corners of their overlap as contact points.
      */
     private void edgePoints(double reach, Manifold out) {
         int i = edge / 3;
@@ -245,7 +248,8 @@ final class BoxPair {
     }
 
     /**
-     * Returns where on the first box's edge, from its middle, the second's crosses; sets where that is on the second's.
+     * Returns the position on the first box's edge, from its middle, at which the second's crosses it; sets that on the
+     * second's.
      *
      * @param which 1 for the other edge of the first, 2 of the second, 3 of both
      */

@@ -4,22 +4,22 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Keeps a body's spin in the body's own axes while its orientation is corrected. The energy of rotation depends on the
- * spin in these axes alone: a needle whose spin stayed in the world's axes would gain a million times its energy by a
- * correction of a degree. Reused.
+ * Keeps a body's angular velocity constant in the body's axes while its orientation is corrected. The energy of
+ * rotation depends on the angular velocity in these axes alone: a needle with angular velocity constant in world axes
+ * would gain a million times its energy by a correction of one degree. Reused.
  */
 final class CarriedSpin {
     private final Quaterniond orientation = new Quaterniond();
     private final Vector3d spin = new Vector3d();
 
-    /** Takes the spin of the body whose numbers stand from {@code at} on, before its orientation changes. */
+    /** Reads the angular velocity before the orientation changes, of the body with numbers from {@code at} on. */
     void begin(double[] motion, int at) {
         read(motion, at);
         int w = at + Bodies.SPIN;
         orientation.transformInverse(spin.set(motion[w], motion[w + 1], motion[w + 2]));
     }
 
-    /** Writes the spin as the body's new orientation has it. */
+    /** Writes the angular velocity for the body's new orientation. */
     void end(double[] motion, int at) {
         read(motion, at);
         orientation.transform(spin);

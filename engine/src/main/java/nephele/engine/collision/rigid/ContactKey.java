@@ -1,19 +1,20 @@
 package nephele.engine.collision.rigid;
 
 /**
- * Names a manifold in 64 bits: its two parties, the portal between them, which features meet and how many points it has.
+ * The 64-bit key of a manifold: its two shapes, the portal between them, the touching features and the number of
+ * points.
  */
 final class ContactKey {
     private static final int FEATURE_BITS = 11;
 
     private ContactKey() {}
 
-    /** @param collider index in the world that the owner meets */
+    /** @param collider index in the world of the owner */
     static long withSolid(int owner, int collider) {
         return (((long) owner << 33) | ((long) (collider & 0xffffff) << 8)) << FEATURE_BITS;
     }
 
-    /** @param portal that the first is seen through, or −1 */
+    /** @param portal through which the contact acts, or −1 */
     static long between(int a, int b, int portal) {
         return (((long) a << 33) | (1L << 32) | ((long) (b & 0xffffff) << 8) | ((portal + 1) & 0xff)) << FEATURE_BITS;
     }
@@ -38,12 +39,12 @@ final class ContactKey {
         return (int) (key >>> 33 + FEATURE_BITS);
     }
 
-    /** The solid's index in its world, of a key with one. */
+    /** Returns the solid's index in its world, for a key with a solid. */
     static int solid(long key) {
         return (int) (key >>> 8 + FEATURE_BITS & 0xffffff);
     }
 
-    /** The second owner, or −1 for a solid. */
+    /** Returns the second owner, or −1 for a solid. */
     static int second(long key) {
         long parties = key >>> FEATURE_BITS;
         return (parties & (1L << 32)) == 0 ? -1 : (int) (parties >>> 8 & 0xffffff);

@@ -3,14 +3,14 @@ package nephele.engine.collision.rigid;
 import nephele.engine.math.BitHash;
 
 /**
- * What the contacts of a tick carried, for a warm start (Catto 2005). One entry a manifold: which two shapes meet, the
- * features of its points and the impulses in N s – up to four along the normal, two along the tangents, one about the
- * normal. Immutable.
+ * The contact cache: impulses of a tick's contacts, for warm starting (Catto 2005). One entry for each manifold: the
+ * two shapes, the features of its points and the impulses in N s – up to four along the normal, two along the tangents
+ * – and one angular impulse about the normal in N m s. Immutable.
  */
 final class ContactMemory {
     static final ContactMemory NONE = new ContactMemory(new long[0], new int[0], new float[0], 1);
 
-    /** Impulses an entry. */
+    /** Number of impulses of an entry. */
     static final int IMPULSES = 7;
 
     private final long[] keys;
@@ -18,7 +18,7 @@ final class ContactMemory {
     private final float[] impulses;
     private final double seconds;
 
-    /** @param seconds length of the step that the impulses are of */
+    /** @param seconds length of the step that produced the impulses */
     ContactMemory(long[] keys, int[] features, float[] impulses, double seconds) {
         this.seconds = seconds;
         this.keys = keys;
@@ -42,12 +42,12 @@ final class ContactMemory {
         return impulses[IMPULSES * entry + row];
     }
 
-    /** The factor for impulses of this memory in a step of another length. */
+    /** Returns the factor that converts these impulses to a step of another length. */
     double scaleTo(double nowSeconds) {
         return nowSeconds / seconds;
     }
 
-    /** Copies the impulses of an entry as they are in a step of another length. */
+    /** Copies the impulses of an entry, converted to a step of another length. */
     void copyImpulses(int entry, double nowSeconds, float[] out, int outEntry) {
         double scale = scaleTo(nowSeconds);
         for (int i = 0; i < IMPULSES; i++) {

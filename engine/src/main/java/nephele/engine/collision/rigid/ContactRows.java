@@ -3,10 +3,11 @@ package nephele.engine.collision.rigid;
 import java.util.Arrays;
 
 /**
- * The rows that contacts give the solver, in flat arrays. A manifold has up to four rows along its normal, one on each
- * point, and three of friction at their middle: two tangents and one turn about the normal, bounded together by what
- * presses (patch friction as in Tamis 2015 and Jolt). Directions are kept for either body in its own space, so that a
- * contact across a portal is a row like any other; a body that meets itself has one row with both ends joined.
+ * The constraint rows of contacts for the solver, in flat arrays. A manifold has up to four rows along its normal, one
+ * for each point, and three friction rows at their middle: two tangents and one rotation about the normal, bounded
+ * together by the normal impulse (patch friction as in Tamis 2015 and Jolt). Directions are stored for each body in its
+ * own space, so that a contact across a portal is a row like any other; a body in contact with itself has one row with
+ * both ends joined.
  */
 final class ContactRows {
     static final int HEAD = 60;
@@ -16,7 +17,7 @@ final class ContactRows {
     static final int U_B = 9;
     static final int W_A = 12;
     static final int W_B = 15;
-    /** For each tangent: angular parts of a and b, then both times the reciprocal inertia. */
+    /** For each tangent: angular parts of a and b, then both multiplied by the inverse inertia. */
     static final int U_ANGULAR = 18;
 
     static final int W_ANGULAR = 30;
@@ -26,7 +27,7 @@ final class ContactRows {
     static final int FRICTION = 54;
     static final int TWIST_RADIUS = 55;
     static final int RESTITUTION = 56;
-    /** Metres of overlap that are left alone, so that contacts last. */
+    /** Index of the overlap in metres that is not corrected, so that contacts persist. */
     static final int SLOP = 57;
 
     static final int ROW = 17;
@@ -79,8 +80,9 @@ final class ContactRows {
      * Adds the rows of a manifold between two owners.
      *
      * @param offset centre of the second shape minus that of the first
-     * @param turn nine numbers from {@code turnAt} on that turn directions of the second shape's owner's space into this
-     *     one (columns), or {@code null} where they are the same
+     * @param turn nine numbers that rotate directions from the space of the second shape's owner into this one
+     * (columns), or {@code null} if the spaces are the same
+     * @return the number of the manifold
      */
     int add(Manifold manifold, int a, int b, double[] offset, double[] turn) {
         reserve();
@@ -131,7 +133,7 @@ final class ContactRows {
         head[at + 2] = z;
     }
 
-    /** Two unit directions across the normal: the first across that axis of the world that is farthest from it. */
+    /** Writes two unit directions perpendicular to the normal: the first also to the world axis farthest from it. */
     private void tangents(int h) {
         double x = head[h];
         double y = head[h + 1];
@@ -155,7 +157,7 @@ final class ContactRows {
         write(h + W_A, y * uZ - z * uY, z * uX - x * uZ, x * uY - y * uX);
     }
 
-    /** The direction at {@code from} as the second owner sees it. */
+    /** Writes the direction at {@code from}, converted to the second owner's space. */
     private void direction(int from, int to, double[] turn) {
         double x = head[from];
         double y = head[from + 1];
@@ -171,7 +173,7 @@ final class ContactRows {
         }
     }
 
-    /** From the owners' centres to a point, each in its own space. */
+    /** Computes the vectors from the owners' centres to a point, each in its own space. */
     private void arms(double x, double y, double z, double[] offset, double[] turn) {
         arm[0] = x;
         arm[1] = y;
@@ -190,7 +192,10 @@ final class ContactRows {
         }
     }
 
-    /** Writes arm × direction of both and what these turn by; returns the effective mass of the row. */
+    /**
+     * Writes arm × direction of both and their products with the inverse inertia; returns the effective mass of the
+     * row.
+     */
     private double angular(int dA, int dB, double[] to, int at, int m) {
         cross(0, dA, to, at);
         cross(3, dB, to, at + 3);
@@ -239,7 +244,7 @@ final class ContactRows {
 
     private void twist(int h, int m) {
         turned(slotA[m], head, h + N_A, h + TWIST);
-        // Where head ends and head begins differ, the second's normal stands beside the first's.
+        // N_B is the normal in the second owner's space, which differs from N_A across a portal.
         turned(slotB[m], head, h + N_B, h + TWIST + 3);
         double sum = 0;
         for (int i = 0; i < 3; i++) {
@@ -248,7 +253,7 @@ final class ContactRows {
         head[h + MASS + 2] = sum > 0 && slotA[m] != slotB[m] ? 1 / sum : 0;
     }
 
-    /** Both ends of every direction act on one body. */
+    /** Joins both ends of every direction, which act on one body. */
     private void join(int h) {
         for (int d = 0; d < 18; d += 6) {
             for (int i = 0; i < 3; i++) {
@@ -270,7 +275,7 @@ final class ContactRows {
         return sum / manifold.count;
     }
 
-    /** Speed along a row, positive when the surfaces part. */
+    /** Returns the speed along a row, positive when the surfaces separate. */
     double partingSpeed(int m, int row) {
         double[] v = motions.velocity;
         int h = HEAD * m;
@@ -287,7 +292,7 @@ final class ContactRows {
         return speed;
     }
 
-    /** Remembers how fast surfaces approach, for bounces. */
+    /** Stores the approach speeds, for restitution. */
     void rememberApproach() {
         for (int m = 0; m < count; m++) {
             for (int row = first[m]; row < first[m] + points[m]; row++) {
@@ -296,7 +301,7 @@ final class ContactRows {
         }
     }
 
-    /** Multiplies the impulses of a manifold: what a tick carries is spread over substeps, or summed up again. */
+    /** Multiplies the impulses of a manifold: to divide a tick's impulse among substeps, or to sum it up again. */
     void scaleImpulses(int m, double factor) {
         for (int i = 0; i < points[m]; i++) {
             rows[ROW * (first[m] + i) + IMPULSE] *= factor;
@@ -306,7 +311,7 @@ final class ContactRows {
         }
     }
 
-    /** Whether a manifold pressed at all in this tick. */
+    /** Returns true if a manifold had a normal impulse in this tick. */
     boolean carries(int m) {
         for (int i = 0; i < points[m]; i++) {
             if (rows[ROW * (first[m] + i) + GREATEST] > 0) {

@@ -6,19 +6,24 @@ import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.SeamedWorld;
 import nephele.engine.math.ItemList;
 
-/** Finds who touches whom in a tick, makes the solver's rows of it and remembers what they carried. Reused. */
+/** Finds the contacts of a tick, makes the solver's rows and stores their impulses in the contact cache. Reused. */
 final class ContactSearch {
-    /** Surfaces nearer than this are looked at even where nothing moves. */
+    /** Distance of surfaces below which contacts are sought even without motion; less for thin bodies. */
     static final double REACH_METRES = 0.01;
 
-    /** Contacts are made so far ahead on the way of a tick; what is faster is stopped before it gets past something. */
+    /**
+     * Greatest distance at which contacts are made ahead of motion; continuous collision detection stops faster bodies.
+     */
     private static final double FAR_METRES = 0.1;
 
-    /** A sleeper is woken by what comes nearer than this: more than weight adds to a way of 1/120 s. */
+    /**
+     * Margin within which an approaching shape wakes a sleeping body: more than gravity adds to a displacement in 1/120
+     * s.
+     */
     private static final double WAKING_METRES = 1e-3;
 
     private static final double SLOP_METRES = 5e-4;
-    /** Feet that walk give nothing along the ground, on average; what a character pushes, it pushes straight. */
+    /** Walking feet exert no force along the ground on average, and a character pushes without friction. */
     private static final double CHARACTER_FRICTION = 0;
 
     private final BodyTable table;
@@ -39,7 +44,7 @@ final class ContactSearch {
     private Influences influences;
     private double seconds;
     private boolean woke;
-    /** Where each body's manifolds with solids begin; those of the last end where the pairs' begin. */
+    /** First manifold of each body with solids; the last body's end where those of pairs begin. */
     private int[] firstWithSolid = new int[1];
 
     ContactSearch(BodyTable table, Poses poses, Motions motions, ContactRows rows) {
@@ -63,7 +68,7 @@ final class ContactSearch {
         memory.index(last, nowSeconds);
     }
 
-    /** Wakes the sleepers that somebody who moves is about to touch. */
+    /** Wakes the sleeping bodies that a moving shape is about to touch; returns true if any was woken. */
     boolean wakeTouched(TickBodies now, Influences from, double tickSeconds) {
         begin(now, from, tickSeconds);
         woke = false;
@@ -96,7 +101,10 @@ final class ContactSearch {
         }
     }
 
-    /** Whether the one that moves gets to the sleeper within the tick. A capsule that rolls past is near all the time. */
+    /**
+     * Returns true if the moving shape reaches the sleeper within the tick. Distance alone would not do: a capsule that
+     * rolls past is near all the time.
+     */
     private boolean reaches(int a, int b, int sleeper) {
         double[] m = motions.velocity;
         int v = 6 * poses.owner[sleeper == a ? b : a];
@@ -130,8 +138,8 @@ final class ContactSearch {
     private boolean moves(int shape) {
         int owner = poses.owner[shape];
         if (owner < bodies.count) {
-            // A body that rests beside a sleeper without leaning on it must not wake it, or both wake each other for
-            // ever.
+            // A body that rests beside a sleeper without contact force must not wake it, or both would wake each other
+            // for ever.
             return bodies.isAwake(owner) && bodies.rest[owner] == 0;
         }
         return influences.characterList().get(owner - bodies.count).velocity.lengthSquared() > 1e-4;
@@ -146,7 +154,7 @@ final class ContactSearch {
         return !apart && activity.isPair(a, b);
     }
 
-    /** How near surfaces must be to matter in this tick. */
+    /** Returns the distance below which surfaces matter in this tick. */
     private double reach(int a, int b) {
         int u = 6 * poses.owner[a];
         int v = 6 * poses.owner[b];
@@ -184,7 +192,9 @@ final class ContactSearch {
         return square < 1e-12 ? 0 : Math.sqrt(square) * poses.radius(shape);
     }
 
-    /** Rows for every contact of somebody who is awake: first with the static world, then with each other. */
+    /**
+     * Makes rows for every contact of an awake body: first with the static world, then between bodies and characters.
+     */
     void findContacts(TickBodies now, SeamedWorld surroundings, Influences from, double tickSeconds) {
         begin(now, from, tickSeconds);
         rows.clear();
@@ -205,7 +215,7 @@ final class ContactSearch {
         pairs.visit(poses, this::pair);
     }
 
-    /** Whether the solver was given contacts of a body and a solid of the world around it. */
+    /** Returns true if the solver has contacts of a body and a solid of its world. */
     boolean metSolid(int body, int solid) {
         for (int m = firstWithSolid[body]; m < firstWithSolid[body + 1]; m++) {
             if (ContactKey.solid(rows.key[m]) == solid) {
@@ -215,7 +225,7 @@ final class ContactSearch {
         return false;
     }
 
-    /** Whether the solver was given contacts of a body and another owner, on this side of every portal. */
+    /** Returns true if the solver has contacts of a body and another owner that do not act through a portal. */
     boolean metOther(int body, int other) {
         long parties = ContactKey.parties(ContactKey.between(Math.min(body, other), Math.max(body, other), -1));
         for (int m = firstWithSolid[bodies.count]; m < rows.count; m++) {
@@ -226,7 +236,7 @@ final class ContactSearch {
         return false;
     }
 
-    /** The greatest distance in metres at which contacts are made ahead, whatever the speed. */
+    /** Returns the greatest distance in metres at which contacts are made ahead, at any speed. */
     double farMetres(int body) {
         return Math.max(poses.leastHalf(body) / 2, FAR_METRES);
     }
@@ -251,7 +261,7 @@ final class ContactSearch {
         }
     }
 
-    /** The first shape is a real one, the second may be an image: bodies come before images. */
+    /** Makes rows for a pair. The first shape is real, the second may be an image: images come last. */
     private void pair(int a, int b) {
         int ownerA = poses.owner[a];
         int ownerB = poses.owner[b];
@@ -291,7 +301,7 @@ final class ContactSearch {
         memory.recall(rows, m);
     }
 
-    /** The contacts that carried something in this tick, and those that sleepers had. */
+    /** Returns the contacts that had an impulse in this tick, and the stored ones of sleeping bodies. */
     ContactMemory remember(ContactMemory last, TickBodies now, double nowSeconds) {
         int kept = 0;
         for (int i = 0; i < last.size(); i++) {
@@ -322,7 +332,7 @@ final class ContactSearch {
         return new ContactMemory(keys, features, impulses, nowSeconds);
     }
 
-    /** The impulses of a body that then went through a portal are of no use behind it. */
+    /** Returns true if the impulses are worth storing; those of a body that then went through a portal are not. */
     private boolean isCarried(int m, TickBodies now) {
         int a = ContactKey.first(rows.key[m]);
         int b = ContactKey.second(rows.key[m]);
@@ -331,7 +341,7 @@ final class ContactSearch {
                 && !(b >= 0 && b < now.count && now.hasCrossed(b));
     }
 
-    /** Nobody of these was awake in this tick: what they had is not among the rows. */
+    /** Returns true if neither body was awake in this tick, so that the stored contact is not among the rows. */
     private boolean isKept(long key, TickBodies now) {
         int a = ContactKey.first(key);
         int b = ContactKey.second(key);

@@ -2,25 +2,27 @@ package nephele.engine.collision.rigid;
 
 /**
  * Sequential impulses in small steps (Catto 2005; Macklin et al. 2019, "Small Steps in Physics Simulation"; Catto 2024,
- * "Solver2D"): each substep starts from what the contacts carried before, goes once over all rows with a push that
- * takes overlap back, moves, and goes over them again without the push, so that no speed is left of it.
+ * "Solver2D"): each substep is warm started, solves all rows once with a bias velocity that reduces overlap,
+ * integrates, and solves them again without the bias, so that it leaves no velocity.
  */
 final class ContactSolver {
     /**
-     * How often a substep goes over the points of one manifold before the next: with once only, the order of the points
-     * sets towers rocking.
+     * Number of iterations over the points of one manifold before the next: with one only, the order of the points
+     * makes towers rock.
      */
     private static final int ROUNDS_A_MANIFOLD = 3;
 
-    /** Overlap is taken back at no more than this. */
+    /** Greatest bias velocity that reduces overlap. */
     private static final double PUSH_METRES_PER_SECOND = 2;
 
-    /** Share of the overlap that a substep takes back. */
+    /** Share of the overlap that a substep corrects. */
     private static final double PUSH_SHARE = 0.1;
 
     private static final double BOUNCE_ABOVE_METRES_PER_SECOND = 0.3;
 
-    /** Deeper overlaps than this come from outside: what pushes them apart must not be left as speed. */
+    /**
+     * Depth above which an overlap was not caused by the simulation: its bias velocity needs more relaxing iterations.
+     */
     private static final double DEEP_METRES = 0.05;
 
     private static final int DEEP_ROUNDS = 8;
@@ -39,7 +41,7 @@ final class ContactSolver {
         this.contacts = contacts;
     }
 
-    /** Chooses the manifolds to solve: those whose numbers the list begins with. */
+    /** Sets the manifolds to solve: the first {@code itsCount} of the list. */
     void begin(int[] manifolds, int itsCount) {
         chosen = manifolds;
         count = itsCount;
@@ -83,7 +85,7 @@ final class ContactSolver {
         }
     }
 
-    /** Takes off what speed the push has left. */
+    /** Removes the velocity that the bias has left. */
     void relax(double h) {
         solve(h, false);
         for (int round = 0; deep && round < DEEP_ROUNDS; round++) {
@@ -91,7 +93,7 @@ final class ContactSolver {
         }
     }
 
-    /** @param push whether overlap is taken back */
+    /** @param push true to add the bias that reduces overlap */
     void solve(double h, boolean push) {
         for (int c = 0; c < count; c++) {
             int m = chosen[c];
@@ -105,7 +107,7 @@ final class ContactSolver {
         }
     }
 
-    /** Without anything that presses, now or before, there is no friction to find. */
+    /** Returns false if a manifold has neither normal nor friction impulses, so that its friction is zero. */
     private boolean mayRub(int m) {
         int r = ContactRows.ROW * contacts.first[m] + ContactRows.IMPULSE;
         for (int i = 0; i < contacts.points[m]; i++, r += ContactRows.ROW) {
@@ -169,7 +171,7 @@ final class ContactSolver {
         head[f] = t;
     }
 
-    /** For each point the speed by which its surfaces may approach, or shall part. */
+    /** Computes for each point the speed at which its surfaces may approach, or negated must separate. */
     private void aims(int m, double perSecond, boolean push) {
         double[] rows = contacts.rows;
         int h = ContactRows.HEAD * m;
@@ -188,8 +190,8 @@ final class ContactSolver {
     }
 
     /**
-     * The rows along the normal, a few rounds over all points. Written out with every number in a variable of its own:
-     * half of all time is spent here.
+     * Solves the normal rows, a few iterations over all points. Each number has its own variable: half of the step's
+     * time is spent here.
      */
     private void pressing(int m) {
         double[] v = motions.velocity;
@@ -206,7 +208,7 @@ final class ContactSolver {
         double nbz = n[h + 5];
         double ia = motions.inverseMass[contacts.slotA[m]];
         double ib = motions.inverseMass[contacts.slotB[m]];
-        // The linear velocities along the normal, and how fast an impulse changes them.
+        // The relative linear velocity along the normal, and its change for a unit impulse.
         double parting = nax * v[a] + nay * v[a + 1] + naz * v[a + 2] - nbx * v[b] - nby * v[b + 1] - nbz * v[b + 2];
         double lightness = ia * (nax * nax + nay * nay + naz * naz) + ib * (nbx * nbx + nby * nby + nbz * nbz);
         double wax = v[a + 3];
@@ -259,7 +261,7 @@ final class ContactSolver {
         v[b + 5] = wbz;
     }
 
-    /** How much the surfaces have parted since the tick began. */
+    /** Returns the change of the surfaces' distance since the tick began. */
     private double moved(int m, int h, int r) {
         double[] d = motions.moved;
         double[] n = contacts.head;
@@ -295,7 +297,7 @@ final class ContactSolver {
                 - angular[k + 5] * vb[5];
     }
 
-    /** @param k where the angular parts times the reciprocal inertia stand */
+    /** @param k index of the angular parts multiplied by the inverse inertia */
     private void apply(double[] linear, int l, double[] angular, int k, int m, double impulse) {
         double ia = impulse * motions.inverseMass[contacts.slotA[m]];
         double ib = impulse * motions.inverseMass[contacts.slotB[m]];
@@ -321,7 +323,7 @@ final class ContactSolver {
         }
     }
 
-    /** Gives back the share of the approach that a bounce keeps (Newton), once, after all else. */
+    /** Applies Newton's restitution once, after the substeps: surfaces separate at a share of their approach speed. */
     void bounce() {
         double[] rows = contacts.rows;
         for (int m = 0; m < contacts.count; m++) {

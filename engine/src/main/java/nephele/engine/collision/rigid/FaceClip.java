@@ -1,7 +1,7 @@
 package nephele.engine.collision.rigid;
 
 /**
- * Clips one face against the sides of another (Sutherland and Hodgman 1974) and keeps up to four points of what is left
+ * Clips one face against the sides of another (Sutherland and Hodgman 1974) and keeps up to four points of the rest
  * near the other's plane. Points are relative to one origin that the caller chooses. Reused.
  */
 final class FaceClip {
@@ -9,7 +9,7 @@ final class FaceClip {
 
     private static final double EDGE_METRES = 1e-3;
 
-    /** The share of half the thickness of the thinner shape. */
+    /** Share of half the thickness of the thinner shape. */
     private static final double EDGE_SHARE = 0.6;
 
     private double[] p = new double[3 * CAPACITY];
@@ -22,14 +22,19 @@ final class FaceClip {
     private boolean sliver;
 
     /**
-     * Two edges touch, not the faces, where they overlap by less than the faces by this. A body across a thin shape is
-     * held by all of the crossing's corners; by the deepest edge alone, a different one each tick, it would rock for ever.
+     * Returns the margin in metres by which the edge axis must separate better than the faces to become an edge
+     * contact. A body across a thin shape gets all corners of the crossing as contact points; with only the deepest
+     * edge, a different one each tick, it would rock for ever.
      */
     static double edgeMargin(double leastHalfMetres) {
         return Math.min(EDGE_METRES, EDGE_SHARE * leastHalfMetres);
     }
 
-    /** @param metres by which a corner may lie outside and still count as inside: keeps features of flush faces steady */
+    /**
+     * Begins a face.
+     *
+     * @param metres by which a corner may be outside and still count as inside: keeps features of flush faces steady
+     */
     void start(double metres) {
         tolerance = metres;
         count = 0;
@@ -43,7 +48,7 @@ final class FaceClip {
         id[count++] = feature;
     }
 
-    /** Cuts away what lies in front of a plane. */
+    /** Removes the part in front of a plane. */
     void side(double nX, double nY, double nZ, double distance, int number) {
         double most = Double.NEGATIVE_INFINITY;
         double least = Double.POSITIVE_INFINITY;
@@ -55,7 +60,7 @@ final class FaceClip {
         if (most <= tolerance) {
             return;
         }
-        // A face that reaches behind this side by next to nothing is beside the other face, not before it.
+        // A face that reaches behind this side by almost nothing is beside the other face, not in front of it.
         sliver |= least > -2 * tolerance;
         cut(number);
     }
@@ -91,14 +96,14 @@ final class FaceClip {
         spareId[to] = id[from];
     }
 
-    /** True when the faces lie beside rather than before each other. */
+    /** Returns true when the faces are beside rather than in front of each other. */
     boolean isSliver() {
         return sliver || count == 0;
     }
 
     /**
-     * Adds to {@code out} up to four points that are nearer to a plane than {@code reach}: the deepest, the farthest from
-     * it and the two that span most area to either side (Gregorius 2013, GDC "The separating axis test").
+     * Adds to {@code out} up to four points that are nearer to a plane than {@code reach}: the deepest, the farthest
+     * from it and the two that span most area to either side (Gregorius 2013, GDC "The separating axis test").
      */
     void keep(double nX, double nY, double nZ, double distance, double reach, Manifold out) {
         int near = 0;

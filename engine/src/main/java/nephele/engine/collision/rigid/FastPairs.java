@@ -9,8 +9,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * How far a fast body gets before it is a little way into another one, or a character, that moves too: conservative
- * advancement along their relative way, both turned as at the start of the tick. Reused.
+ * Continuous collision detection of a fast body with other moving bodies and characters: conservative advancement along
+ * the relative displacement until it is slightly inside, both with their orientation at the start of the tick. Reused.
  */
 final class FastPairs {
     private static final double TOUCH_METRES = 1e-8;
@@ -21,7 +21,7 @@ final class FastPairs {
     private final Separation separation = new Separation();
     private final HullDistance distance = new HullDistance();
     private final double[] axes = new double[9];
-    /** Displacement of every body and character in this tick, as far as nothing stops it. */
+    /** Unobstructed displacement of every body and character in this tick. */
     private double[] ways = new double[0];
 
     private final Vector3d relative = new Vector3d();
@@ -57,10 +57,11 @@ final class FastPairs {
     }
 
     /**
-     * The free share of a body's way.
+     * Returns the free share of a body's displacement, 0 to 1.
      *
-     * @param isLeftOut the others, by owner, that need not be looked at
-     * @param hasCrossed the body went through a portal in this tick: the others count as they were at the tick's start
+     * @param isLeftOut the others, by owner, to skip
+     * @param hasCrossed true if the body went through a portal in this tick: the others then count as at the tick's
+     * start
      */
     double free(int body, Vector3dc from, Vector3dc way, double depth, boolean hasCrossed, IntPredicate isLeftOut) {
         int count = bodies + (influences.meetsCharacters(body) ? influences.characters() : 0);
@@ -77,7 +78,7 @@ final class FastPairs {
         return free;
     }
 
-    /** The unit normal, out of it, of whatever left no share of the way free. */
+    /** Returns the outward unit normal of the obstacle that left no free share. */
     Vector3dc normal() {
         return normal;
     }
@@ -107,7 +108,7 @@ final class FastPairs {
             if (gap <= TOUCH_METRES && i > 0) {
                 return t;
             }
-            // Deep in at the start, it need not give way to what comes after it: that one stops.
+            // A body deep inside at the start is not stopped by another that follows it: the other one is.
             double inward = gap <= TOUCH_METRES ? Math.min(approach, -away.dot(way)) : approach;
             if (inward <= (gap <= TOUCH_METRES ? FastSweep.SLIDING * relative.length() : 0)) {
                 return 1;
@@ -124,7 +125,7 @@ final class FastPairs {
         return t;
     }
 
-    /** Sets {@link #metres} and {@link #away}, the direction in world axes that leads out. */
+    /** Sets {@link #metres} and {@link #away}, the outward direction in world axes. */
     private void measure(RoundedHull shape, int other, Vector3dc from, double t) {
         double dX = from.x() - poses.centre[3 * other] + t * relative.x;
         double dY = from.y() - poses.centre[3 * other + 1] + t * relative.y;

@@ -10,12 +10,15 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * How far a fast body gets before it is a little way into a solid (conservative advancement, Mirtich 1996). A little way
- * in, not before it: what it slides along does not stop it, and the contact is there for the solver in the next tick.
- * A solid that it is that far in already it may leave and slide along, but not enter farther. Reused.
+ * Continuous collision detection of a fast body with solids: conservative advancement (Mirtich 1996) until it is
+ * slightly inside, not in front: a surface that it slides along does not stop it, and the next tick's solver finds the
+ * contact. A body already that deep in a solid may leave it and slide along it, but not go deeper. Reused.
  */
 final class FastSweep {
-    /** Going inwards by less than this per metre of the way is sliding: what rounding makes of a tangent. */
+    /**
+     * Inward motion per metre of displacement below which the body is sliding: the rounding error of a tangent
+     * direction.
+     */
     static final double SLIDING = 1e-9;
 
     private static final double TOUCH_METRES = 1e-8;
@@ -27,10 +30,10 @@ final class FastSweep {
     private final Vector3d normal = new Vector3d();
 
     /**
-     * The free share of a way, 0 to 1.
+     * Returns the free share of a displacement, 0 to 1.
      *
-     * @param depth in metres, how far in the body may get
-     * @param isLeftOut the solids, by index, that need not be looked at
+     * @param depth greatest depth that the body may reach, in metres
+     * @param isLeftOut the solids, by index, to skip
      */
     double free(
             CollisionWorld world,
@@ -49,12 +52,15 @@ final class FastSweep {
         return free;
     }
 
-    /** The unit normal, out of it, of the solid that left no share of the way free. */
+    /** Returns the outward unit normal of the solid that left no free share. */
     Vector3dc normal() {
         return normal;
     }
 
-    /** Metres from a shape to the nearest solid that its bounds touch; negative inside, infinite where there is none. */
+    /**
+     * Returns the distance in metres from a shape to the nearest solid that its bounds touch; negative inside, infinite
+     * for none.
+     */
     double gap(CollisionWorld world, RoundedHull shape, Vector3dc at) {
         find(world, shape, at, normal.zero());
         double least = Double.POSITIVE_INFINITY;

@@ -7,8 +7,9 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Turns a body no farther into solids than it may get: after a blow an edge goes a radian in a tick, and what has dug
- * itself through a wall is pushed out on the wrong side of it. Looked at only where corners move far. Reused.
+ * Continuous collision detection of rotation: limits a body's rotation to the allowed depth in solids. After an impact
+ * an edge can rotate a radian in a tick, and a body that has rotated through a wall would be pushed out on the wrong
+ * side. Used only when corners move far. Reused.
  */
 final class FastTurn {
     private static final int MOST_HALVINGS = 6;
@@ -26,12 +27,12 @@ final class FastTurn {
         this.sweep = sweep;
     }
 
-    /** Remembers how the body is turned whose orientation stands at {@code q}. */
+    /** Stores the orientation at {@code q}. */
     void begin(double[] motion, int q) {
         System.arraycopy(motion, q, before, 0, 4);
     }
 
-    /** Whether a corner was moved by more than {@code metres} since. */
+    /** Returns true if a corner may have moved by more than {@code metres} since {@link #begin}. */
     boolean isFast(double[] motion, int q, int body, double metres) {
         if (poses.kind[body] == BodyTable.SPHERE) {
             return false;
@@ -45,9 +46,9 @@ final class FastTurn {
     }
 
     /**
-     * Takes back as much of the turn as leads deeper into a solid than {@code depth} and than the body was.
+     * Reduces the rotation until the body is no deeper in a solid than {@code depth}, or than it was before.
      *
-     * @return whether anything is left of the turn
+     * @return false if nothing is left of the rotation
      */
     boolean fit(double[] motion, int q, int body, Vector3dc at, SeamedWorld surroundings, double depth) {
         System.arraycopy(motion, q, after, 0, 4);
@@ -76,7 +77,7 @@ final class FastTurn {
         return sweep.gap(world, hull, at);
     }
 
-    /** Between both along the shorter arc, by the normalised mean of the quaternions. */
+    /** Interpolates both orientations along the shorter arc, by the normalised mean of the quaternions. */
     private void towards(double share, double[] motion, int q) {
         double cosine = 0;
         for (int i = 0; i < 4; i++) {

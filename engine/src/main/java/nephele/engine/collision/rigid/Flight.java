@@ -10,17 +10,17 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Moves one body to the end of the tick: along the exact arc p + v t + g t² / 2 when nothing pressed on it, along the
- * solver's displacement otherwise; through every portal that its centre enters, and not into what it could get past
- * unseen. Reused.
+ * Advances one body to the end of the tick: along the exact parabola p + v t + g t² / 2 if it has no contacts, along
+ * the solver's displacement otherwise; through every portal that its centre enters, and with continuous collision
+ * detection against whatever it could tunnel through. Reused.
  */
 final class Flight {
-    /** A fast body may get so far into what it hits, and no deeper than an eighth of its thickness. */
+    /** Greatest depth of a fast body in what it hits; at most an eighth of its thickness. */
     private static final double MOST_DEPTH_METRES = 6e-4;
 
     private static final double MOST_TURN_DEPTH_METRES = 5e-3;
 
-    /** A way cut short by less is no fault. */
+    /** A displacement cut short by less is not counted as a fault. */
     private static final double LOST_METRES = 1e-3;
 
     private static final int MOST_SLIDES = 4;
@@ -42,20 +42,20 @@ final class Flight {
     private final Vector3d pull = new Vector3d();
     private final Vector3d way = new Vector3d();
     private final Vector3d turning = new Vector3d();
-    /** Out of what leaves nothing of the way free. */
+    /** Outward normal of the obstacle that leaves no free share. */
     private final Vector3d blocking = new Vector3d();
 
-    /** Per crossing of the tick the share of the way that was left behind it. */
+    /** For each crossing of the tick, the share of the duration that remained after it. */
     private final double[] shareBeyond = new double[BodyPassages.MOST];
 
     private final Quaterniond orientation = new Quaterniond();
     private SeamedWorld surroundings;
     private Portals portals;
     private double seconds;
-    /** The work of gravity per kilogram on what something took off the last way, m²/s². */
+    /** The work of gravity per kilogram over the displacement that was blocked, m²/s². */
     private double held;
 
-    /** The way that gravity has changed the velocity for. */
+    /** The displacement over which gravity has changed the velocity. */
     private final Vector3d paidWay = new Vector3d();
 
     Flight(BodyTable table, Vec3 gravity, ContactSearch search, Poses poses) {
@@ -75,7 +75,11 @@ final class Flight {
         pairs.begin(bodies.count, influences, seconds);
     }
 
-    /** @param pressed whom the solver moved */
+    /**
+     * Sets the displacements that the bodies would have without obstacles.
+     *
+     * @param pressed true for bodies that the solver moved
+     */
     void expect(TickBodies bodies, boolean[] pressed, Motions motions) {
         double half = seconds * seconds / 2;
         for (int body = 0; body < bodies.count; body++) {
@@ -94,7 +98,7 @@ final class Flight {
         }
     }
 
-    /** Nothing touched the body in this tick. */
+    /** Advances a body that had no contact in this tick. */
     void fly(TickBodies bodies, int body, boolean falls) {
         double[] m = bodies.motion;
         int at = Bodies.STRIDE * body;
@@ -112,7 +116,7 @@ final class Flight {
         fitTurn(bodies, body);
     }
 
-    /** The solver moved the body. */
+    /** Advances a body that the solver moved. */
     void follow(TickBodies bodies, int body, Motions motions, boolean falls) {
         double[] m = bodies.motion;
         int at = Bodies.STRIDE * body;
@@ -141,7 +145,10 @@ final class Flight {
         fitTurn(bodies, body);
     }
 
-    /** Turned freely by the spin that is left a body keeps its energy; then by what the solver turned it beyond that. */
+    /**
+     * Rotates freely by the remaining angular velocity, which conserves the energy, and then by the rest of the
+     * solver's rotation.
+     */
     private void turnUnevenly(double[] m, int at, int body, Motions motions) {
         int w = at + Bodies.SPIN;
         int d = 6 * body;
@@ -157,8 +164,8 @@ final class Flight {
     }
 
     /**
-     * Takes back what gravity has given for a way that something held up: it would be energy out of nothing. The speed
-     * downwards loses what the missing height is worth, v² = 2 g h.
+     * Removes the speed that gravity has given over a blocked displacement, which would add energy. The downward speed
+     * is reduced by the energy of the missing height, v² = 2 g h.
      */
     private void giveBack(double[] m, int v) {
         double g = Math.sqrt(gravity.dot(gravity));
@@ -171,7 +178,10 @@ final class Flight {
         }
     }
 
-    /** For the part of the tick behind a portal gravity pulls as it does there, not as the entry's turned with the body. */
+    /**
+     * Corrects the velocity for the part of the tick behind a portal, where gravity has the world's direction and not
+     * the entry's rotated one.
+     */
     private void fallBeyond(double[] m, int v, Passage passage, double share) {
         turning.set(gravity.x(), gravity.y(), gravity.z());
         passage.direction(turning);
@@ -196,7 +206,8 @@ final class Flight {
             boolean turns = turn.fit(bodies.motion, q, body, place, surroundings, turnDepth(body));
             carry.end(bodies.motion, Bodies.STRIDE * body);
             if (!turns) {
-                // Corners that seem to turn away from a wall, and do not, would keep the solver from stopping the body.
+                // Corners that turn away from a wall by the angular velocity, but not in fact, would keep the solver
+                // from stopping the body.
                 int w = Bodies.STRIDE * body + Bodies.SPIN;
                 Arrays.fill(bodies.motion, w, w + 3, 0);
             }
@@ -204,12 +215,12 @@ final class Flight {
         }
     }
 
-    /** A body that goes farther than this in a tick could get past something unseen. */
+    /** Returns the displacement in a tick above which the body could tunnel through something. */
     private double farMetres(int body) {
         return poses.leastHalf(body) / 2;
     }
 
-    /** Turning, what the solver holds may get deeper into solids for a tick, but not through them. */
+    /** Returns the allowed depth after a rotation: the solver corrects it, but the body must not get through. */
     private double turnDepth(int body) {
         return Math.min(MOST_TURN_DEPTH_METRES, farMetres(body));
     }
@@ -218,7 +229,11 @@ final class Flight {
         return Math.min(MOST_DEPTH_METRES, farMetres(body) / 4);
     }
 
-    /** From the body's place with {@link #velocity} and {@link #pull}, portal by portal, for so long. */
+    /**
+     * Advances from the body's place with {@link #velocity} and {@link #pull}, portal by portal.
+     *
+     * @param duration in the unit of time of {@link #velocity}
+     */
     private void travel(TickBodies bodies, int body, double duration) {
         double[] m = bodies.motion;
         int at = Bodies.STRIDE * body;
@@ -252,7 +267,8 @@ final class Flight {
     }
 
     /**
-     * Moves what hovers at the plane of a portal, and passes it ever faster and ever less far, along the plane.
+     * Moves along the plane of a portal a body that hovers there and passes it ever more often over ever shorter
+     * distances.
      *
      * @return metres across the plane that are lost
      */
@@ -289,9 +305,10 @@ final class Flight {
     }
 
     /**
-     * Whether something stands in the way; then the body has gone as far as it can, or along what it is deep in.
+     * Returns true if an obstacle blocks the displacement; the body has then advanced as far as possible, or along what
+     * it is deep inside.
      *
-     * @param t how long the way is; {@code left}: how long the rest of the tick is
+     * @param t time of the displacement; {@code left}: time of the rest of the tick
      */
     private boolean isStopped(TickBodies bodies, int body, double t, double left) {
         double share = freeShare(bodies, body);
@@ -314,7 +331,7 @@ final class Flight {
         return true;
     }
 
-    /** Which share of the way is free of solids, bodies and characters. */
+    /** Returns the share of the displacement that is free of solids, bodies and characters. */
     private double freeShare(TickBodies bodies, int body) {
         System.arraycopy(poses.axes, 9 * body, axes, 0, 9);
         boolean hasCrossed = bodies.hasCrossed(body);
@@ -323,7 +340,7 @@ final class Flight {
             int q = Bodies.STRIDE * body + Bodies.ORIENTATION;
             poses.turn(body, m[q], m[q + 1], m[q + 2], m[q + 3]);
         }
-        // Solids and bodies with contacts are held off by the solver, turns included.
+        // The solver keeps apart solids and bodies with contacts, rotations included.
         boolean held = !hasCrossed && way.length() <= search.farMetres(body);
         double free =
                 pairs.free(body, place, way, depth(body), hasCrossed, other -> held && search.metOther(body, other));

@@ -5,11 +5,11 @@ import nephele.engine.math.Vec3;
 
 /**
  * Contact of a box and a static convex solid of any shape: faces of both and all pairs of edges as separating axes
- * (Gottschalk, Lin and Manocha 1996), then face against face clipped, or one point between two edges. Reused.
+ * (Gottschalk, Lin and Manocha 1996), then face clipped against face, or one or two points between edges. Reused.
  */
 final class HullPair {
     private static final double PARALLEL_SQUARE = 1e-6;
-    /** Corners that differ by less along an edge's normal are both on the edge. */
+    /** Difference along an edge's normal below which two corners are both on the edge. */
     private static final double EDGE_METRES = 1e-7;
 
     private final FaceClip clip;
@@ -32,11 +32,11 @@ final class HullPair {
     private double least;
     private double greatest;
     private int hullCorner;
-    /** Ends of the solid's edge, metres from its corner. */
+    /** Ends of the solid's edge, in metres from its corner. */
     private double hullFrom;
 
     private double hullTo;
-    /** Metres from the middle of the box's edge. */
+    /** Distance of the crossing from the middle of the box's edge, metres. */
     private double onBox;
 
     HullPair(FaceClip clip) {
@@ -101,7 +101,9 @@ final class HullPair {
         return true;
     }
 
-    /** Faces of the box that look at the solid: two a axis, the negative side first. */
+    /**
+     * Finds the separations of the box's faces: two for each axis, the negative side first; false beyond {@code reach}.
+     */
     private boolean boxFacesWithin(double reach) {
         for (int i = 0; i < 3; i++) {
             double middle = project(axis(i, 0), axis(i, 1), axis(i, 2));
@@ -116,7 +118,7 @@ final class HullPair {
         return true;
     }
 
-    /** Sets the solid's range along an axis and returns the place of the box's centre on it. */
+    /** Sets the solid's interval along an axis and returns the coordinate of the box's centre along it. */
     private double project(double nX, double nY, double nZ) {
         least = Double.POSITIVE_INFINITY;
         greatest = Double.NEGATIVE_INFINITY;
@@ -199,7 +201,7 @@ final class HullPair {
         return true;
     }
 
-    /** The corners of the box's face that looks most against a direction. */
+    /** Adds the corners of the box's face that is most opposed to a direction. */
     private void addBoxFace(double nX, double nY, double nZ) {
         int j = 0;
         double most = -1;
@@ -226,7 +228,7 @@ final class HullPair {
         }
     }
 
-    /** @param side axis times two, plus one where the box lies below the solid along it */
+    /** @param side axis times two, plus one if the box is below the solid along it */
     private boolean onBoxFace(int side, double reach, Manifold out) {
         int i = side / 2;
         double sign = side % 2 == 0 ? -1 : 1;
@@ -268,8 +270,8 @@ final class HullPair {
     }
 
     /**
-     * Adds the crossing of the box's deepest edge with the solid's, and that of its parallel neighbour if it is near too: a
-     * face that lies on an edge is held by both ends of what they share.
+     * Adds the crossing of the box's deepest edge with the solid's, and that of its parallel neighbour if it is near
+     * too: a face that rests on an edge then gets both ends of the overlap as contact points.
      */
     private void edgePoints(double reach, Manifold out) {
         out.normal(edgeX, edgeY, edgeZ);
@@ -289,12 +291,12 @@ final class HullPair {
         }
     }
 
-    /** How far half of the box reaches along the normal by one of its axes, with its sign. */
+    /** Returns the signed extent of half of the box along the normal, by one of its axes. */
     private double rise(int axis) {
         return poses.half[3 * box + axis] * (axis(axis, 0) * edgeX + axis(axis, 1) * edgeY + axis(axis, 2) * edgeZ);
     }
 
-    /** Finds the corners of the solid that lie farthest along the normal: its edge. */
+    /** Finds the corners of the solid farthest along the normal: its edge. */
     private void findHullEdge() {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < hull.corners(); i++) {
@@ -335,7 +337,7 @@ final class HullPair {
                 (h1 > 0 ? 1 : 0) + (h2 > 0 ? 2 : 0));
     }
 
-    /** Finds where on the box's edge, from its middle, the solid's crosses; true where both reach so far. */
+    /** Finds the position on the box's edge, from its middle, of the crossing; returns true if it is on both edges. */
     private boolean findCrossing(int first, double h1, int second, double h2) {
         double dot = 0;
         double wBox = 0;

@@ -10,16 +10,19 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What else acts on bodies in a tick: characters that push and are pushed, and bodies that somebody holds. Its owner
- * fills it before each step and reads the impulses after; reused, so that it costs nothing.
+ * The other inputs of a body step: characters, which push and are pushed, and held bodies. The owner fills it before
+ * each step and reads the impulses afterwards; reused to avoid allocation.
  */
 public final class Influences {
-    /** Nothing; nobody adds to it. */
+    /** Returns empty influences; nothing may be added to them. */
     public static Influences none() {
         return new Influences();
     }
 
-    /** A capsule that goes its own way; bodies meet it as if it had a mass, and what they give it is summed up. */
+    /**
+     * A capsule that moves by its own rules. Bodies collide with it as with a body of its mass; their impulses are
+     * summed up.
+     */
     public static final class Character {
         final RoundedHull upright;
         final RoundedHull scratch;
@@ -31,7 +34,7 @@ public final class Influences {
         private final Vector3d velocityAtStart = new Vector3d();
         private final double halfAxisMetres;
 
-        /** An upright capsule by its whole height. */
+        /** Makes an upright capsule of this whole height, caps included. */
         public Character(double radiusMetres, double heightMetres, double massKilograms) {
             upright = RoundedHull.uprightCapsule(radiusMetres, heightMetres);
             scratch = upright.copy();
@@ -63,17 +66,18 @@ public final class Influences {
             velocity.set(velocityAtStart);
         }
 
-        /** Takes the velocity that bodies have brought it to. */
+        /** Sets the impulse from the velocity to which bodies have brought the character. */
         void give(double vX, double vY, double vZ) {
             impulse.set(vX, vY, vZ).sub(velocityAtStart).mul(massKilograms);
         }
 
+        /** Sets the centre and the velocity (m/s) for the next step. */
         public void move(Vector3dc newCentre, Vector3dc newVelocity) {
             centre.set(newCentre);
             velocity.set(newVelocity);
         }
 
-        /** N s that bodies gave it in the last step, in its own space. */
+        /** Returns the impulse in N s that bodies exerted in the last step, in the character's space. */
         public Vector3dc impulse() {
             return impulse;
         }
@@ -84,7 +88,7 @@ public final class Influences {
     private final ItemList passing = new ItemList();
     private double[] drives = new double[12];
 
-    /** A character that bodies meet in the next step. */
+    /** Adds a character with which bodies collide in the next step. */
     public void add(Character character) {
         characters.add(character);
     }
@@ -98,10 +102,10 @@ public final class Influences {
     }
 
     /**
-     * A held body starts the tick with this motion and feels no weight; what it meets still stops it.
+     * Drives a held body: it starts the tick with this motion and has no weight; obstacles still stop it.
      *
      * @param velocity m/s
-     * @param spin rad/s in world axes
+     * @param spin angular velocity, rad/s in world axes
      */
     public void drive(int body, Vec3 velocity, Vec3 spin) {
         int at = 6 * driven.size();
@@ -117,7 +121,10 @@ public final class Influences {
         drives[at + 5] = spin.z();
     }
 
-    /** Characters and this body do not meet: it is held by one, or was until now and is not apart from it yet. */
+    /**
+     * Excludes contact between characters and this body: a character holds it, or has released it and still overlaps
+     * it.
+     */
     public void passCharacters(int body) {
         passing.item(body);
     }
@@ -133,14 +140,14 @@ public final class Influences {
         }
     }
 
-    /** Moves the characters on between two parts of a tick. */
+    /** Moves the characters between two parts of a tick. */
     void advance(double seconds) {
         for (int i = 0; i < characters.size(); i++) {
             characters.get(i).advance(seconds);
         }
     }
 
-    /** Ends a tick: characters stand where they were given, and keep what bodies gave them. */
+    /** Ends a tick: restores the characters' places and velocities, and keeps the impulses. */
     void end() {
         for (int i = 0; i < characters.size(); i++) {
             characters.get(i).end();

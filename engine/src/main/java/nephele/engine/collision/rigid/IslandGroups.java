@@ -2,12 +2,12 @@ package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
 
-/** The manifolds of a step, island by island: an island is what hangs together by contacts of bodies that can move. Reused. */
+/** The manifolds of a step, sorted by island: an island is a set of movable bodies connected by contacts. Reused. */
 final class IslandGroups {
     private final ContactRows rows;
     private final Motions motions;
     private final Islands islands = new Islands();
-    /** Manifolds, island by island. */
+    /** The manifolds' numbers, island by island. */
     private int[] order = new int[0];
 
     private int count;
@@ -19,7 +19,7 @@ final class IslandGroups {
         this.motions = motions;
     }
 
-    /** The manifolds' numbers in order; {@link #count} of them are valid. */
+    /** Returns the manifolds' numbers, island by island; {@link #count} of them are valid. */
     int[] order() {
         return order;
     }
@@ -28,7 +28,7 @@ final class IslandGroups {
         return count;
     }
 
-    /** Where the island ends that begins at a place of the order. */
+    /** Returns the end of the island that begins at a place of the order. */
     int end(int from) {
         int root = root(order[from]);
         int end = from + 1;
@@ -38,7 +38,7 @@ final class IslandGroups {
         return end;
     }
 
-    /** Sorts the manifolds by island; within one they stay in order. */
+    /** Sorts the manifolds by island; within an island they stay in order. */
     void find(int slots) {
         islands.reset(slots);
         for (int m = 0; m < rows.count; m++) {

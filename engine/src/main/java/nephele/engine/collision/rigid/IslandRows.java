@@ -3,14 +3,15 @@ package nephele.engine.collision.rigid;
 import java.util.Arrays;
 
 /**
- * The rows of one island's contacts: how fast each moves by the bodies' velocities, and what it does then. Per manifold
- * one along the normal for each point, then three of friction: two tangents and the turn about the normal. Reused.
+ * The constraint rows of one island's contacts: their Jacobians by the bodies' velocities, and their response. A
+ * manifold has one row along the normal for each point, then three of friction: two tangents and the rotation about the
+ * normal. Reused.
  */
 final class IslandRows {
-    /** Compliance of a row as a share of its reciprocal effective mass: next to none, yet far above rounding. */
+    /** Compliance of a row as a share of its reciprocal effective mass: almost rigid, yet far above rounding. */
     static final double COMPLIANCE_SHARE = 1e-8;
 
-    /** Six doubles for either body. */
+    /** Six doubles for each of the two bodies. */
     static final int JACOBIAN = 12;
 
     static final int FRICTION_ROWS = 3;
@@ -21,19 +22,19 @@ final class IslandRows {
     int[] nodeA = new int[16];
     int[] nodeB = new int[16];
     int[] firstRow = new int[16];
-    /** N s that friction may give, by what presses. */
+    /** Greatest friction impulse by the normal impulses, N s. */
     double[] bound = new double[16];
 
     int rows;
     double[] jacobian = new double[64 * JACOBIAN];
-    /** kg, of a turn kg m²: the reciprocal of a row's compliance. */
+    /** Reciprocal of a row's compliance, kg; kg m² for a rotation. */
     double[] stiffness = new double[64];
-    /** The speed at which a normal row begins to press, m/s. */
+    /** Speed below which a normal row gives an impulse, m/s. */
     double[] target = new double[64];
-    /** Impulse of the row where its speed is the target's, N s. */
+    /** Impulse of the row when its speed is the target's, N s. */
     double[] bias = new double[64];
 
-    /** Per body: nothing turns it. */
+    /** True for bodies that nothing rotates. */
     private final boolean[] isUpright = new boolean[BlockCholesky.MOST_NODES];
 
     IslandRows(ContactRows contacts) {
@@ -49,7 +50,7 @@ final class IslandRows {
         isUpright[node] = upright;
     }
 
-    /** Adds the rows of a manifold between two bodies, −1 for what does not move. */
+    /** Adds the rows of a manifold between two bodies; −1 stands for what does not move. */
     void addManifold(int m, int a, int b) {
         int points = contacts.points[m];
         reserve(points + FRICTION_ROWS);
@@ -122,17 +123,17 @@ final class IslandRows {
         return contacts.points[manifold[c]];
     }
 
-    /** The place after the last row of a manifold. */
+    /** Returns the index after the last row of a manifold. */
     int end(int c) {
         return firstRow[c] + points(c) + FRICTION_ROWS;
     }
 
-    /** The bound of the turn about a manifold's normal, N m s. */
+    /** Returns the bound of the angular impulse about a manifold's normal, N m s. */
     double turnBound(int c) {
         return bound[c] * contacts.head[ContactRows.HEAD * manifold[c] + ContactRows.TWIST_RADIUS];
     }
 
-    /** Writes how fast each row moves by velocities of six doubles a body. */
+    /** Writes the speed of each row for velocities of six doubles a body. */
     void multiply(double[] v, double[] out) {
         for (int c = 0; c < manifolds; c++) {
             int end = end(c);

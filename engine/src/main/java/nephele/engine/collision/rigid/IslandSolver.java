@@ -3,33 +3,36 @@ package nephele.engine.collision.rigid;
 import nephele.engine.math.Vec3;
 
 /**
- * Solves the contacts of one island to rounding, whatever its masses: Newton's method with an exact line search on the
- * convex function of {@link IslandSystem}, whose rows keep the impulses of the round before (augmented Lagrangian,
- * Hestenes 1969) and whose friction is bounded by what pressed in it. Velocities never gain energy by it: with no
+ * Solves the contacts of one island to rounding error, for any masses: Newton's method with an exact line search on the
+ * convex function of {@link IslandSystem}. Each round starts from the impulses of the one before (augmented Lagrangian,
+ * Hestenes 1969), and its friction is bounded by their normal impulses. The velocities never gain energy: with no
  * target above zero they are the nearest to the free ones that the contacts allow. Reused.
  */
 final class IslandSolver {
     private static final int MOST_ROUNDS = 24;
 
-    /** From this round on bounds of friction change by half: by the whole some go to and fro for ever. */
+    /** First round from which friction bounds change by half: whole changes make some oscillate for ever. */
     private static final int RELAXED_ROUND = 4;
 
     private static final int MOST_NEWTON_STEPS = 40;
     private static final int MOST_LINE_STEPS = 30;
-    /** A line search ends where the slope is this share of what it was. */
+    /** A line search ends when the slope is this share of the initial one. */
     private static final double SLOPE_SHARE = 0.05;
 
     private static final double SETTLED_METRES_PER_SECOND = 1e-6;
-    /** Overlap is taken back at no more than this. */
+    /** Greatest speed at which overlap is reduced. */
     private static final double PUSH_METRES_PER_SECOND = 2;
 
-    /** The share of a gap, in metres, that going by the mean of two speeds may lose. */
+    /** Greatest share of a gap, in metres, that moving by the mean of two velocities may lose. */
     private static final double SMOOTH_METRES = 2e-5;
 
-    /** The share of an overlap that a part takes back, however short it is: a bent way makes new overlap in every part. */
+    /** Share of an overlap that a part corrects, however short it is: a curved path makes new overlap in every part. */
     private static final double PUSH_SHARE = 1 / 3.0;
 
-    /** Taking back an overlap moves no body so many times as far: a body stuck in two solids would be thrown away. */
+    /**
+     * Greatest displacement by overlap correction, as a multiple of the overlap: a body stuck in two solids would be
+     * thrown.
+     */
     private static final double MOST_LEVER = 4;
 
     private final ContactRows contacts;
@@ -48,10 +51,11 @@ final class IslandSolver {
     }
 
     /**
-     * Takes an island's manifolds.
+     * Sets the island to solve.
      *
-     * @param list their numbers, from {@code from} to before {@code to}
-     * @return false when it has too many bodies or too dense a net of contacts: then it is for another solver
+     * @param list numbers of manifolds; the island's are from {@code from} to before {@code to}
+     * @param most greatest number of block products of a factorisation, for each body
+     * @return false when it has too many bodies or too dense a net of contacts: another solver must then solve it
      */
     boolean take(int[] list, int from, int to, double most) {
         if (nodeOf.length < motions.count) {
@@ -97,9 +101,9 @@ final class IslandSolver {
     }
 
     /**
-     * Changes the velocities of the island by a tick of its contacts and its weight.
+     * Changes the island's velocities by its contacts and its weight over a tick.
      *
-     * @param weighs whether gravity pulls at a slot
+     * @param weighs true for slots on which gravity acts
      */
     void solve(Vec3 gravity, boolean[] weighs, double seconds) {
         for (int node = 0; node < system.nodes; node++) {
@@ -135,7 +139,7 @@ final class IslandSolver {
         }
     }
 
-    /** Moves by what the push has left of the velocities; less far where overlaps contradict each other. */
+    /** Moves by the velocities that correct overlap; by a share of them if overlaps contradict each other. */
     private void takePushedWay(double seconds) {
         double greatest = 0;
         for (int c = 0; c < rows.manifolds; c++) {
@@ -157,7 +161,7 @@ final class IslandSolver {
         }
     }
 
-    /** Rows that push carry something, though no impulse is left of it. */
+    /** Marks the rows that correct overlap as carrying, although no impulse is left of the correction. */
     private void markPushed() {
         for (int c = 0; c < rows.manifolds; c++) {
             int m = rows.manifold[c];
@@ -168,7 +172,7 @@ final class IslandSolver {
         }
     }
 
-    /** Whether no row that presses changes its speed by enough to matter on half of the way. */
+    /** Returns true if no active row changes its speed by an amount that matters over half of the displacement. */
     private boolean isSmooth(double seconds) {
         for (int c = 0; c < rows.manifolds; c++) {
             int m = rows.manifold[c];
@@ -183,7 +187,7 @@ final class IslandSolver {
         return true;
     }
 
-    /** Moves by the mean of the velocities before and after: second order in time where nothing strikes. */
+    /** Moves by the mean of the velocities before and after: second order in time without impacts. */
     private void takeMeanWay(double seconds) {
         for (int node = 0; node < system.nodes; node++) {
             int at = 6 * system.slot[node];
@@ -193,7 +197,7 @@ final class IslandSolver {
         }
     }
 
-    /** Sets the rows' targets; returns whether a surface overlaps by more than may be. */
+    /** Sets the rows' targets; returns true if a surface overlaps by more than the allowed depth. */
     private boolean aim(double seconds, boolean push) {
         boolean overlapping = false;
         for (int c = 0; c < rows.manifolds; c++) {
@@ -210,7 +214,7 @@ final class IslandSolver {
         return overlapping;
     }
 
-    /** Bounds the friction by what presses by the impulses kept. */
+    /** Bounds the friction by the stored normal impulses. */
     private void bound() {
         for (int c = 0; c < rows.manifolds; c++) {
             rows.bound[c] = friction(c, rows.bias);
@@ -225,7 +229,7 @@ final class IslandSolver {
         return pressed * contacts.head[ContactRows.HEAD * rows.manifold[c] + ContactRows.FRICTION];
     }
 
-    /** Keeps the impulses found; returns whether they are those that were kept before, as far as it matters. */
+    /** Stores the impulses found; returns true if they have converged. */
     private boolean settle(boolean relaxed) {
         boolean settled = true;
         for (int c = 0; c < rows.manifolds; c++) {
@@ -236,7 +240,7 @@ final class IslandSolver {
                 rows.bias[row] = system.impulse[row];
             }
             double now = friction(c, system.impulse);
-            // A change of a bound acts on the lighter body at once, without any compliance between.
+            // A change of a bound acts on the lighter body directly, without compliance between.
             double change = Math.abs(now - rows.bound[c]) / (IslandRows.COMPLIANCE_SHARE * rows.stiffness[friction]);
             settled &= change <= 1e-4 || now >= rows.bound[c] && sticks(c, friction);
             rows.bound[c] = relaxed ? (now + rows.bound[c]) / 2 : now;
@@ -269,7 +273,7 @@ final class IslandSolver {
         }
     }
 
-    /** Takes off what rounding has left of the gradient, by the factor that is there: momentum is kept by it. */
+    /** Removes the rounding error of the gradient with the present factor, which conserves momentum. */
     private void refine() {
         system.findGradient();
         newtonStep();
@@ -294,7 +298,7 @@ final class IslandSolver {
         return true;
     }
 
-    /** The share of the step at which the function is least, nearly; the whole step where that is good enough. */
+    /** Returns the share of the step that nearly minimises the function; the whole step if that is good enough. */
     private double lineSearch() {
         double first = system.slope(0);
         if (!(first < 0)) {

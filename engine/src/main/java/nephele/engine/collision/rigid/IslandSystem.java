@@ -1,10 +1,10 @@
 package nephele.engine.collision.rigid;
 
 /**
- * The contacts of one island as a convex function of the bodies' velocities v: half of (v − v₀)ᵀ M (v − v₀), where v₀ is
- * the velocity without contacts, plus for each row the energy of a very stiff one-sided spring along a normal, or of one
- * that slips at a bound along a tangent (Castro, Permenter and Han 2022, "An unconstrained convex formulation of
- * compliant contact", with friction bounded as in Tamis 2015). Its least value is where impulses and velocities agree.
+ * The contacts of one island as a convex function of the bodies' velocities v: half of (v − v₀)ᵀ M (v − v₀), where v₀
+ * is the velocity without contacts, plus for each row the energy of a very stiff one-sided spring along a normal, or of
+ * one that slips at a bound along a tangent (Castro, Permenter and Han 2022, "An unconstrained convex formulation of
+ * compliant contact", with friction bounded as in Tamis 2015). At its minimum, impulses and velocities are consistent.
  * Six doubles a body: linear, angular, world axes. Reused for every island.
  */
 final class IslandSystem {
@@ -24,17 +24,17 @@ final class IslandSystem {
     final double[] velocity = new double[6 * BlockCholesky.MOST_NODES];
     final double[] gradient = new double[6 * BlockCholesky.MOST_NODES];
 
-    /** Per row, N s. */
+    /** Impulse of each row, N s. */
     double[] impulse = new double[64];
 
     private double[] speed = new double[64];
     private double[] change = new double[64];
     private final double[] across = new double[IslandRows.JACOBIAN];
 
-    /** Names which rows press and stick: equal where the function is the same quadratic one. */
+    /** Hash of the rows that are active and those that stick: equal when the function is the same quadratic one. */
     long pattern;
 
-    /** Whether a manifold slides: there the function is no quadratic one. */
+    /** True if a manifold slides: the function is not quadratic there. */
     boolean slides;
 
     private double slope0;
@@ -42,7 +42,7 @@ final class IslandSystem {
     private final double[] stepMomentum = new double[6 * BlockCholesky.MOST_NODES];
     private final double[] zero = new double[6 * BlockCholesky.MOST_NODES];
 
-    /** Curvature at the share that {@link #slope} was last asked about. */
+    /** Curvature at the share of the last call of {@link #slope}. */
     double curvature;
 
     IslandSystem(ContactRows contacts, Motions motions, BlockCholesky matrix) {
@@ -66,7 +66,7 @@ final class IslandSystem {
         return node;
     }
 
-    /** Makes room for the values of all rows; to be called when the last manifold has been added. */
+    /** Allocates the values of all rows; must be called after the last manifold has been added. */
     void ready() {
         if (impulse.length < rows.rows) {
             impulse = new double[2 * rows.rows];
@@ -75,7 +75,7 @@ final class IslandSystem {
         }
     }
 
-    /** Speed of a row as last computed, positive where the surfaces part. */
+    /** Returns a row's last computed speed, positive when the surfaces separate. */
     double speed(int row) {
         return speed[row];
     }
@@ -110,7 +110,7 @@ final class IslandSystem {
         }
     }
 
-    /** Computes the gradient: momentum that differs from the free one's, less what the rows give. */
+    /** Computes the gradient: the momentum relative to the free one, minus the rows' impulses. */
     void findGradient() {
         for (int node = 0; node < nodes; node++) {
             momentum(node, velocity, free, gradient);
@@ -135,7 +135,7 @@ final class IslandSystem {
         }
     }
 
-    /** Mass matrix of a body times a difference of velocities. */
+    /** Multiplies a body's mass matrix by a difference of velocities. */
     private void momentum(int node, double[] v, double[] less, double[] out) {
         int at = 6 * node;
         double x = v[at + 3] - less[at + 3];
@@ -149,7 +149,7 @@ final class IslandSystem {
         out[at + 5] = inertia[at + 2] * x + inertia[at + 4] * y + inertia[at + 5] * z;
     }
 
-    /** The speed of a body, turn and all, that its velocity has beyond another one: sqrt(Δvᵀ M Δv / m), m/s. */
+    /** Returns the speed, rotation included, of a body's velocity relative to another one: sqrt(Δvᵀ M Δv / m), m/s. */
     double speedBeyond(int node, double[] other, double factor) {
         for (int i = 0; i < 6; i++) {
             zero[6 * node + i] = factor * other[6 * slot[node] + i];
@@ -256,7 +256,7 @@ final class IslandSystem {
         }
     }
 
-    /** Derivative of the function at a share of the step. */
+    /** Returns the derivative of the function at a share of the step. */
     double slope(double share) {
         double slope = slope0 + share * curvature0;
         curvature = curvature0;
@@ -303,7 +303,7 @@ final class IslandSystem {
         return scale * (u * du + w * dw) + turn * dt;
     }
 
-    /** Goes a share of the step. */
+    /** Applies a share of the step. */
     void go(double[] step, double share) {
         for (int i = 0; i < 6 * nodes; i++) {
             velocity[i] += share * step[i];

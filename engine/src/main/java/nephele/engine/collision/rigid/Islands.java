@@ -2,7 +2,7 @@ package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
 
-/** Bodies that lean on each other, by disjoint sets (Tarjan 1975); the lowest index names a set. Reused. */
+/** Bodies connected by contacts, as disjoint sets (Tarjan 1975); a set's lowest index is its root. Reused. */
 final class Islands {
     private int[] parent = new int[0];
 
@@ -30,7 +30,7 @@ final class Islands {
         parent[Math.max(ra, rb)] = Math.min(ra, rb);
     }
 
-    /** For each root the least of its bodies' values; the others keep their own. */
+    /** Writes for each root the least of its bodies' values, and infinity for the others. */
     void least(float[] values, int bodies, float[] out) {
         Arrays.fill(out, 0, bodies, Float.POSITIVE_INFINITY);
         for (int i = 0; i < bodies; i++) {

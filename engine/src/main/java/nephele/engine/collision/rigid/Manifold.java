@@ -1,8 +1,9 @@
 package nephele.engine.collision.rigid;
 
 /**
- * Where two shapes touch or are about to: up to four points with one normal, which points from the second shape to the
- * first. Points are relative to the first shape's centre, half-way between the surfaces. Reused for every pair.
+ * The contact of two shapes, or one about to happen: up to four points with one normal, which points from the second
+ * shape to the first. Points are relative to the first shape's centre, half-way between the surfaces. Reused for every
+ * pair.
  */
 final class Manifold {
     static final int MOST = 4;
@@ -11,13 +12,13 @@ final class Manifold {
     double nY;
     double nZ;
     int count;
-    /** Which features meet: the faces or edges, 8 bits. */
+    /** Identifier of the touching faces or edges, 8 bits. */
     int code;
 
     final double[] point = new double[3 * MOST];
-    /** Metres between the surfaces, negative when they overlap. */
+    /** Distance between the surfaces in metres, negative when they overlap. */
     final double[] separation = new double[MOST];
-    /** 8 bits a point that stay while the point is the same one. */
+    /** Identifier of each point, 8 bits, constant while the point persists. */
     final int[] feature = new int[MOST];
 
     void clear() {
@@ -39,7 +40,7 @@ final class Manifold {
         count++;
     }
 
-    /** Drops a point; the last takes its place. */
+    /** Removes a point; the last one replaces it. */
     void remove(int index) {
         count--;
         if (index < count) {
@@ -57,7 +58,7 @@ final class Manifold {
         return packed;
     }
 
-    /** Takes the points as seen from the other shape: {@code dX}, y, z is this shape's centre minus the other's. */
+    /** Exchanges the two shapes: {@code dX}, y, z is the first one's centre minus the second's. */
     void swap(double dX, double dY, double dZ) {
         normal(-nX, -nY, -nZ);
         for (int i = 0; i < count; i++) {

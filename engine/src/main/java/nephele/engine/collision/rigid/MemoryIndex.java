@@ -2,7 +2,7 @@ package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
 
-/** Finds a manifold of the last tick again, and gives its impulses to the rows of the same points. Reused. */
+/** Finds a manifold in the contact cache, and copies its impulses to the rows of the same points. Reused. */
 final class MemoryIndex {
     private static final int NOTHING = -1;
 
@@ -11,7 +11,7 @@ final class MemoryIndex {
     private int[] table = new int[16];
     private int mask = 15;
 
-    /** @param nowSeconds length of the step that recalls: impulses grow with time */
+    /** @param nowSeconds length of the present step: impulses are proportional to time */
     void index(ContactMemory last, double nowSeconds) {
         memory = last;
         scale = last.scaleTo(nowSeconds);
@@ -46,7 +46,7 @@ final class MemoryIndex {
         return NOTHING;
     }
 
-    /** Warm start for the rows of manifold {@code m}. */
+    /** Warm starts the rows of manifold {@code m}. */
     void recall(ContactRows rows, int m) {
         int entry = find(ContactKey.parties(rows.key[m]));
         if (entry == NOTHING || !ContactKey.sameFeatures(memory.key(entry), rows.key[m])) {

@@ -3,7 +3,7 @@ package nephele.engine.collision.rigid;
 import java.util.Arrays;
 
 /**
- * What the solver changes: for every body, every character and, last, the static world, six doubles of velocity (linear,
+ * The solver's state: for every body, every character and, last, the static world, six doubles of velocity (linear,
  * angular) and six of displacement since the tick began, with reciprocal masses in world axes.
  */
 final class Motions {
@@ -12,7 +12,7 @@ final class Motions {
     double[] inverseMass = new double[0];
     /** Symmetric: xx, xy, xz, yy, yz, zz. */
     double[] inverseInertia = new double[0];
-    /** The same of the moments themselves; a character's is one, and nothing turns it. */
+    /** Moments of inertia in the same layout; a character's are 1, and nothing rotates it. */
     double[] inertia = new double[0];
 
     int count;
@@ -32,13 +32,13 @@ final class Motions {
         Arrays.fill(inverseInertia, 0, 6 * slots, 0);
     }
 
-    /** Sets a slot's moments of inertia, given as reciprocals along the axes of its body. */
+    /** Sets a slot's inertia from reciprocal moments along the axes of its body. */
     void turnInertia(int slot, double[] axes, int at, double iX, double iY, double iZ) {
         turn(inverseInertia, 6 * slot, axes, at, iX, iY, iZ);
         turn(inertia, 6 * slot, axes, at, 1 / iX, 1 / iY, 1 / iZ);
     }
 
-    /** Makes a slot one that nothing turns. */
+    /** Prevents the rotation of a slot. */
     void keepUpright(int slot) {
         int k = 6 * slot;
         Arrays.fill(inverseInertia, k, k + 6, 0);
@@ -53,7 +53,7 @@ final class Motions {
         return inverseInertia[k] == 0 && inverseInertia[k + 3] == 0 && inverseInertia[k + 5] == 0;
     }
 
-    /** R diag(i) Rᵀ for the axes R of a body. */
+    /** Writes R diag(i) Rᵀ for the axes R of a body. */
     private static void turn(double[] out, int k, double[] axes, int at, double iX, double iY, double iZ) {
         if (iX == iY && iY == iZ) {
             out[k] = iX;

@@ -8,7 +8,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 
-/** Finds the contact points of two shapes, whatever they are. Reused. */
+/** Finds the contact points of two shapes of any kind. Reused. */
 final class NarrowPhase {
     private final Poses poses;
     private final FaceClip clip = new FaceClip();
@@ -36,24 +36,24 @@ final class NarrowPhase {
         }
     }
 
-    /** The shape of a body as it is turned now; changed by the next call for the same body. */
+    /** Returns a body's shape in its present orientation; changed by the next call for the same body. */
     RoundedHull turnedHull(int body) {
         turned[body].turn(upright[body], poses.axes, 9 * body);
         return turned[body];
     }
 
-    /** The shape of a body turned otherwise than it is; changed by the next call for the same body. */
+    /** Returns a body's shape in the given orientation; changed by the next call for the same body. */
     RoundedHull turnedBy(int body, double[] axes) {
         turned[body].turn(upright[body], axes, 0);
         return turned[body];
     }
 
-    /** A box that is a body, upright around the origin. */
+    /** Returns a body's box, axis-aligned around the origin. */
     Collider boxSolid(int body) {
         return boxSolids[body];
     }
 
-    /** Two moving shapes; the first is no higher in index than the second. */
+    /** Finds the contact of two moving shapes; the first has the lower index. */
     void touch(int a, int b, double reach, List<Influences.Character> characters, Manifold out) {
         boolean boxA = poses.kind[a] == BodyTable.BOX;
         boolean boxB = poses.kind[b] == BodyTable.BOX;
@@ -80,7 +80,9 @@ final class NarrowPhase {
         rounds.touchBox(poses, round, box, scratch, shape, boxSolids[poses.owner[box]], reach, out);
     }
 
-    /** A body and a static solid; {@code scratch} is a shape of the poses that may be overwritten. */
+    /**
+     * Finds the contact of a body and a static solid; {@code scratch} is a shape of the poses that may be overwritten.
+     */
     void touch(int body, Collider solid, double reach, int scratch, Manifold out) {
         if (poses.kind[body] != BodyTable.BOX) {
             rounds.touch(poses, body, turnedHull(body), solid, reach, out);

@@ -3,8 +3,8 @@ package nephele.engine.collision.rigid;
 import java.util.Arrays;
 
 /**
- * Where every shape of a tick is: the bodies, then the characters, then images of both beyond portals, then one place
- * for a static box. Arrays, because hundreds of them are looked at in every tick.
+ * The poses of all shapes of a tick: the bodies, then the characters, then images of both beyond portals, then one
+ * scratch place for a static box. Flat arrays, because hundreds are read in every tick.
  */
 final class Poses {
     int count;
@@ -13,7 +13,7 @@ final class Poses {
 
     /** The owner of the motion that a contact changes: index of a body, or of a character after the bodies. */
     int[] owner = new int[0];
-    /** The portal that an image is seen through (the one its owner is active on), or −1. */
+    /** The portal that maps an image (the one on which its owner is active), or −1. */
     int[] through = new int[0];
 
     double[] centre = new double[0];
@@ -21,7 +21,7 @@ final class Poses {
     double[] axes = new double[0];
 
     double[] half = new double[0];
-    /** Least and greatest coordinates, grown by what may happen in the tick. */
+    /** Least and greatest coordinates, grown by the possible motion in the tick. */
     double[] bounds = new double[0];
 
     void clear() {
@@ -60,7 +60,7 @@ final class Poses {
         half[3 * shape + 2] = z;
     }
 
-    /** From a unit quaternion. */
+    /** Sets the axes from a unit quaternion. */
     void turn(int shape, double x, double y, double z, double w) {
         int at = 9 * shape;
         axes[at] = 1 - 2 * (y * y + z * z);
@@ -78,7 +78,7 @@ final class Poses {
         turn(shape, 0, 0, 0, 1);
     }
 
-    /** How far the shape reaches from its centre along an axis of the world. */
+    /** Returns the half extent of the shape along a world axis. */
     double extent(int shape, int axis) {
         int h = 3 * shape;
         int a = 9 * shape + axis;
@@ -91,9 +91,9 @@ final class Poses {
     }
 
     /**
-     * Bounds that hold the shape during a displacement and a margin around it.
+     * Sets bounds that contain the shape during a displacement, with a margin.
      *
-     * @param turned metres that its farthest point may go by a turn
+     * @param turned displacement in metres of its farthest point by rotation
      */
     void bound(int shape, double wayX, double wayY, double wayZ, double turned, double margin) {
         bound(shape, 0, wayX, turned, margin);
@@ -120,14 +120,14 @@ final class Poses {
                 && bounds[j + 2] <= bounds[i + 5];
     }
 
-    /** Half of the shape's least thickness. */
+    /** Returns half of the shape's least thickness. */
     double leastHalf(int shape) {
         return kind[shape] == BodyTable.BOX
                 ? Math.min(half[3 * shape], Math.min(half[3 * shape + 1], half[3 * shape + 2]))
                 : half[3 * shape + 2];
     }
 
-    /** No point of the shape is farther from its centre. */
+    /** Returns the radius of the bounding sphere around the centre. */
     double radius(int shape) {
         double x = half[3 * shape];
         double y = half[3 * shape + 1];

@@ -5,17 +5,17 @@ import nephele.engine.collision.SeamedWorld;
 import nephele.engine.math.Vec3;
 
 /**
- * Moves bodies by one tick: finds contacts, solves them, lets what touches nothing fly exactly, and puts to sleep what
- * has come to rest. A long tick, and one in which something that touches turns far, is stepped in parts. Not for two
- * threads at once: the working set is reused.
+ * Moves bodies by one tick: finds and solves contacts, moves bodies without contacts exactly, and puts resting bodies
+ * to sleep. A long tick, or one in which a body in contact rotates far, is stepped in parts. Not thread-safe: the
+ * working set is reused.
  */
 public final class RigidStep {
-    /** Longer ticks are stepped in parts: where shapes touch is found once a part. */
+    /** Longer ticks are stepped in parts; contacts are found once in each part. */
     private static final double LONGEST_PART_SECONDS = 1 / 120.0;
 
     private static final int MOST_PARTS = 32;
 
-    /** A part in which a body is struck and turns faster than before is cut again, into at most so many. */
+    /** Limit of further parts of a part in which an impact makes a body rotate faster than before. */
     private static final int PARTS_AGAIN = 4;
 
     private final BodyTable table;
@@ -31,7 +31,7 @@ public final class RigidStep {
     private final Sleep sleep = new Sleep(bodies, poses, rows);
     private boolean[] pressed = new boolean[0];
     private boolean[] held = new boolean[0];
-    /** Per slot: whether gravity pulls at it. */
+    /** True for slots on which gravity acts. */
     private boolean[] weighs = new boolean[0];
 
     private int awake;
@@ -45,7 +45,7 @@ public final class RigidStep {
         flight = new Flight(table, gravity, search, poses);
     }
 
-    /** The bodies {@code seconds} later: all that the tick depends on is in the arguments. */
+    /** Returns the bodies {@code seconds} later; the result depends only on the arguments. */
     public Bodies step(Bodies before, SeamedWorld surroundings, Influences influences, double seconds) {
         if (table.size() == 0) {
             return before;
@@ -58,11 +58,11 @@ public final class RigidStep {
     }
 
     /**
-     * How a span of time is cut.
+     * The division of a span of time.
      *
      * @param parts of equal length
-     * @param isLater whether the first of them belongs to a tick that has begun
-     * @param again into how many parts each of them may be cut again
+     * @param isLater true if the first of them belongs to a tick that has begun
+     * @param again greatest number of parts into which each of them may be divided again
      */
     private record Cut(int parts, boolean isLater, int again) {}
 
@@ -106,7 +106,7 @@ public final class RigidStep {
         }
     }
 
-    /** Into how many parts contacts have to be found anew because bodies turn too far in one. */
+    /** Returns the number of parts for which contacts must be found anew because bodies rotate too far in one. */
     private int finerParts(double seconds) {
         double most = 0;
         for (int body = 0; body < bodies.count; body++) {
@@ -117,7 +117,7 @@ public final class RigidStep {
         return bend.parts(most, awake);
     }
 
-    /** Finds and solves the contacts of a part; false when nothing moves. */
+    /** Finds and solves the contacts of a part; returns false when nothing moves. */
     private boolean begin(Bodies before, SeamedWorld surroundings, Influences influences, double seconds) {
         drive(influences);
         place(influences, seconds);
@@ -140,7 +140,7 @@ public final class RigidStep {
         return true;
     }
 
-    /** Moves the bodies by what {@link #begin} has found. */
+    /** Moves the bodies by the result of {@link #begin}. */
     private Bodies end(Bodies before, SeamedWorld surroundings, Influences influences, double seconds) {
         flight.begin(surroundings, influences, bodies, seconds);
         move(before);
@@ -151,7 +151,10 @@ public final class RigidStep {
         return new Bodies(bodies.motion, bodies.rest, carried, bodies.passages(surroundings.portals()));
     }
 
-    /** In the last step: how often the rest of a tick was dropped after as many portals as a tick may have. */
+    /**
+     * Returns the number of bodies in the last step that lost the rest of their tick after the greatest number of
+     * portals.
+     */
     public int cutShort() {
         return bodies.cutShort;
     }

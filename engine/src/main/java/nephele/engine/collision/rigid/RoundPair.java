@@ -8,13 +8,13 @@ import nephele.engine.math.Vec3;
 
 /**
  * Contacts of spheres and capsules: with each other by the nearest points of their axes (Ericson, Real-Time Collision
- * Detection, 2005, section 5.1.9), with polyhedra by GJK. A capsule that lies flat on something has two points. Reused.
+ * Detection, 2005, section 5.1.9), with polyhedra by GJK. A capsule flat on a surface has two points. Reused.
  */
 final class RoundPair {
-    /** Sine of the angle up to which a capsule lies flat. */
+    /** Sine of the greatest angle at which a capsule is flat on a surface. */
     private static final double FLAT = 0.05;
 
-    /** One minus the cosine up to which two normals are one. */
+    /** One minus the cosine of the greatest angle between equal normals. */
     private static final double ALONG = 1e-9;
 
     private final Separation separation = new Separation();
@@ -27,13 +27,13 @@ final class RoundPair {
 
     private double y;
     private double z;
-    /** From the centre to the end of the capsule's axis. */
+    /** Vector from the centre to the end of the capsule's axis. */
     private double uX;
 
     private double uY;
     private double uZ;
 
-    /** Two round shapes. */
+    /** Finds the contact of two round shapes. */
     void touch(Poses poses, int a, int b, double reach, Manifold out) {
         out.clear();
         double dX = poses.centre[3 * b] - poses.centre[3 * a];
@@ -100,7 +100,7 @@ final class RoundPair {
         out.add(s * x[p] - back * nX, s * x[p + 1] - back * nY, s * x[p + 2] - back * nZ, length - radii, id);
     }
 
-    /** A round shape and a static solid. */
+    /** Finds the contact of a round shape and a static solid. */
     void touch(Poses poses, int a, RoundedHull shape, Collider itsSolid, double itsReach, Manifold out) {
         begin(itsSolid, itsReach, out);
         int c = 3 * a;
@@ -121,7 +121,9 @@ final class RoundPair {
         reach = itsReach;
     }
 
-    /** A round shape and a moving box: measured in the frame of the box, for which {@code solid} stands. */
+    /**
+     * Finds the contact of a round shape and a moving box, in the frame of the box, which {@code itsSolid} represents.
+     */
     void touchBox(
             Poses poses,
             int a,
@@ -173,9 +175,9 @@ final class RoundPair {
     }
 
     /**
-     * The points of the last measurement.
+     * Adds the points of the last measurement.
      *
-     * @param axes where, from {@code at} on, the direction of the capsule's axis stands
+     * @param axes array that has the direction of the capsule's axis from {@code at} on
      */
     private void collect(Poses poses, int a, double[] axes, int at, Manifold out) {
         double halfAxis = poses.half[3 * a + 1];
@@ -187,7 +189,7 @@ final class RoundPair {
         out.code = 1;
         double rise = uX * out.nX + uY * out.nY + uZ * out.nZ;
         if (halfAxis > 0) {
-            // A capsule that stands steeply over a face has two ends too: the higher one may come down within the tick.
+            // A capsule at a steep angle over a face has two ends too: the higher one may come down within the tick.
             boolean lies = Math.abs(rise) <= FLAT * halfAxis;
             ContactHull hull = solid.contactHull();
             int face = faceAlong(hull, lies ? FLAT * FLAT / 2 : ALONG, out);
@@ -199,7 +201,7 @@ final class RoundPair {
         add(s, separation.metres(), 0, out);
     }
 
-    /** Which share of the half axis, −1 to 1, is nearest to the nearest point of the solid. */
+    /** Returns the position on the axis, −1 to 1 in half axes, nearest to the nearest point of the solid. */
     private double nearestOnAxis() {
         double pX = separation.onCollider(0) - solid.centre().x() - x;
         double pY = separation.onCollider(1) - solid.centre().y() - y;
@@ -221,7 +223,7 @@ final class RoundPair {
         return hull.plane(face, 0) * out.nX + hull.plane(face, 1) * out.nY + hull.plane(face, 2) * out.nZ;
     }
 
-    /** Adds both ends of what of the axis lies over a face, as far as they are near; false where there are none. */
+    /** Adds both ends of the axis' part over a face, as far as they are near; returns false when there are none. */
     private boolean flat(ContactHull hull, int face, Manifold out) {
         double low = -1;
         double high = 1;
@@ -247,8 +249,7 @@ final class RoundPair {
         double nZ = hull.plane(face, 2);
         double middle = nX * x + nY * y + nZ * z - hull.plane(face, 3) - radius;
         double rise = nX * uX + nY * uY + nZ * uZ;
-        // An axis that sinks beyond the face's edge touches the edge: with the face's normal it would climb for
-        // nothing.
+        // An axis that descends beyond the face's edge touches the edge: the face's normal would lift it without cause.
         boolean onEdge = separation.metres() > -radius && alongNormal(hull, face, out) <= 1 - ALONG;
         if (!onEdge) {
             out.normal(nX, nY, nZ);

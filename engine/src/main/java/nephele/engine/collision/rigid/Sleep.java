@@ -2,9 +2,9 @@ package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
 
-/** Puts islands of bodies to sleep that have come to rest, and wakes those that lean on something awake. Reused. */
+/** Puts resting islands of bodies to sleep, and wakes those in contact with an awake body. Reused. */
 final class Sleep {
-    /** So long an island rests before it sleeps. */
+    /** Time for which an island rests before it sleeps. */
     private static final float SLEEP_SECONDS = 0.5f;
 
     private static final double REST_METRES_PER_SECOND = 0.03;
@@ -22,7 +22,7 @@ final class Sleep {
         this.rows = rows;
     }
 
-    /** Wakes the bodies that leaned on an awake one, and all that lean on them. */
+    /** Wakes the bodies that were in contact with an awake one, directly or through others. */
     void wakeNeighbours(ContactMemory memory) {
         boolean anyAsleep = false;
         for (int body = 0; body < bodies.count; body++) {
@@ -54,10 +54,10 @@ final class Sleep {
     }
 
     /**
-     * Counts how long each body has rested, and lets islands sleep that have rested long enough.
+     * Counts each body's time at rest, and puts islands to sleep that have rested long enough.
      *
-     * @param carried per body, whether contacts carried it in this step
-     * @param held per body, whether it is held
+     * @param carried true for bodies with contact impulses in this step
+     * @param held true for held bodies
      */
     void fallAsleep(boolean[] carried, boolean[] held, double seconds) {
         islands.reset(bodies.count);

@@ -1,21 +1,21 @@
 package nephele.engine.collision.rigid;
 
 /**
- * Free rotation in time. Equal moments of inertia: the spin stays and the turn is exact. Unequal ones: the energy is cut
- * into that of a ball with the greatest moment, whose turn is exact and commutes with all else, and turns about the axes
- * of the least and the middle moment by what these exceed the ball's (after Touma and Wisdom 1994, "Lie-Poisson
- * integrators for rigid body dynamics"), raised to fourth order by Yoshida (1990). The moments of a solid obey the
- * triangle inequality, so that the turn about the middle axis is slow however thin a body is. Angular momentum is kept
- * to rounding, energy within a narrow band for ever.
+ * Free rotation over time. With equal moments of inertia the angular velocity is constant and the rotation exact. With
+ * unequal ones, the energy is split into that of a ball with the greatest moment, an exact rotation that commutes with
+ * the others, and rotations about the axes of the least and the middle moment by the excess of their reciprocals over
+ * the ball's (after Touma and Wisdom 1994, "Lie-Poisson integrators for rigid body dynamics"), raised to fourth order
+ * by Yoshida (1990). The moments of a solid obey the triangle inequality, so that the rotation about the middle axis is
+ * slow however thin a body is. Angular momentum is conserved to rounding, energy within a narrow band for ever.
  */
 final class Spin {
     private static final double STEP_RADIANS = 0.04;
     private static final int MOST_STEPS = 256;
-    /** A step may turn this much farther about the axis of the least moment. */
+    /** Weight of the rotation about the axis of the least moment in the limit {@link #STEP_RADIANS}. */
     private static final double FAST_SHARE = 0.1;
 
     private static final double NEGLIGIBLE_SHARE = 1e-9;
-    /** Yoshida's outer and middle weights: 1 / (2 − ∛2) and 1 − 2 of it. */
+    /** Yoshida's outer and middle weights: 1 / (2 − ∛2), and 1 minus twice that. */
     private static final double OUTER = 1.3512071919596578;
 
     private static final double MIDDLE = 1 - 2 * OUTER;
@@ -30,7 +30,7 @@ final class Spin {
 
     private int middle;
 
-    /** Turns the body whose numbers stand from {@code at} on ({@link Bodies#STRIDE}). */
+    /** Rotates the body with numbers from {@code at} on ({@link Bodies#STRIDE}). */
     void turn(double[] motion, int at, double seconds, BodyTable table, int body) {
         double iX = table.inverseInertia(body, 0);
         double iY = table.inverseInertia(body, 1);
@@ -52,7 +52,7 @@ final class Spin {
         double slow = table.inverseInertia(body, middle) - ball;
         double all = Math.sqrt(momentum[0] * momentum[0] + momentum[1] * momentum[1] + momentum[2] * momentum[2]);
         int steps = steps(seconds, fast, slow, all, ball);
-        // The ball's turn about the momentum, which is the same in the world before and after.
+        // The ball's rotation about the momentum, which is constant in world axes.
         rotate(momentum[0], momentum[1], momentum[2], 1, turned);
         turnBy(motion, at, turned[0] * ball * seconds, turned[1] * ball * seconds, turned[2] * ball * seconds);
         System.arraycopy(motion, at + Bodies.ORIENTATION, q, 0, 4);
@@ -72,7 +72,9 @@ final class Spin {
         middle = 3 - least - greatest;
     }
 
-    /** The number of parts that the slow turn needs beside the fast one; one if it could change next to no energy. */
+    /**
+     * Returns the number of steps that the slow rotation needs beside the fast one; 1 if it changes almost no energy.
+     */
     private int steps(double seconds, double fast, double slow, double all, double ball) {
         double slowRate = slow * all;
         double change = slowRate * all * seconds;
@@ -84,7 +86,7 @@ final class Spin {
         return (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(rate * seconds / STEP_RADIANS)));
     }
 
-    /** Turns an orientation by a rotation vector in world axes. */
+    /** Rotates an orientation by a rotation vector in world axes. */
     static void turnBy(double[] motion, int at, double x, double y, double z) {
         double angle = Math.sqrt(x * x + y * y + z * z);
         double half = angle / 2;
@@ -115,7 +117,7 @@ final class Spin {
         about(middle, h / 2, slow);
     }
 
-    /** The flow of one axis alone: the body turns about it, and the momentum against it as the body sees it. */
+    /** Applies the flow of one axis alone: the body rotates about it, and its momentum in body axes the other way. */
     private void about(int axis, double h, double inverse) {
         double angle = momentum[axis] * inverse * h;
         double s = sine(angle / 2);
@@ -152,7 +154,7 @@ final class Spin {
         System.arraycopy(turned, 0, motion, at + Bodies.SPIN, 3);
     }
 
-    /** Writes v turned by q (sign 1) or by its inverse (−1). */
+    /** Writes v rotated by q (sign 1) or by its inverse (−1). */
     private void rotate(double x, double y, double z, int sign, double[] out) {
         double qx = sign * q[0];
         double qy = sign * q[1];
@@ -165,7 +167,7 @@ final class Spin {
         out[2] = z + q[3] * tz + qx * ty - qy * tx;
     }
 
-    /** Taylor's series where eleven terms reach the last bit. */
+    /** Returns the sine, by a Taylor series up to 0.5, where its terms reach the last bit. */
     private static double sine(double a) {
         if (Math.abs(a) > 0.5) {
             return StrictMath.sin(a);

@@ -4,25 +4,25 @@ import java.util.Arrays;
 import nephele.engine.math.Vec3;
 
 /**
- * Chooses how the contacts of each island are solved and has it done: exactly ({@link IslandSolver}) where few bodies
- * move or sequential impulses would be slow or wrong, in substeps ({@link ContactSolver}) otherwise. Reused.
+ * Chooses a solver for the contacts of each island and runs it: the exact {@link IslandSolver} if few bodies move or
+ * sequential impulses would be slow or wrong, the substeps of {@link ContactSolver} otherwise. Reused.
  */
 final class StepSolver {
-    /** Rounded to a whole number a tick: four at 120 ticks a second. */
+    /** Substeps of a second, rounded to a whole number a tick: four at 120 ticks a second. */
     private static final double SUBSTEPS_A_SECOND = 480;
 
     private static final int MOST_SUBSTEPS = 32;
 
-    /** Masses that touch and differ by less than this factor are even. */
+    /** Greatest ratio of masses in contact that counts as even. */
     private static final double EVEN_MASSES = 2;
 
-    /** Edges of a body that differ by less than this factor are even. */
+    /** Greatest ratio of a body's edges that counts as even. */
     private static final double EVEN_EDGES = 4;
 
-    /** If no more bodies than this are awake, every island is solved exactly. */
+    /** Number of awake bodies up to which every island is solved exactly. */
     private static final int FEW_BODIES = 32;
 
-    /** Products of blocks a body that the exact solver may spend on an island. */
+    /** Block products for each body that the exact solver may use on an island. */
     private static final double MOST_PRODUCTS_A_BODY = 12;
 
     private final BodyTable table;
@@ -32,9 +32,9 @@ final class StepSolver {
     private final IslandGroups groups;
     private final IslandSolver exact;
     private final ContactSolver sequential;
-    /** Per slot: whether the solver in substeps moves it. */
+    /** True for slots that the substeps move. */
     private boolean[] stepped = new boolean[0];
-    /** Manifolds that are left to the solver in substeps. */
+    /** Manifolds that the substeps solve. */
     private int[] left = new int[0];
 
     StepSolver(BodyTable table, Vec3 gravity, Motions motions, ContactRows rows) {
@@ -51,7 +51,7 @@ final class StepSolver {
      * Changes the velocities in {@link Motions} by the contacts and by gravity, and sums up the displacements.
      *
      * @param slots bodies and characters
-     * @param weighs per slot, whether gravity pulls at it
+     * @param weighs true for slots on which gravity acts
      */
     void solve(int slots, int awake, boolean[] weighs, double seconds) {
         if (rows.count == 0) {
@@ -88,7 +88,7 @@ final class StepSolver {
         sequential.bounce();
     }
 
-    /** Whether an island has what sequential impulses are slow or wrong about: unequal masses, or thin bodies. */
+    /** Returns true if an island has unequal masses or thin bodies, for which sequential impulses are slow or wrong. */
     private boolean isHard(int[] order, int from, int to) {
         for (int i = from; i < to; i++) {
             int a = rows.slotA[order[i]];

@@ -3,12 +3,12 @@ package nephele.engine.collision.rigid;
 import java.util.Arrays;
 
 /**
- * Pairs of shapes whose bounds meet (Baraff 1992; Cohen et al. 1995): sorted along the axis on which the centres spread
- * most, by least bound and then by index, so that the order depends on nothing but the bounds. The last order is where
- * sorting starts.
+ * Pairs of shapes with overlapping bounds (Baraff 1992; Cohen et al. 1995): sorted along the axis on which the centres
+ * have the greatest variance, by least bound and then by index, so that the order depends only on the bounds. Sorting
+ * starts from the last order.
  */
 final class SweepAndPrune {
-    /** Told of every pair, the lower index first. */
+    /** Called for every pair, with the lower index first. */
     interface PairVisitor {
         void pair(int a, int b);
     }

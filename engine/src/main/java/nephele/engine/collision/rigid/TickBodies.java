@@ -3,20 +3,20 @@ package nephele.engine.collision.rigid;
 import java.util.Arrays;
 import nephele.engine.portal.Portals;
 
-/** The bodies of one tick while it is worked on: what the next {@link Bodies} will be made of. */
+/** The mutable bodies of one tick, from which the next {@link Bodies} are made. */
 final class TickBodies {
     double[] motion = new double[0];
     float[] rest = new float[0];
     int count;
-    /** Masks of the portals that each body is active on; {@code null} where there are no portals. */
+    /** Masks of the portals on which each body is active; {@code null} without portals. */
     long[] active;
-    /** The crossings, laid out as in {@link BodyPassages}; {@code null} while there are none. */
+    /** The crossings, in the layout of {@link BodyPassages}; {@code null} while there are none. */
     private byte[] entered;
-    /** How many portals each body had gone through before this part of the tick. */
+    /** Number of portals that each body had gone through before this part of the tick. */
     private int[] enteredBefore = new int[0];
-    /** Whether a body was stopped for good in this tick. */
+    /** True if a body was frozen in this tick. */
     boolean hasFrozen;
-    /** Bodies whose way through portals was longer than a tick may have. */
+    /** Number of bodies that reached the limit of portals of a tick. */
     int cutShort;
 
     private static final double LARGEST = 1e12;
@@ -28,7 +28,7 @@ final class TickBodies {
         loadMotion(before);
     }
 
-    /** Begins a later part of a tick: the portals gone through so far stay. */
+    /** Begins a later part of a tick: the crossings so far are kept. */
     void loadPart(Bodies before) {
         entered = before.passages().copyEntered();
         loadMotion(before);
@@ -67,7 +67,7 @@ final class TickBodies {
         return sum < LARGEST;
     }
 
-    /** Stops a body where it was last, for good: nothing can be computed from what it has become. */
+    /** Freezes a body at its last finite pose, for good: its present state is not usable. */
     void freeze(int body, Bodies before) {
         int at = Bodies.STRIDE * body;
         System.arraycopy(before.motion(), at, motion, at, Bodies.VELOCITY);
@@ -96,7 +96,7 @@ final class TickBodies {
         return active == null ? 0 : active[body];
     }
 
-    /** Writes down that a body went through a portal; false when that was one too many. */
+    /** Stores that a body went through a portal; returns false when the limit is exceeded. */
     boolean enter(int body, int portal) {
         if (entered == null) {
             entered = new byte[BodyPassages.MOST * count];
@@ -111,12 +111,12 @@ final class TickBodies {
         return false;
     }
 
-    /** Whether a body went through a portal in this part of the tick. */
+    /** Returns true if a body went through a portal in this part of the tick. */
     boolean hasCrossed(int body) {
         return crossings(body) > firstCrossing(body);
     }
 
-    /** The first of a body's crossings that belongs to this part of the tick. */
+    /** Returns the place of a body's first crossing in this part of the tick. */
     int firstCrossing(int body) {
         return enteredBefore.length == 0 ? 0 : enteredBefore[body];
     }

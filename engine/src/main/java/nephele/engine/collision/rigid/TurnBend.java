@@ -1,18 +1,20 @@
 package nephele.engine.collision.rigid;
 
 /**
- * Says how finely a step has to be cut where bodies turn: contacts are linear in the motion, and the way of a point of a
- * turning body is not. Reused.
+ * Decides how finely a step is divided when bodies rotate: contacts are linear in the motion, but the path of a point
+ * of a rotating body is curved. Reused.
  */
 final class TurnBend {
-    /** If the way of a point of a body that touches something bends by more, contacts are found anew in between. */
+    /**
+     * Deviation from a straight path, of a point of a body in contact, above which contacts are found anew in between.
+     */
     private static final double BEND_METRES = 3e-6;
 
     static final int MOST_PARTS = 32;
-    /** Finer parts are for few bodies: this many steps of a body in all. */
+    /** Limit of parts times awake bodies: finer parts are for few bodies. */
     private static final int MOST_BODY_STEPS = 64;
 
-    /** Turns below this matter to nothing. */
+    /** Angle of rotation in a step below which the deviation is ignored. */
     private static final double LEAST_RADIANS = 1e-3;
 
     private final Poses poses;
@@ -24,13 +26,13 @@ final class TurnBend {
         this.motions = motions;
     }
 
-    /** Into how many parts a step is to be cut where the greatest bend is this. */
+    /** Returns the number of parts of a step with this greatest deviation. */
     int parts(double bendMetres, int awake) {
         double wanted = Math.ceil(Math.sqrt(bendMetres / BEND_METRES));
         return (int) Math.max(1, Math.min(wanted, Math.min(MOST_PARTS, MOST_BODY_STEPS / Math.max(1, awake))));
     }
 
-    /** How far, at most, the way of a point of a body bends off a straight line by the body's turn: r ω² t² / 2. */
+    /** Returns the greatest deviation of a body's points from a straight path by its rotation: r ω² t² / 2. */
     double metres(int body, double seconds) {
         if (poses.kind[body] == BodyTable.SPHERE) {
             return 0;
@@ -39,7 +41,7 @@ final class TurnBend {
         if (spin * seconds < LEAST_RADIANS) {
             return 0;
         }
-        // A capsule's surface stays what it is about the axis, however round it is.
+        // Rotation of a capsule about its axis does not move its surface.
         boolean box = poses.kind[body] == BodyTable.BOX;
         double hX = box ? poses.half[3 * body] : 0;
         double hY = poses.half[3 * body + 1];
@@ -51,7 +53,7 @@ final class TurnBend {
         return Math.min(spin * speed * seconds * seconds / 2, 2 * speed / spin);
     }
 
-    /** Writes how fast the body turns about each of its own axes; returns how fast in all. */
+    /** Writes the speeds of rotation about each of the body's axes; returns the whole speed of rotation. */
     private double turnIntoBody(int body) {
         int w = 6 * body + 3;
         double[] v = motions.velocity;

@@ -1,2 +1,5 @@
-/** Rigid bodies: boxes, spheres and capsules that fall, collide, stack, sleep and pass portals; deterministic, one thread. */
+/**
+ * Rigid bodies: boxes, spheres and capsules that fall, collide, stack, sleep and pass through portals. Deterministic
+ * and single-threaded. {@link nephele.engine.collision.rigid.RigidStep} is the entry point.
+ */
 package nephele.engine.collision.rigid;
