@@ -10,13 +10,8 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import org.junit.jupiter.api.Test;
 
-<<<<<<< HEAD:src/test/java/nephele/engine/collision/CaveTest.java
-/** Which part of the space behind two portals is whose. */
-class CaveTest {
-=======
 /** A plane divides the space behind two portals between their aperture volumes. */
-class CavePartitionTest {
->>>>>>> c13-1:src/test/java/nephele/engine/collision/CavePartitionTest.java
+class CaveTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SOUTH = new Vec3(0, 0, 1);
 

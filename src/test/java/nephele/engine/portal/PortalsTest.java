@@ -8,13 +8,8 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-<<<<<<< HEAD:src/test/java/nephele/engine/portal/PortalsTest.java
-/** A point belongs to the other side when the straight line from its shape's centre meets the aperture. */
-class PortalsTest {
-=======
 /** A point is on the other side if the segment to it from its shape's centre crosses the aperture. */
-class ThroughPortalsTest {
->>>>>>> c13-1:src/test/java/nephele/engine/collision/rigid/ThroughPortalsTest.java
+class PortalsTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Aperture APERTURE = Aperture.of(PortalShape.RECTANGLE, 1.2, 2.1);
 
