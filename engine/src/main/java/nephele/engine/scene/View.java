@@ -16,8 +16,8 @@ import org.joml.Vector3dc;
  *
  * <p>A view has no public mutators; one made by constructor or factory never changes and may be kept. The view of a
  * {@link ViewNode} behind an opening, however, is refilled whenever its {@link ViewTree} grows, to allocate nothing: it
- * is valid for that frame, and longer only for {@link ViewHistory}, as its tree does not grow meanwhile. Therefore views
- * are compared by identity.
+ * is valid for that frame, and longer only for {@link ViewHistory}, as its tree does not grow meanwhile. Therefore
+ * views are compared by identity.
  */
 public final class View {
     private final Vector3d eye = new Vector3d();
