@@ -28,10 +28,7 @@ class BeamsTest {
     private final ShadowRays shadows = new ShadowRays(surfaces, beams(Long.MAX_VALUE));
     private int blocked;
 
-    /**
-     * Returns boxes of which some are adjacent, some far away, and some so thin that few rays of a shaft intersect
-     * them.
-     */
+    /** Returns boxes: some adjacent, some far away, some so thin that few rays of a shaft intersect them. */
     private SurfaceRays surfaces() {
         TestLevel stage = new TestLevel().skyLight();
         for (int i = 0; i < BOXES; i++) {

@@ -70,10 +70,7 @@ class BodySightTest {
                 .box("wall", new Vec3(0, -0.5, 0), new Vec3(20, 1, 20));
     }
 
-    /**
-     * Under a light at a height of 3 m, the shadow of a ball of radius r at height h ends where the tangent reaches the
-     * ground.
-     */
+    /** The shadow of a ball under a light at a height of 3 m ends where the tangent reaches the ground. */
     @Test
     void aBallShadesADisc() {
         TestLevel ball = new TestLevel()
@@ -103,10 +100,7 @@ class BodySightTest {
         return stage;
     }
 
-    /**
-     * Returns the same with a pair of portals: the objects behind the doorway are rotated by a quarter turn, at x =
-     * 100.
-     */
+    /** Returns the same with a pair of portals: the objects behind the doorway are at x = 100, rotated by 90°. */
     private static TestLevel pair(Body... bodies) {
         TestLevel stage = stage().box("wall", new Vec3(0, 0, -5), new Vec3(13, 6, 10))
                 .box("green", new Vec3(104, 0, -0.9), new Vec3(0.4, 3, 1))
@@ -160,10 +154,7 @@ class BodySightTest {
         assertTrue(red > 100, red + " pixels");
     }
 
-    /**
-     * The part of a body that is through a freely hanging portal is not visible behind it, and the rest not at the
-     * exit.
-     */
+    /** The part of a body that is through a hanging portal is not visible behind it, nor the rest at the exit. */
     @Test
     void bodiesAreCutByThePlanesOfPortals() {
         TestLevel hanging = stage().portal("a", "b", Vec3.ZERO, TOWARDS_EYE, 1, 2)

@@ -44,10 +44,7 @@ class DirectLightTest {
         assertEquals(0, Traced.towards(floor(1).light(spot), EYE, new Vec3(2.001, 0, 0), 1)[0]);
     }
 
-    /**
-     * Between the cones the intensity is the square of a ramp over the cosine; the cones are exactly those of the
-     * level.
-     */
+    /** The intensity between the cones is the square of a ramp over the cosine; both cones are exact. */
     @Test
     void aSpotsRimIsASquaredRampOverTheCosine() {
         Light spot = new Light.Spot("s", new Vec3(0, 2, 0), new Vec3(0, -1, 0), TestLevel.grey(10), 1e6, 30, 45, true);
@@ -64,10 +61,7 @@ class DirectLightTest {
         }
     }
 
-    /**
-     * For a wall of 1 m, a sun at 45° and a light at (0, 3, −2), both shadows end where the ray over the edge hits the
-     * floor.
-     */
+    /** Both shadows of a wall of 1 m, of a sun at 45° and a light at (0, 3, −2), end at the ray over the edge. */
     @Test
     void shadowsEndWhereTheRayOverTheEdgeLands() {
         TestLevel sunny =

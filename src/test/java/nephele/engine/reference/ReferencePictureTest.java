@@ -51,10 +51,7 @@ class ReferencePictureTest {
         assertEquals(mean(picture(1024, 3, 2)), mean(first), 2e-3);
     }
 
-    /**
-     * Returns a level with every traced feature except those that hide the sky and its light: fog and constant ambient
-     * light.
-     */
+    /** Returns a level with every traced feature except fog and constant ambient light, which hide the sky's. */
     private static TestLevel everything() {
         return new TestLevel()
                 .skyLight()
@@ -88,10 +85,7 @@ class ReferencePictureTest {
                         "bumps", 3, 4, (x, y) -> 0x50 * (y % 2 + 1) << 24 | 0x506080 + 0x300000 * x + 0x1000 * y);
     }
 
-    /**
-     * The checksums of two pictures are unchanged; if one changes, raise the version, so that no older picture is
-     * reused.
-     */
+    /** The checksums of two pictures are unchanged; if one changes, raise the version to discard older pictures. */
     @Test
     void aPictureKeptUnderThisVersionIsStillRight() {
         assertEquals(1, ReferencePicture.VERSION);

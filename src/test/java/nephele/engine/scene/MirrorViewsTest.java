@@ -62,10 +62,7 @@ class MirrorViewsTest {
         }
     }
 
-    /**
-     * A point in front of the mirror has the same picture coordinates in the reflected view as its image in the main
-     * view.
-     */
+    /** A point in front of the mirror is at the same place in the reflected view as its image in the main view. */
     @Test
     void theReflectedViewSeesAPointWhereItsImageIs() {
         ViewTree tree = grown(new Vec3(0.3, 0.2, 1), new Vec3(0, 0, -2), 1, mirror(0, new Vec3(0, 0, -2), 1));
@@ -84,10 +81,7 @@ class MirrorViewsTest {
         return v.dot(axis.toVector());
     }
 
-    /**
-     * In the mirror's plane and behind it nothing is reflected; a micrometre in front of it, half of all directions
-     * are.
-     */
+    /** Nothing is reflected in the mirror's plane and behind it; 1 µm in front of it half of all directions are. */
     @Test
     void theEyeAtThePlane() {
         Opening mirror = mirror(0, Vec3.ZERO, 1);

@@ -20,10 +20,7 @@ class PicturePolygonTest {
         assertEquals(0.75 / 4, seen.share(), 1e-15);
     }
 
-    /**
-     * Clipping may leave two corners that should be equal, with the second slightly before the first in the winding
-     * order.
-     */
+    /** Clipping may leave two corners that should be equal, the second slightly before the first. */
     @Test
     void cornersThatRoundingPartsDoNotCutEverything() {
         var seen = of(-0.25, -0.75, 0.75, -0.75, 0.75, 0.75, -0.25, 0.75);

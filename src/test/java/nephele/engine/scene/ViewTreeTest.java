@@ -126,10 +126,7 @@ class ViewTreeTest {
         }
     }
 
-    /**
-     * An eye 1e-9 m in front of the plane sees only the opening; if it looks along the plane, the opening fills half
-     * the picture.
-     */
+    /** An eye 1e-9 m in front of the plane sees only the opening; along the plane, it fills half the picture. */
     @Test
     void anEyeAtThePlaneSeesNothingButTheView() {
         Moment moment = pairs(
@@ -207,10 +204,7 @@ class ViewTreeTest {
         }
     }
 
-    /**
-     * The size of an opening is proportional to the openness of the portal, and a portal without a partner is no
-     * opening.
-     */
+    /** An opening's size is proportional to the portal's openness; a portal without a partner is no opening. */
     @Test
     void anOpeningGrowsAsThePortalOpens() {
         Moment moment = facing(5);
@@ -277,10 +271,7 @@ class ViewTreeTest {
         }
     }
 
-    /**
-     * History is found by the path from the eye, which is relative to the new place after the player has stepped
-     * through.
-     */
+    /** History is found by the path from the eye, also after the eye has passed through a portal. */
     @Test
     void historyIsFoundByThePathFromTheEye() {
         Moment moment = facing(5);

@@ -9,10 +9,7 @@ final class Beam {
 
     private final SurfaceRays surfaces;
     private final int[] items;
-    /**
-     * The index of the item that blocked the last ray and is likely to block the next one. Unsynchronised: it only
-     * affects speed.
-     */
+    /** The index of the item that blocked the last ray, tried first. Unsynchronised: it only affects speed. */
     private int likely;
 
     Beam(SurfaceRays surfaces, int[] items) {

@@ -24,10 +24,7 @@ final class Beams {
 
     private static final int FACE_PATCHES = SIDE * SIDE;
 
-    /**
-     * The greatest number of cubes kept, a power of two. A cube takes a few kilobytes, a hundred under a sky above 10
-     * 000 solids.
-     */
+    /** The number of cubes kept, a power of two. A cube takes a few kB, under a sky above 10 000 solids a hundred. */
     private static final int MOST_CUBES = 1 << 14;
 
     /** The limit on the memory of the shafts; the number of cubes does not bound it. */

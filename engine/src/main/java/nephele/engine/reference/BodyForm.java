@@ -64,10 +64,7 @@ sealed interface BodyForm {
     /** Returns the part of the line from {@code origin} along {@code direction} that is inside. */
     Span span(Vector3dc origin, Vector3dc direction);
 
-    /**
-     * Returns the index of the face of {@link nephele.engine.math.ConvexPolyhedron#box} at a point of the surface; 0 if
-     * round.
-     */
+    /** Returns the face of {@link nephele.engine.math.ConvexPolyhedron#box} at a point of the surface; 0 if round. */
     int face(Vector3dc p);
 
     /** Returns the outward unit normal at a point of the surface. */

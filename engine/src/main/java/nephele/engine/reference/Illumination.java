@@ -17,15 +17,9 @@ import nephele.engine.reference.SampleSequence.Point;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/**
- * The light at a point: sun and punctual lights with one ray each, the sky with a few of many. Light does not pass
- * through portals.
- */
+/** The light at a point: one ray to each light, a few of many to the sky. Light does not pass through portals. */
 final class Illumination {
-    /**
-     * The same bound as in {@code surface-light.glsl}: lights may be arbitrarily near and strong, and half floats must
-     * not overflow.
-     */
+    /** Bounds radiance as {@code surface-light.glsl} does: a light may be so near that half floats overflow. */
     private static final double MAX_RADIANCE = 65504;
 
     /** Rays per sample towards the sky; in a room with a small window few of them reach it. */

@@ -40,10 +40,7 @@ record SurfacePoint(
                 : reflected.mul(Terminator.share(smoothNormal, faceNormal, toLight));
     }
 
-    /**
-     * Returns the radiance towards the eye under ambient light: the irradiance / π at the normal, and at the mirror
-     * direction.
-     */
+    /** Returns the radiance towards the eye under ambient light, irradiance / π at the normal and mirror direction. */
     Vector3d reflected(Vector3dc onNormal, Vector3dc mirrored) {
         if (gloss == null) {
             return new Vector3d(albedo).mul(onNormal);

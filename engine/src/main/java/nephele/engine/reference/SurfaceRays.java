@@ -65,10 +65,7 @@ final class SurfaceRays {
         return item < 0 || items[item].shadesItself() ? -1 : item;
     }
 
-    /**
-     * Returns the index of a solid, the number of solids plus that of a body, or the number of both plus that of a
-     * model.
-     */
+    /** Returns the index of a solid, the number of solids plus that of a body, or of both plus that of a model. */
     int surface(int item) {
         return surfaces[item];
     }
@@ -131,18 +128,12 @@ final class SurfaceRays {
                 Arrays.stream(met, 0, count).mapToInt(key -> items[(int) key]).toArray());
     }
 
-    /**
-     * Returns a sort key: by {@code entry} ≥ 0, then by place in the list. The order only affects speed, so a float
-     * suffices.
-     */
+    /** Returns a key that sorts by {@code entry} ≥ 0, then by index. It only affects speed: a float suffices. */
     private static long nearer(double entry, int place) {
         return (long) Float.floatToIntBits((float) entry) << 32 | place;
     }
 
-    /**
-     * Returns the first of some items with a box that the ray intersects up to the parameter {@code limit}, as
-     * {@link Ray#firstBox}.
-     */
+    /** Returns the first item with a box that the ray intersects up to {@code limit}, as {@link Ray#firstBox}. */
     int firstBox(Ray ray, double limit, int[] items, int from, int to) {
         return ray.firstBox(limit, bounds, items, from, to);
     }

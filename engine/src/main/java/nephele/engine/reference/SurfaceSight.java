@@ -84,10 +84,7 @@ public final class SurfaceSight {
         return rays.blocker(ray, limit, rays.withoutOwnShade(path.item())) < 0;
     }
 
-    /**
-     * Returns the free distance along a direction, where portals are ignored and mirrors block; infinite if nothing is
-     * hit.
-     */
+    /** Returns the free distance along a direction without portals and reflections; infinite if nothing is hit. */
     public double freeMetres(Vec3 place, Vec3 unitDirection) {
         straight.walk(place.toVector(), unitDirection.toVector(), 0, Double.POSITIVE_INFINITY);
         return straight.metres();

@@ -149,10 +149,7 @@ public final class Moment {
         figure = now;
     }
 
-    /**
-     * Returns the index of the body that the player holds, as seen from the player's eye, or {@link #NOTHING}; it is
-     * drawn transparent.
-     */
+    /** Returns the body that its holder's eye sees, or {@link #NOTHING}; it is drawn transparent. */
     public int held() {
         return held;
     }

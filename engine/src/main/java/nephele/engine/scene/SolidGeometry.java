@@ -213,10 +213,7 @@ public final class SolidGeometry {
         return batches;
     }
 
-    /**
-     * Returns the number of slots of the index, one for each solid and each model; a batch splits into at most as many
-     * ranges.
-     */
+    /** Returns the number of slots of the index, one per solid and model; a batch has at most as many ranges. */
     public int slotCount() {
         return index.size();
     }

@@ -100,10 +100,7 @@ public final class View {
         return projection;
     }
 
-    /**
-     * Returns the clip plane: only what is in front of it is visible, as behind an opening; {@code null} for no
-     * clipping.
-     */
+    /** Returns the clip plane, as behind an opening: only its front is visible; {@code null} for no clipping. */
     public Plane clip() {
         return clip;
     }
@@ -171,10 +168,7 @@ public final class View {
         return new View(eye, basis.right(), basis.up(), basis.back(), projection);
     }
 
-    /**
-     * Returns the view of {@code camera} at {@code frame} of its path (modulo its length), or at its position if it has
-     * no path.
-     */
+    /** Returns the view of {@code camera} at {@code frame} of its path (which wraps around), or at its position. */
     public static View ofCamera(Camera camera, int frame, double aspect) {
         double near = camera.nearMetres();
         double far = camera.farMetres();

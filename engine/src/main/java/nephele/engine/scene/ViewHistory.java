@@ -12,10 +12,7 @@ public final class ViewHistory {
     /** Tolerance in units of half the picture: a lookup this far beyond an opening's edge still hits its last pixel. */
     private static final double EDGE = 2e-3;
 
-    /**
-     * The least share of an opening's corners that must have been visible; the rest is extrapolated from the picture's
-     * border.
-     */
+    /** The least share of an opening's corners that must have been visible; the rest is extrapolated. */
     private static final double LEAST_SHARE = 0.5;
 
     private final List<ViewNode> matches = new ArrayList<>();

@@ -76,10 +76,7 @@ public final class ViewNode {
         return children;
     }
 
-    /**
-     * Returns true if the frame's budget does not reach this view: the opening is filled without drawing what is behind
-     * it.
-     */
+    /** Returns true if the frame's budget does not reach this view: the opening is filled without drawing it. */
     public boolean isTerminal() {
         return terminal;
     }

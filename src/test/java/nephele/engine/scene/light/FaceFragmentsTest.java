@@ -54,10 +54,7 @@ class FaceFragmentsTest {
         assertEquals(2 * 0.3, hidden, 1e-3);
     }
 
-    /**
-     * A face is hidden if another solid's face contains it: through a portal it would be visible with the eye in the
-     * wall.
-     */
+    /** A face is hidden if another solid's face contains it; a portal would show it with the eye in the wall. */
     @Test
     void aFaceThatStaysWholeIsHiddenWhereAnotherSolidsFaceHoldsAllOfIt() {
         List<Brush> abutting = List.of(ShadowTest.box(0, 0, 0, 1, 1, 1), ShadowTest.box(1, 0, 0, 1, 2, 2));

@@ -18,10 +18,7 @@ class ShadowFilterTest {
     private static final boolean[] ALL = {true, true, true, true};
     private static final double[] EVENLY = {0.25, 0.25, 0.25, 0.25};
 
-    /**
-     * A plane never shades itself, at any slope and position, because each texel is compared with the plane's depth
-     * there.
-     */
+    /** A plane never shades itself at any slope, because each texel is compared with the plane's depth there. */
     @Test
     void aSlopingPlaneIsLitEverywhere() {
         SplittableRandom random = new SplittableRandom(7);
@@ -47,10 +44,7 @@ class ShadowFilterTest {
         }
     }
 
-    /**
-     * In the picture of a light at the origin, along z, the filter's distance of a plane equals the exact one at any
-     * texel.
-     */
+    /** The filter's distance of a plane, for a light at the origin along z, equals the exact one at any texel. */
     @Test
     void aPlaneIsItselfInALampsPicture() {
         double range = 40;
@@ -93,10 +87,7 @@ class ShadowFilterTest {
         assertEquals(lit, ofMapped(nearerBy, four.weight(), 0), 1e-12);
     }
 
-    /**
-     * The map contains, beyond the edge of a wall thinner than a texel, surfaces far behind the room; they do not count
-     * as lit.
-     */
+    /** Surfaces far behind the room, mapped beyond the edge of a thin wall, do not make the receiver lit. */
     @Test
     void whatLiesBehindAReceiverProvesNoLight() {
         double[] nearerBy = {-3, -3, 0.2, 0.2};
@@ -104,10 +95,7 @@ class ShadowFilterTest {
         assertEquals(0, ofMapped(nearerBy, EVENLY, 0));
     }
 
-    /**
-     * The steep inner face of a wall, extended through the roof, intersects the roof's sunlit side, which does not
-     * count.
-     */
+    /** The plane of a wall's inner face intersects the roof's sunlit side, which does not make the face lit. */
     @Test
     void anotherFaceInTheReceiversPlaneProvesNoLight() {
         boolean[] isLike = {false, false, true, true};

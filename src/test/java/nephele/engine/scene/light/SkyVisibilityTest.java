@@ -33,10 +33,7 @@ class SkyVisibilityTest {
         assertEquals(0.5, seen(scene, 0, TOP, new Vec3(-1.5, 0, 0)), TOLERANCE, "at the foot of the wall");
     }
 
-    /**
-     * A wall of height h at distance d hides (1 − d/√(d² + h²)) / 2, half of one minus the cosine of its edge's
-     * altitude.
-     */
+    /** A wall of height h at distance d hides (1 − d/√(d² + h²)) / 2; the fraction is its edge's cosine of altitude. */
     @Test
     void longWallHidesAsMuchAsItsFormFactor() {
         double h = 3;

@@ -15,10 +15,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/**
- * The pieces of an object that reaches through portals make up the whole object once, each on the right side of its
- * plane.
- */
+/** The pieces of an object in portals make up the whole object once, each on the right side of its plane. */
 class ThingPlacesTest {
     private static final ThingShape[] BOX = {new ThingShape(ThingShape.BOX, new Vec3(0.4, 0.3, 0.5), 0)};
 

@@ -10,10 +10,7 @@ final class BakeRation implements SkySight {
     /** Takes one or two seconds on one core. */
     static final long MOST_BOX_TESTS = 150_000_000L;
 
-    /**
-     * This many items double the cost of a box test, twice as many triple it: the tree no longer fits into the
-     * processor's caches.
-     */
+    /** Each further such number of items adds the cost of a cached box test: the tree leaves the processor's caches. */
     private static final double CACHED_ITEMS = 25_000;
 
     private static final int SAMPLES = 128;

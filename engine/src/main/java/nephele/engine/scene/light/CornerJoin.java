@@ -10,10 +10,7 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.FaceCut.Piece;
 
-/**
- * Inserts into every fragment's outline the corners of its neighbours, on any face, that are on its edges, with the
- * same bits.
- */
+/** Inserts the corners of neighbouring fragments, on any face, into a fragment's edges, with the same bits. */
 final class CornerJoin {
     private final ConvexPolyhedron shape;
     private final Aabb around;

@@ -4,10 +4,7 @@ package nephele.engine.scene.light;
 final class Dilation {
     private Dilation() {}
 
-    /**
-     * Replaces every NaN, ring by ring, by the mean of its neighbours that are numbers; all become 0 if there is no
-     * number.
-     */
+    /** Replaces every NaN, ring by ring, by the mean of its neighbours that are numbers; all by 0 if there is none. */
     static void fill(double[] values, int columns) {
         double[] before = values.clone();
         boolean isChanged = true;

@@ -72,10 +72,7 @@ final class FaceCut {
         return pieces;
     }
 
-    /**
-     * Returns true if the whole face is in front of one plane of the footprint; this is the case for most shapes near a
-     * face.
-     */
+    /** Returns true if the whole face is in front of one plane of the footprint, as for most shapes near a face. */
     private static boolean isClear(ConvexPolyhedron.Face face, ConvexPolyhedron other) {
         for (ConvexPolyhedron.Face side : other.faces()) {
             Plane plane = side.plane();

@@ -31,10 +31,7 @@ public final class FaceFragments {
 
     private final BiFunction<ConvexPolyhedron.Face, List<ConvexPolyhedron>, List<Piece>> divide;
     private final List<Brush> brushes;
-    /**
-     * Distinct shapes: equal solids at the same position share their fragments, because a face never covers its own
-     * copy.
-     */
+    /** Distinct shapes: equal solids share their fragments, because a face never covers its own copy. */
     private final List<ConvexPolyhedron> shapes = new ArrayList<>();
 
     private final int[] numberOf;

@@ -106,10 +106,7 @@ public final class FaceLight {
         return -1;
     }
 
-    /**
-     * Returns the displacement of a solid of unchanged size; if its size has changed, a border was moved, and it is
-     * zero.
-     */
+    /** Returns the displacement of a solid; zero if its size has changed, because then only a border was moved. */
     private static Vec3 moved(Aabb before, Aabb now) {
         Vec3 some = new Vec3(now.minX() - before.minX(), now.minY() - before.minY(), now.minZ() - before.minZ());
         Vec3 other = new Vec3(now.maxX() - before.maxX(), now.maxY() - before.maxY(), now.maxZ() - before.maxZ());

@@ -85,10 +85,7 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
         return pictures(lamp) == 1;
     }
 
-    /**
-     * Returns the picture's distance over its half width; the picture is wider than the light's opening by the guard
-     * texels.
-     */
+    /** Returns the picture's distance over its half width, which exceeds the light's opening by the guard texels. */
     static double cotangent(Lamp lamp, int side) {
         double guard = 1 - 2 * GUARD_TEXELS / side;
         if (!hasOwnAxis(lamp)) {
@@ -107,7 +104,7 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
     }
 
     /**
-     * Returns the matrix from metres relative to {@code anchor} to one layer's clip space. It may mirror, so draw both
+     * Returns the matrix from metres relative to {@code anchor} to a layer's clip space. It may mirror: draw both
      * sides.
      */
     public Matrix4d clipFromAnchor(List<Lamp> lamps, int layer, Vec3 anchor) {

@@ -17,10 +17,7 @@ import nephele.engine.math.Vec3;
  * of the one before. The result does not depend on the number of threads.
  */
 final class ModelVisibility {
-    /**
-     * The ray budget of all models together; a vertex gets its share, at least {@link #LEAST_RAYS} and at most the rays
-     * of a texel.
-     */
+    /** The ray budget of all models; a vertex gets its share, at least {@link #LEAST_RAYS}, at most a texel's rays. */
     private static final int ALL_RAYS = 1 << 23;
 
     private static final int LEAST_RAYS = 16;

@@ -40,10 +40,7 @@ final class Occluders {
         return itemOfModel.getOrDefault(model, NONE);
     }
 
-    /**
-     * Returns true if a point is inside or on the surface of a solid other than {@code except}; an open surface
-     * contains no point.
-     */
+    /** Returns true if a point is in or on a solid other than {@code except}; an open surface contains no point. */
     boolean isInside(double[] p, int except) {
         boolean[] inside = new boolean[1];
         index.passing(

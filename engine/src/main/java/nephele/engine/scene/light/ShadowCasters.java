@@ -77,10 +77,7 @@ public final class ShadowCasters {
         return IntStream.range(0, brushes.size()).anyMatch(i -> !search.isBehindAllOthers(i, towardsSun));
     }
 
-    /**
-     * Returns the solids except those with all others in front of one of their sunlit faces. A convex solid never
-     * shades itself.
-     */
+    /** Returns all solids except those with all others in front of one of their sunlit faces. */
     public static List<Brush> of(List<Brush> brushes, Vec3 towardsSun) {
         return of(StaticShapes.of(brushes), towardsSun);
     }

@@ -19,10 +19,7 @@ import nephele.engine.math.Kept;
  * @param ofModels likewise for every vertex of every model in order
  */
 public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[] texels, short[] ofModels) {
-    /**
-     * The greatest distance between vertices of flat models, for which they are split; a texel of 0.25 m costs less
-     * than a vertex.
-     */
+    /** The greatest edge of flat models, which are split; a texel of 0.25 m costs less than a vertex. */
     public static final double MODEL_EDGE_METRES = 0.5;
 
     /** The value 1. */
@@ -54,10 +51,7 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
         return new SkyVisibility(layout, statics, texels, values);
     }
 
-    /**
-     * Returns true if it was baked for solids of these shapes, so that the charts belong to the solids of the same
-     * index.
-     */
+    /** Returns true if it was baked for solids of these shapes, so that the charts belong to the same indices. */
     boolean isOf(List<Brush> solids) {
         List<Brush> baked = statics.solids();
         return solids == baked
@@ -67,10 +61,7 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
                                 .equals(baked.get(i).shape()));
     }
 
-    /**
-     * Returns the values for a level edited since: a model with the same id and number of vertices keeps its own,
-     * others get 1.
-     */
+    /** Returns the values for an edited level: models with the same id and vertex count keep theirs, others get 1. */
     public short[] ofModels(PlacedModels models) {
         List<PlacedModel> baked = statics.models().all();
         if (Kept.list(baked, models.all()) == baked) {
@@ -105,10 +96,7 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
         return new int[] {best % layout.width(), best / layout.width()};
     }
 
-    /**
-     * Interpolates bilinearly between the four nearest texels, as the shader does; in texels from the map's lower left
-     * corner.
-     */
+    /** Interpolates bilinearly as the shader does; coordinates are texels from the map's lower left corner. */
     public double at(double column, double rowFromBelow) {
         double x = Math.min(Math.max(column - 0.5, 0), layout.width() - 1);
         double y = Math.min(Math.max(rowFromBelow - 0.5, 0), layout.height() - 1);

@@ -16,10 +16,7 @@ public final class SkyVisibilityBake {
     /** The least number of rays of a texel under a limited budget. */
     private static final int LEAST_RAYS = 16;
 
-    /**
-     * The height of the rays' origins above their face: below the thickness of any object, above the rounding of the
-     * cut.
-     */
+    /** The height of rays' origins above their face: below the thickness of any object, above the cut's rounding. */
     private static final double LIFT_METRES = 1e-3;
 
     /** The difference to the vicinity above which a texel becomes a blend with a mean; at twice that it is the mean. */

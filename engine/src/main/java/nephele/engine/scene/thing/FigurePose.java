@@ -99,10 +99,7 @@ final class FigurePose {
         put(FigurePart.HEAD, joint, turn);
     }
 
-    /**
-     * Returns the distance in metres by which the head is in front of the body: when the character looks down, it sees
-     * its legs.
-     */
+    /** Returns the metres by which the head is in front of the body, so that looking down shows the legs. */
     private static double bowed(Posture p) {
         return 0.15 * Math.max(0, -Math.sin(p.pitchRadians()));
     }

@@ -16,10 +16,7 @@ import org.joml.Vector3d;
  * convex and its anchor is its centre.
  */
 final class ThingPlaces {
-    /**
-     * An object between portals that face each other would have infinitely many copies; the omitted ones are small
-     * parts of it.
-     */
+    /** Portals that face each other would make infinitely many copies; the omitted ones are small parts. */
     static final int MOST_COPIES = 8;
 
     static final int MOST_PARTS = 24;

@@ -152,10 +152,7 @@ public final class ThingSunMap {
         return up;
     }
 
-    /**
-     * Sets {@code out} to the matrix from metres relative to {@code anchor} to texture coordinates and depth, all 0 to
-     * 1.
-     */
+    /** Returns the matrix from metres relative to {@code anchor} to texture coordinates and depth, all 0 to 1. */
     public Matrix4d mapFromAnchor(Vec3 anchor, Matrix4d out) {
         double across = 1 / (side * texel);
         double deep = 1 / depthMetres();
