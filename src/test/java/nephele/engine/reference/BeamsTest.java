@@ -28,7 +28,7 @@ class BeamsTest {
     private final ShadowRays shadows = new ShadowRays(surfaces, beams(Long.MAX_VALUE));
     private int blocked;
 
-    /** Some beside the other, some far away, some so thin that only few rays of a beam meet them. */
+    /** Returns boxes: some adjacent, some far away, some so thin that few rays of a shaft intersect them. */
     private SurfaceRays surfaces() {
         TestLevel stage = new TestLevel().skyLight();
         for (int i = 0; i < BOXES; i++) {
@@ -54,7 +54,7 @@ class BeamsTest {
         return Math.pow(10, -2 + 2.6 * random.nextDouble());
     }
 
-    /** One in four on the side of a cube. */
+    /** Returns a position; one in four is on the side of a cube. */
     private Vector3d place() {
         Vector3d place = new Vector3d(within(9), within(9), within(9));
         return random.nextInt(4) == 0 ? place.setComponent(random.nextInt(3), random.nextInt(-9, 10)) : place;
@@ -92,7 +92,7 @@ class BeamsTest {
     void theSkyIsBlockedInEveryDirectionByWhatIsInTheWay() {
         for (int i = 0; i < RAYS; i++) {
             Vector3d from = place();
-            // Small whole numbers meet the borders of patches.
+            // Small whole numbers are directions on the borders of patches.
             Vector3d way = random.nextBoolean()
                     ? new Vector3d(random.nextInt(-2, 3), random.nextInt(-2, 3), random.nextInt(-2, 3))
                     : new Vector3d(within(1), within(1), within(1));

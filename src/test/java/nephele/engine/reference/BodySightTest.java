@@ -11,7 +11,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** Bodies as the oracle sees them: their shapes, their shadows, and those that stand in a portal. */
+/** The reference path tracer shows bodies with the right shapes and shadows, also inside portals. */
 class BodySightTest {
     private static final TraceSettings SETTINGS = new TraceSettings(80, 60, 1, 1, 1);
     private static final Vec3 TOWARDS_EYE = new Vec3(0, 0, 1);
@@ -26,7 +26,7 @@ class BodySightTest {
                 .material("green", new Vec3(0, 0.5, 0.1));
     }
 
-    /** By the area that they cover of a picture at distance d: a box's front, a disc, a disc drawn apart. */
+    /** Bodies cover the expected area of a distant picture: a box's front, a disc, a stadium. */
     @Test
     void shapesCoverWhatTheyShould() {
         Pinhole eye = Traced.eye(new Vec3(0, 0, 200), Vec3.ZERO, 0.005);
@@ -48,7 +48,7 @@ class BodySightTest {
         }
     }
 
-    /** A box body is a box solid to eye, sun and sky. */
+    /** A box body looks like a box solid in the light of sun and sky. */
     @Test
     void aBoxIsABox() {
         Vec3 centre = new Vec3(0.3, 0.4, -0.2);
@@ -70,7 +70,7 @@ class BodySightTest {
                 .box("wall", new Vec3(0, -0.5, 0), new Vec3(20, 1, 20));
     }
 
-    /** Under a lamp 3 m up, the shadow of a ball of radius r at height h ends where the tangent meets the ground. */
+    /** The shadow of a ball under a light at a height of 3 m ends where the tangent reaches the ground. */
     @Test
     void aBallShadesADisc() {
         TestLevel ball = new TestLevel()
@@ -86,7 +86,7 @@ class BodySightTest {
         }
     }
 
-    /** Things and bodies around a doorway that is looked through along −z, with the eye's side before it. */
+    /** Returns objects and bodies around a doorway seen along −z; the eye is in front of it. */
     private static TestLevel doorway(Body... bodies) {
         double thin = 1e-4;
         TestLevel stage = stage().box("wall", new Vec3(-3.5, 0, -thin / 2), new Vec3(6, 6, thin))
@@ -100,7 +100,7 @@ class BodySightTest {
         return stage;
     }
 
-    /** The same with a pair of portals instead: what was behind the doorway is turned by a quarter, at x = 100. */
+    /** Returns the same with a pair of portals: the objects behind the doorway are at x = 100, rotated by 90°. */
     private static TestLevel pair(Body... bodies) {
         TestLevel stage = stage().box("wall", new Vec3(0, 0, -5), new Vec3(13, 6, 10))
                 .box("green", new Vec3(104, 0, -0.9), new Vec3(0.4, 3, 1))
@@ -113,7 +113,7 @@ class BodySightTest {
         return stage;
     }
 
-    /** Half-way in a portal a body is seen on both sides as in an open doorway. */
+    /** A body halfway through a portal is visible on both sides as in an open doorway. */
     @Test
     void whoStandsInAPortalIsSeenOnBothSides() {
         Vec3 here = new Vec3(0.1, -0.2, 0.15);
@@ -132,7 +132,7 @@ class BodySightTest {
         }
     }
 
-    /** From the far side: the image alone, cut by the exit's plane. */
+    /** Only the image is visible from the far side, cut by the exit's plane. */
     @Test
     void theImageIsSeenFromTheFarSide() {
         Body body = new Body.Sphere("b", new Vec3(0, 0, 0.1), 0.4, 1, "red", 0, 0);
@@ -154,7 +154,7 @@ class BodySightTest {
         assertTrue(red > 100, red + " pixels");
     }
 
-    /** What has gone through a portal that hangs in the air is not behind it any more, and what has not is not beyond. */
+    /** The part of a body that is through a hanging portal is not visible behind it, nor the rest at the exit. */
     @Test
     void bodiesAreCutByThePlanesOfPortals() {
         TestLevel hanging = stage().portal("a", "b", Vec3.ZERO, TOWARDS_EYE, 1, 2)

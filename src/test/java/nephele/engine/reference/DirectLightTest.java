@@ -7,7 +7,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** Sun and lamps against what is worked out by hand. */
+/** The light of sun and punctual lights matches values calculated by hand. */
 class DirectLightTest {
     private static final Vec3 EYE = new Vec3(0.3, 4, 5);
 
@@ -34,7 +34,7 @@ class DirectLightTest {
         assertEquals(0, Traced.towards(floor(0.5).light(lamp), EYE, beyondRange, 1)[0]);
     }
 
-    /** Outer cone 45° at a height of 2 m: light up to 2 m from its foot. */
+    /** With an outer cone of 45° at a height of 2 m light reaches 2 m from the point below it. */
     @Test
     void aSpotEndsAtItsOuterCone() {
         Light spot = new Light.Spot("s", new Vec3(0, 2, 0), new Vec3(0, -3, 0), TestLevel.grey(10), 100, 30, 45, true);
@@ -44,7 +44,7 @@ class DirectLightTest {
         assertEquals(0, Traced.towards(floor(1).light(spot), EYE, new Vec3(2.001, 0, 0), 1)[0]);
     }
 
-    /** Between the cones light falls as the square of a ramp over the cosine; the cones are those written, to a hair. */
+    /** The intensity between the cones is the square of a ramp over the cosine; both cones are exact. */
     @Test
     void aSpotsRimIsASquaredRampOverTheCosine() {
         Light spot = new Light.Spot("s", new Vec3(0, 2, 0), new Vec3(0, -1, 0), TestLevel.grey(10), 1e6, 30, 45, true);
@@ -61,7 +61,7 @@ class DirectLightTest {
         }
     }
 
-    /** A wall of 1 m under a sun at 45°, and a lamp at (0, 3, −2): both shadows end where the ray over the edge lands. */
+    /** Both shadows of a wall of 1 m, of a sun at 45° and a light at (0, 3, −2), end at the ray over the edge. */
     @Test
     void shadowsEndWhereTheRayOverTheEdgeLands() {
         TestLevel sunny =
@@ -80,7 +80,7 @@ class DirectLightTest {
         assertEquals(1, Math.signum(lit));
     }
 
-    /** Neither the joint of two floors nor the foot of a wall is lit or dark by accident. */
+    /** Neither the joint of two floors nor the foot of a wall is lit or dark by rounding. */
     @Test
     void jointsNeitherLeakNorStain() {
         TestLevel tiles =

@@ -7,7 +7,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** The oracle's fog is mix(fog, c, exp(−k d)), along the whole way that the eye's ray goes. */
+/** The reference fog is mix(fog, c, exp(−k d)), with the length d of the eye ray's whole path. */
 class FogTest {
     private static final Vec3 EYE = new Vec3(0, 0, 2);
     private static final double WHITE = 0.8;

@@ -11,7 +11,7 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** Rays that meet mirrors: what they end on, and what the mirrors leave of it. */
+/** Rays off mirrors hit the right surfaces, and the mirrors tint their radiance. */
 class MirrorSightTest {
     private static final Vec3 TINT = new Vec3(0.5, 0.6, 0.8);
     private static final Vec3 RED = new Vec3(0.9, 0.2, 0.1);
@@ -37,7 +37,7 @@ class MirrorSightTest {
                 RED.z() * Math.pow(TINT.z(), mirrors));
     }
 
-    /** Straight back onto the wall behind the eye, and off two mirrors at a right angle to the same wall. */
+    /** The path leads straight back to the wall behind the eye, and off two perpendicular mirrors to the same wall. */
     @Test
     void eachMirrorMultipliesByItsColour() {
         TestLevel room = stage().box("mirror", new Vec3(0, 0, -3.1), new Vec3(8, 8, 0.2))
@@ -47,7 +47,7 @@ class MirrorSightTest {
         assertRadiance(red(2), Traced.towards(room, new Vec3(2, 0, 0), new Vec3(3, 0, -2), 1));
     }
 
-    /** Through a portal onto a mirror, and back out of the same portal. */
+    /** The path leads through a portal onto a mirror, and back through the same portal. */
     @Test
     void aMirrorBehindAPortal() {
         TestLevel rooms = stage().box("red", new Vec3(0, 0, 5.1), new Vec3(8, 8, 0.2))
@@ -57,7 +57,7 @@ class MirrorSightTest {
         assertRadiance(red(1), Traced.towards(rooms, Vec3.ZERO, new Vec3(0, 0, -1), 1));
     }
 
-    /** Fog before the mirror keeps its colour, fog behind it is tinted with the rest. */
+    /** Fog in front of the mirror keeps its colour, fog behind it is tinted. */
     @Test
     void fogBeforeAMirrorIsNotTinted() {
         double extinction = 0.2;
@@ -70,7 +70,7 @@ class MirrorSightTest {
         assertEquals(expected, Traced.towards(room, Vec3.ZERO, new Vec3(0, 0, -1), 1)[0], 1e-6);
     }
 
-    /** A mirror sends no light onward: what stands before it is lit as before a black wall. */
+    /** A mirror reflects no light onto other surfaces: they are lit as beside a black wall. */
     @Test
     void mirrorsLightNothing() {
         TestLevel dark = stage().castingSun(new Vec3(0, 1, 0), 2).box("red", Vec3.ZERO, new Vec3(4, 0.2, 4));

@@ -13,7 +13,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import org.junit.jupiter.api.Test;
 
-/** What is seen through portals is what would be seen if the places behind them were there. */
+/** Portals show the picture that an opening to the space behind them would show. */
 class PortalSightTest {
     private static final TraceSettings SETTINGS = new TraceSettings(96, 64, 1, 1, 1);
     private static final Sky SKY =
@@ -30,19 +30,19 @@ class PortalSightTest {
                 .material("green", new Vec3(0, 0.5, 0.1));
     }
 
-    /** Things behind a doorway whose middle is at the origin and that is looked through along −z. */
+    /** Adds objects behind a doorway with its centre at the origin, seen along −z. */
     private static TestLevel things(TestLevel stage) {
         return stage.box("red", new Vec3(0.2, -0.6, -2), new Vec3(0.5, 0.8, 0.6))
                 .box("green", new Vec3(-0.9, 0, -4), new Vec3(1, 3, 0.4));
     }
 
-    /** The same things behind a portal at (x, 0, 0) that looks along +x: turned by a quarter to the left. */
+    /** Adds the same objects behind a portal at (x, 0, 0) that faces +x: rotated by a quarter turn to the left. */
     private static TestLevel turnedThings(TestLevel stage, double x) {
         return stage.box("red", new Vec3(x + 2, -0.6, 0.2), new Vec3(0.6, 0.8, 0.5))
                 .box("green", new Vec3(x + 4, 0, -0.9), new Vec3(0.4, 3, 1));
     }
 
-    /** A thin wall, with a hole of 1 m × 2 m in it. */
+    /** Returns a thin wall with a hole of 1 m × 2 m. */
     private static TestLevel doorway() {
         double thin = 1e-4;
         return things(stage())
@@ -78,7 +78,7 @@ class PortalSightTest {
         return pixels;
     }
 
-    /** From behind, and without a partner, a portal is nothing. */
+    /** A portal is invisible from behind and without a partner. */
     @Test
     void whatLeadsNowhereShowsTheWall() {
         TestLevel bare = things(wall());
@@ -92,7 +92,7 @@ class PortalSightTest {
         assertArrayEquals(expected, Traced.picture(single, eye, SETTINGS));
     }
 
-    /** Near and far count along the whole way: 3 m to the portal and 2 m on to the thing behind it. */
+    /** Near and far planes apply to the whole path: 3 m to the portal and 2 m to the object behind it. */
     @Test
     void depthGoesOnBehindAPortal() {
         TestLevel pair = wall().box("red", new Vec3(100, 0, -3), new Vec3(2, 2, 2))
@@ -108,7 +108,7 @@ class PortalSightTest {
         }
     }
 
-    /** Two portals 3 m apart face each other: a ray that climbs 1 mm a metre leaves them after its 333 crossings. */
+    /** Two portals 3 m apart face each other: a ray that climbs 1 mm per metre leaves them after 333 crossings. */
     @Test
     void facingPortalsRepeatAsOftenAsARayMeetsThem() {
         TestLevel facing = stage().box("red", new Vec3(0, 0, -1.6), new Vec3(4, 8, 0.2))
@@ -128,7 +128,7 @@ class PortalSightTest {
         assertEquals(0.7, along[0], 1e-6, "never black: the sky stands for what is smaller than any pixel");
     }
 
-    /** The eye goes through, the light of a lamp or of the sun does not. */
+    /** Eye rays pass through portals, the light of a punctual light or the sun does not. */
     @Test
     void lightDoesNotPassPortals() {
         Light lamp = new Light.Point("l", new Vec3(0, 0, 1), TestLevel.grey(50), 20, true);

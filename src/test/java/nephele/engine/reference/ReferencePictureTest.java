@@ -16,7 +16,7 @@ import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** A picture is a value of level, eye, size, samples and seed. */
+/** A picture is a pure function of level, eye, size, samples and seed. */
 class ReferencePictureTest {
     private static final Pinhole EYE = Traced.eye(new Vec3(1, 2, 4), Vec3.ZERO, 0.7);
 
@@ -51,7 +51,7 @@ class ReferencePictureTest {
         assertEquals(mean(picture(1024, 3, 2)), mean(first), 2e-3);
     }
 
-    /** Something of all that is traced, but for what hides the sky and its light: fog and constant ambient light. */
+    /** Returns a level with every traced feature except fog and constant ambient light, which hide the sky's. */
     private static TestLevel everything() {
         return new TestLevel()
                 .skyLight()
@@ -85,7 +85,7 @@ class ReferencePictureTest {
                         "bumps", 3, 4, (x, y) -> 0x50 * (y % 2 + 1) << 24 | 0x506080 + 0x300000 * x + 0x1000 * y);
     }
 
-    /** One number for each of two pictures; when one changes, raise the version, so that no older picture is used on. */
+    /** The checksums of two pictures are unchanged; if one changes, raise the version to discard older pictures. */
     @Test
     void aPictureKeptUnderThisVersionIsStillRight() {
         assertEquals(1, ReferencePicture.VERSION);

@@ -10,11 +10,11 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Light of the sky against what is worked out by hand. */
+/** The light of the sky matches values calculated by hand. */
 class SkyLightTest {
     private static final Sky WHITE = new Sky.Constant(TestLevel.grey(1));
 
-    /** White bodies under an even white sky are not seen. */
+    /** White bodies under a uniform white sky are invisible. */
     @Test
     void aWhiteFurnaceIsWhite() {
         TestLevel furnace = new TestLevel()
@@ -26,7 +26,7 @@ class SkyLightTest {
                 .box("lambert", new Vec3(-2, 0, 0), TestLevel.grey(1))
                 .box("insulator", new Vec3(0, 0, 0), TestLevel.grey(1))
                 .box("metal", new Vec3(2, 0, 0), TestLevel.grey(1));
-        // Apart from the light that one box takes from the next.
+        // A single box, without the occlusion by the others.
         TestLevel alone = new TestLevel()
                 .skyLight()
                 .sky(WHITE)
@@ -42,7 +42,7 @@ class SkyLightTest {
         }
     }
 
-    /** An endless wall that reaches the elevation φ hides (1 − cos φ) / 2 of the cosine-weighted sky. */
+    /** An infinite wall up to the elevation φ hides (1 − cos φ) / 2 of the cosine-weighted sky. */
     @Test
     void aWallHidesItsShareOfTheSky() {
         TestLevel walled = new TestLevel()
@@ -58,7 +58,9 @@ class SkyLightTest {
         }
     }
 
-    /** Under L = a + b y from all sides a normal at cosine c to the zenith receives a + ⅔ b c. */
+    /**
+     * Under a radiance a + b y in all directions, a surface with a normal at cosine c to the zenith receives a + ⅔ b c.
+     */
     @Test
     void aLinearSkyGivesTwoThirdsOfItsSlope() {
         Sky linear = new Sky.Gradient(TestLevel.grey(3), TestLevel.grey(2), TestLevel.grey(1));

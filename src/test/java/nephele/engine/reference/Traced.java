@@ -8,7 +8,7 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 
-/** What a few rays see of a level that a test puts together. */
+/** Traces pictures of test levels. */
 final class Traced {
     private Traced() {}
 
@@ -21,7 +21,7 @@ final class Traced {
         return ReferencePicture.trace(traced, eye, settings, done -> {});
     }
 
-    /** The one pixel of a picture that is hardly larger than a point. */
+    /** Returns the single pixel of a picture of nearly zero size. */
     static float[] towards(TestLevel level, Vec3 from, Vec3 to, int samples) {
         return picture(level, eye(from, to, 1e-7), new TraceSettings(1, 1, samples, 1, 1));
     }

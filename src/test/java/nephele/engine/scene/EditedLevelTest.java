@@ -15,7 +15,7 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** What an edit leaves as it was is not derived again. */
+/** Parts of a scene that an edit does not affect stay the same objects. */
 class EditedLevelTest {
     private static Level town() {
         TestLevel town = new TestLevel()

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Models none of whose triangles has an area are warned of and draw nothing. */
+/** A model without any triangle of positive area causes a warning and draws nothing. */
 class FlatModelsTest {
     @TempDir
     Path folder;

@@ -11,7 +11,7 @@ import nephele.engine.measure.Stopwatch;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Views in mirrors: where their eyes are, which way round they see, at the extremes of where the eye can be. */
+/** Views in mirrors have the right eyes and orientations, also at extreme positions of the eye. */
 class MirrorViewsTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SILVER = new Vec3(0.9, 0.8, 0.5);
@@ -21,7 +21,7 @@ class MirrorViewsTest {
                 "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null));
     }
 
-    /** A mirror of 2 m by 2 m in the plane z, looking along +z or −z. */
+    /** Returns a mirror of 2 m by 2 m in a plane of constant z, facing +z or −z. */
     private static Opening mirror(int id, Vec3 centre, double facing) {
         double x = centre.x();
         double y = centre.y();
@@ -41,7 +41,7 @@ class MirrorViewsTest {
         return tree;
     }
 
-    /** The eye of a view in a mirror is the eye's image, and each mirror on the way turns the view round once more. */
+    /** The eye of a view in a mirror is the eye's image, and each mirror on the path flips the view's orientation. */
     @Test
     void aMirrorInAMirrorIsTheRightWayRound() {
         Opening near = mirror(0, new Vec3(0, 0, -2), 1);
@@ -62,7 +62,7 @@ class MirrorViewsTest {
         }
     }
 
-    /** A point before the mirror is where its image is: the picture of the image, point for point. */
+    /** A point in front of the mirror is at the same place in the reflected view as its image in the main view. */
     @Test
     void theReflectedViewSeesAPointWhereItsImageIs() {
         ViewTree tree = grown(new Vec3(0.3, 0.2, 1), new Vec3(0, 0, -2), 1, mirror(0, new Vec3(0, 0, -2), 1));
@@ -81,7 +81,7 @@ class MirrorViewsTest {
         return v.dot(axis.toVector());
     }
 
-    /** In the mirror's plane and behind it nothing is reflected; a micrometre before it, half of all directions are. */
+    /** Nothing is reflected in the mirror's plane and behind it; 1 µm in front of it half of all directions are. */
     @Test
     void theEyeAtThePlane() {
         Opening mirror = mirror(0, Vec3.ZERO, 1);
@@ -98,21 +98,21 @@ class MirrorViewsTest {
         assertEquals(640 * 720, along.views().get(1).area(), 1);
     }
 
-    /** A view along the mirror still sees it from a metre away: as wide as the angle has it. */
+    /** A view parallel to the mirror from 1 m away sees it with the projected width. */
     @Test
     void aViewParallelToTheMirror() {
         ViewTree tree = grown(new Vec3(-3, 0, 1), new Vec3(0, 0, 1), 9, mirror(0, Vec3.ZERO, 1));
         assertEquals(2, tree.views().size());
         PicturePolygon seen = tree.views().get(1).outline();
         double tan = Math.tan(0.5) * 16 / 9;
-        // Corners 2 m and 4 m ahead, 1 m to the left of where it looks.
+        // Corners 2 m and 4 m ahead, 1 m to the left of the view direction.
         for (int i = 0; i < seen.size(); i++) {
             double x = seen.x(i) / seen.w(i);
             assertTrue(Math.abs(Math.abs(x) - 0.5 / tan) < 1e-12 || Math.abs(Math.abs(x) - 0.25 / tan) < 1e-12);
         }
     }
 
-    /** A million metres out the picture's polygon is the same. */
+    /** A million metres from the origin the picture's polygon is the same. */
     @Test
     void farFromTheOrigin() {
         double far = 1 << 20;
@@ -130,7 +130,7 @@ class MirrorViewsTest {
         assertEquals(far - 2, away.views().get(1).view().eyeZ(), 1e-9);
     }
 
-    /** Views in mirrors are filled anew for each frame, their tints too, and looked up in the frame before. */
+    /** Views in mirrors, including tints and history lookups, cause no allocation per frame. */
     @Test
     void viewsInMirrorsMakeNoGarbage() {
         Opening[] mirrors = {mirror(0, new Vec3(0, 0, -2), 1), mirror(1, new Vec3(0, 0, 3), -1)};

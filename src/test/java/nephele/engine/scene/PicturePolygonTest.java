@@ -20,7 +20,7 @@ class PicturePolygonTest {
         assertEquals(0.75 / 4, seen.share(), 1e-15);
     }
 
-    /** Cutting leaves such corners: two that should be one, the second a bit before the first on the way round. */
+    /** Clipping may leave two corners that should be equal, the second slightly before the first. */
     @Test
     void cornersThatRoundingPartsDoNotCutEverything() {
         var seen = of(-0.25, -0.75, 0.75, -0.75, 0.75, 0.75, -0.25, 0.75);

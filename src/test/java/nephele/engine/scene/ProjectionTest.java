@@ -13,17 +13,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What the pipeline draws with: {@link View#clipFromRelative} and the two numbers of depth. */
+/** The matrix of {@link View#clipFromRelative} and the depth terms are finite, exact and ordered. */
 class ProjectionTest {
     private static final Vec3 AHEAD = new Vec3(0, 0, -1);
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
-    /** A view along −z has the world's axes. */
+    /** Returns the matrix of a view along −z, which has the world's axes. */
     private static Matrix4d clip(Projection projection) {
         return View.lookAt(Vec3.ZERO, AHEAD, UP, projection).clipFromRelative(new Matrix4d());
     }
 
-    /** No input gives a number that is not finite, for 10⁵ bit patterns. */
+    /** No input results in a non-finite number, for 10⁵ bit patterns. */
     @Test
     void everyBitPatternGivesAFiniteMatrix() {
         var random = new SplittableRandom(4);
@@ -68,7 +68,7 @@ class ProjectionTest {
         assertEquals(1, horizon.z / horizon.w, 0);
     }
 
-    /** Surfaces that lie two steps of the depth buffer apart are never confused when depth goes through float. */
+    /** Surfaces two steps of a 24-bit depth buffer apart keep their order when depth is computed in float. */
     @Test
     void surfacesTwoQuantaApartKeepTheirOrderInTwentyFourBits() {
         var random = new SplittableRandom(3);
@@ -82,7 +82,10 @@ class ProjectionTest {
         }
     }
 
-    /** The slope of window depth, z² (f − n) / (f n), times one step of the buffer and one of rounding z / w to float. */
+    /**
+     * Returns the inverse slope of window depth, z² (f − n) / (f n), times two steps: the buffer's and the rounding of
+     * z / w to float.
+     */
     private static double quantumMetres(double near, double far, double z) {
         return z * z * (1 / near - 1 / far) * 0x1p-23;
     }
@@ -93,7 +96,7 @@ class ProjectionTest {
         return Math.round(window * (double) ((1 << 24) - 1));
     }
 
-    /** Window depth is (1/n − 1/z) / (1/n − 1/f): so many steps lie between two distances. */
+    /** Window depth is (1/n − 1/z) / (1/n − 1/f), which gives the number of steps between two distances. */
     @ParameterizedTest
     @CsvSource({"0.2, 0.3", "1, 2", "10, 15", "100, 140", "900, 990"})
     void depthHasTheStepsOfItsFormula(double from, double to) {
@@ -113,7 +116,7 @@ class ProjectionTest {
             var projection = new Projection(1.2, 16 / 9.0, 0.05, 1e5);
             Matrix4d clip =
                     new View(eye, basis.right(), basis.up(), basis.back(), projection).clipFromRelative(new Matrix4d());
-            // Exact: the offset from the eye is chosen in steps that a double holds at 10⁷.
+            // Exact: the offset from the eye is a multiple of a step that a double represents at 10⁷.
             Vec3 back = basis.back();
             double distance = Math.rint(Math.pow(10, random.nextDouble(-0.5, 3)) * 1024) / 1024;
             double x = step(-back.x() * distance + random.nextDouble(-0.3, 0.3) * distance);

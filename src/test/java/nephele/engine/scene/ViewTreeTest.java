@@ -15,7 +15,7 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import org.junit.jupiter.api.Test;
 
-/** Which views are chosen, and how exactly their openings are cut. */
+/** The tree chooses the largest views and clips their openings exactly. */
 class ViewTreeTest {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 720;
@@ -29,7 +29,7 @@ class ViewTreeTest {
         return new Portal("p", centre, Portal.facing(normal, UP), Aperture.of(shape, width, height));
     }
 
-    /** Two by two they lead to each other. */
+    /** Returns a frame state in which successive portals are partners. */
     private static Moment pairs(Portal... portals) {
         List<Integer> partners = new ArrayList<>();
         for (int i = 0; i < portals.length; i++) {
@@ -57,7 +57,7 @@ class ViewTreeTest {
                 portal(new Vec3(0, 0, apart / 2), new Vec3(0, 0, -1)));
     }
 
-    /** A portal's own rear is not seen, from behind nor through itself. */
+    /** A portal's own rear is not visible, neither from behind nor through itself. */
     @Test
     void aPortalIsNotSeenFromBehind() {
         Moment moment = pairs(portal(Vec3.ZERO, new Vec3(0, 0, 1)), portal(new Vec3(0, 0, -5), new Vec3(0, 0, 1)));
@@ -77,12 +77,12 @@ class ViewTreeTest {
         }
     }
 
-    /** What lies wholly behind the plane that a view looks out of is not drawn. */
+    /** A portal entirely behind a view's clip plane is not drawn. */
     @Test
     void aPortalBehindTheClipPlaneIsNotSeen() {
         Portal entry = portal(Vec3.ZERO, new Vec3(0, 0, 1));
         Portal exit = portal(new Vec3(100, 0, 0), new Vec3(0, 0, 1));
-        // Seen from the entry's virtual eye at (100, 0, -4), facing it, but before the exit's plane and behind it.
+        // Both face the entry's virtual eye at (100, 0, −4); one is in front of the exit's plane, the other behind it.
         Portal before = portal(new Vec3(100, 0, 2), new Vec3(0, 0, -1), 0.5, 0.5, PortalShape.RECTANGLE);
         Portal behind = portal(new Vec3(100, 0, -2), new Vec3(0, 0, -1), 0.5, 0.5, PortalShape.RECTANGLE);
         Portal elsewhere = portal(new Vec3(0, 500, 0), new Vec3(0, 1, 0.1));
@@ -95,7 +95,7 @@ class ViewTreeTest {
                 grown(view, pairs(entry, exit, behind, elsewhere), 50).views().size());
     }
 
-    /** 64 portals that all see each other. */
+    /** The number of views equals the budget with 64 portals that all see each other. */
     @Test
     void theBudgetHoldsWithSixtyFourPortals() {
         Random random = new Random(21);
@@ -113,7 +113,7 @@ class ViewTreeTest {
         }
     }
 
-    /** Every view that is drawn covers at least as many pixels as any opening that is left over. */
+    /** Every drawn view covers at least as many pixels as any remaining opening. */
     @Test
     void theLargestViewsAreChosen() {
         for (int budget = 1; budget < 20; budget++) {
@@ -126,7 +126,7 @@ class ViewTreeTest {
         }
     }
 
-    /** The eye 1e-9 m before the plane looks through the whole picture, and stops at the plane when it looks along it. */
+    /** An eye 1e-9 m in front of the plane sees only the opening; along the plane, it fills half the picture. */
     @Test
     void anEyeAtThePlaneSeesNothingButTheView() {
         Moment moment = pairs(
@@ -139,13 +139,13 @@ class ViewTreeTest {
             assertTrue(seen.area() >= whole * WIDTH * HEIGHT * (1 - 1e-9), metres + ": " + seen.area());
             assertEquals(0.05, seen.view().projection().nearMetres(), metres > 0.05 ? 0.06 : 0);
         }
-        // Level with the plane, its line cuts the picture in the middle and the near half shows the opening.
+        // The eye looks along the plane: its line divides the picture in the middle, and the opening fills one half.
         View along = view(new Vec3(-0.3, 0, 1e-9), new Vec3(1, 0, 1e-9));
         assertEquals(
                 0.5 * WIDTH * HEIGHT, grown(along, moment, 1).views().get(1).area(), 2);
     }
 
-    /** The area of an uncut opening by another way: corners projected one by one. */
+    /** The area of an unclipped opening equals that of its corners projected one by one. */
     @Test
     void areasAreThoseOfTheProjectedPolygon() {
         Random random = new Random(5);
@@ -184,7 +184,7 @@ class ViewTreeTest {
         return new double[] {(clip.x / clip.w + 1) / 2 * WIDTH, (clip.y / clip.w + 1) / 2 * HEIGHT};
     }
 
-    /** Regions nest, scissors hold them, and near planes do not come nearer. */
+    /** Regions are nested, pixel rectangles contain them, and near planes do not come nearer. */
     @Test
     void whatIsSeenThroughAViewLiesWithinIt() {
         ViewTree tree = grown(view(new Vec3(0.4, 0.2, 1), new Vec3(0, 0, -2.5)), facing(5), 100);
@@ -204,7 +204,7 @@ class ViewTreeTest {
         }
     }
 
-    /** A portal that opens is as large as its openness says, and one that leads nowhere is no opening. */
+    /** An opening's size is proportional to the portal's openness; a portal without a partner is no opening. */
     @Test
     void anOpeningGrowsAsThePortalOpens() {
         Moment moment = facing(5);
@@ -220,7 +220,7 @@ class ViewTreeTest {
         assertEquals(1, grown(view, moment, 1).views().size());
     }
 
-    /** What lies beyond the far plane is not drawn, and so is no opening; one that reaches beyond it ends there. */
+    /** An opening beyond the far plane is not drawn; one that extends beyond it is clipped there. */
     @Test
     void anOpeningEndsAtTheFarPlane() {
         View near = View.lookAt(Vec3.ZERO, new Vec3(0, 0, -1), UP, new Projection(1, 16 / 9.0, 0.05, 10));
@@ -236,7 +236,7 @@ class ViewTreeTest {
         assertEquals(10, farthest, 1e-12);
     }
 
-    /** Of openings that are equally large the first portal's comes first, whatever was chosen before. */
+    /** Equally large openings are ordered by portal, independent of earlier choices. */
     @Test
     void equallyLargeOpeningsKeepTheirOrder() {
         Portal small = portal(new Vec3(3, 0, -5), new Vec3(0, 0, 1), 1, 1, PortalShape.RECTANGLE);
@@ -251,7 +251,7 @@ class ViewTreeTest {
                         .toList());
     }
 
-    /** A portal of another shape or size is another one, though it stands where the old one stood. */
+    /** A portal with another shape or size has no history, even at the same position. */
     @Test
     void aPortalOfAnotherApertureHasNoHistory() {
         View view = view(new Vec3(0.4, 0.2, -2.4), new Vec3(0.4, 0.2, -5));
@@ -271,7 +271,7 @@ class ViewTreeTest {
         }
     }
 
-    /** The same opening in the frame before, told by its path, which begins anew when the player has stepped through. */
+    /** History is found by the path from the eye, also after the eye has passed through a portal. */
     @Test
     void historyIsFoundByThePathFromTheEye() {
         Moment moment = facing(5);
@@ -284,7 +284,7 @@ class ViewTreeTest {
         history.match(stepped);
         ViewNode terminal = stepped.terminals().get(0);
         ViewNode match = history.of(terminal);
-        // Eyes 5 m behind one another: the terminal's is at 27.4 m, the last one that was drawn before at 22.6 m.
+        // The eyes are 5 m apart: the terminal's is at 27.4 m, the last one that was drawn before at 22.6 m.
         assertEquals(27.4, terminal.parent().view().eye().z(), 1e-9);
         assertEquals(22.6, match.parent().view().eye().z(), 1e-9);
         history.forget();

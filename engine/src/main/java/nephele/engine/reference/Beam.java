@@ -2,14 +2,14 @@ package nephele.engine.reference;
 
 import nephele.engine.math.Ray;
 
-/** All that rays of light which run close to each other may meet. */
+/** The items that the rays of a shaft may intersect. */
 final class Beam {
-    /** Of an object, its fields and the head of its list. */
+    /** The size of an object, its fields and the header of its list. */
     private static final int EMPTY_BYTES = 48;
 
     private final SurfaceRays surfaces;
     private final int[] items;
-    /** Index of what last shaded a place, which likely shades the next one. Threads may overwrite it as they like. */
+    /** The index of the item that blocked the last ray, tried first. Unsynchronised: it only affects speed. */
     private int likely;
 
     Beam(SurfaceRays surfaces, int[] items) {
@@ -17,12 +17,14 @@ final class Beam {
         this.items = items;
     }
 
-    /** Of memory, about. */
+    /** Returns the approximate size in memory. */
     long bytes() {
         return EMPTY_BYTES + (long) Integer.BYTES * items.length;
     }
 
-    /** Whether a ray of the beam meets any item but {@code except} up to the parameter {@code limit}. */
+    /**
+     * Returns true if a ray of the shaft intersects any item except {@code except} up to the parameter {@code limit}.
+     */
     boolean isBlocked(Ray ray, double limit, int except) {
         int first = likely;
         return isBlocked(ray, limit, except, first, items.length) || isBlocked(ray, limit, except, 0, first);

@@ -5,8 +5,8 @@ import nephele.engine.math.BoxTest;
 import nephele.engine.math.Vec3;
 
 /**
- * Where rays of light run that arrive in one box of space: at parameter t from 0 to {@code end} within the box whose
- * every bound has moved on by t times its own rate. Wider than the rays by far more than what rounding moves them.
+ * The space that shadow rays from one box may pass: at parameter t from 0 to {@code end} the box with every bound moved
+ * by t times its own rate. It is wider than the rays by far more than the rounding errors.
  */
 final class BeamShape implements BoxTest {
     /** Metres, and metres per unit of the parameter. */
@@ -27,14 +27,14 @@ final class BeamShape implements BoxTest {
         this.end = end;
     }
 
-    /** The ways to a lamp. */
+    /** Returns the shaft to a punctual light. */
     static BeamShape to(Vec3 lamp, Aabb from) {
         double[] lowRate = {lamp.x() - from.minX(), lamp.y() - from.minY(), lamp.z() - from.minZ()};
         double[] highRate = {lamp.x() - from.maxX(), lamp.y() - from.maxY(), lamp.z() - from.maxZ()};
         return new BeamShape(from, lowRate, highRate, 1);
     }
 
-    /** The ways into the open in all directions between two, component by component. */
+    /** Returns the unbounded shaft of all directions between two, component by component. */
     static BeamShape along(Vec3 least, Vec3 most, Aabb from) {
         double[] lowRate = {least.x() - MARGIN, least.y() - MARGIN, least.z() - MARGIN};
         double[] highRate = {most.x() + MARGIN, most.y() + MARGIN, most.z() + MARGIN};
@@ -46,7 +46,7 @@ final class BeamShape implements BoxTest {
         return entry(bounds, at) < Double.POSITIVE_INFINITY;
     }
 
-    /** The parameter at which the beam comes to a box; infinity where it never does. */
+    /** Returns the parameter at which the shaft first intersects a box; infinity if it does not. */
     double entry(double[] bounds, int at) {
         double enter = 0;
         double leave = end;

@@ -9,14 +9,14 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
 /**
- * Sorts rays of light into beams, each from one cube of space to one lamp, to the sun or to a patch of the sky, and finds
- * once for all rays of a beam what they may meet. A beam is made when its first ray asks. Shared by all threads: they may
- * make a beam twice, but never see half of one.
+ * Sorts shadow rays into shafts (Haines and Wallace 1991), each from one cube of space to one punctual light, to the
+ * sun or to a patch of the sky, and finds the items near a shaft once for all its rays. A shaft is made on first use.
+ * Shared by all threads: two may make the same shaft, but none sees an incomplete one.
  */
 final class Beams {
     private static final double CUBE_METRES = 1;
 
-    /** Farther from the origin in metres, cubes are not told apart. */
+    /** At greater distances from the origin in metres no shafts are used. */
     private static final double FARTHEST_METRES = 1e6;
 
     /** Patches of the sky along each side of a face of the cube of directions. */
@@ -24,10 +24,10 @@ final class Beams {
 
     private static final int FACE_PATCHES = SIDE * SIDE;
 
-    /** Cubes kept at a time; a power of two. A cube takes a few kilobytes, under a sky above 10 000 solids a hundred. */
+    /** The number of cubes kept, a power of two. A cube takes a few kB, under a sky above 10 000 solids a hundred. */
     private static final int MOST_CUBES = 1 << 14;
 
-    /** Beams kept at a time, for whose items the number of cubes is no bound. */
+    /** The limit on the memory of the shafts; the number of cubes does not bound it. */
     private static final long MOST_BYTES = 1L << 28;
 
     private final SurfaceRays surfaces;
@@ -35,14 +35,14 @@ final class Beams {
     private final long mostBytes;
     private volatile Kept kept = new Kept();
 
-    /** All that is known, forgotten together: to make it again takes as long as it took, so at worst twice as long. */
+    /** All cached shafts, dropped together: making them again at most doubles the time. */
     private static final class Kept {
         private final Cube[] cubes = new Cube[MOST_CUBES];
-        /** Of all beams made, also of those whose cube has given way to another. */
+        /** The size of all shafts made, including those of replaced cubes. */
         private final AtomicLong bytes = new AtomicLong();
     }
 
-    /** The beams that start in one cube of space. */
+    /** The shafts that start in one cube of space. */
     static final class Cube {
         private final int x;
         private final int y;
@@ -71,19 +71,27 @@ final class Beams {
         }
     }
 
-    /** @param lights the ways from a box to each light but the sky */
+    /**
+     * Makes an empty cache.
+     *
+     * @param lights for each light but the sky the function from a box to the shaft
+     */
     Beams(SurfaceRays surfaces, List<Function<Aabb, BeamShape>> lights) {
         this(surfaces, lights, MOST_BYTES);
     }
 
-    /** @param mostBytes of beams that are made before all are forgotten */
+    /**
+     * Makes an empty cache.
+     *
+     * @param mostBytes the limit on the memory of the shafts, beyond which all are dropped
+     */
     Beams(SurfaceRays surfaces, List<Function<Aabb, BeamShape>> lights, long mostBytes) {
         this.mostBytes = mostBytes;
         this.surfaces = surfaces;
         this.lights = List.copyOf(lights);
     }
 
-    /** The number of the beams into a direction of the sky; beams to lights are numbered as these. */
+    /** Returns the number of the shafts in a direction of the sky; the numbers below belong to the lights. */
     int patch(Vector3dc direction) {
         double x = Math.abs(direction.x());
         double y = Math.abs(direction.y());
@@ -103,9 +111,9 @@ final class Beams {
     }
 
     /**
-     * The cube around a place, or {@code null} too far from the origin.
+     * Returns the cube around a position, or {@code null} if it is too far from the origin.
      *
-     * @param likely returned if it is the one; may be {@code null}
+     * @param likely returned if it is the right one; may be {@code null}
      */
     Cube cube(Vector3dc place, Cube likely) {
         int x = (int) Math.floor(place.x() / CUBE_METRES);
@@ -129,7 +137,11 @@ final class Beams {
         return known;
     }
 
-    /** @param number of a light, or of a {@link #patch} */
+    /**
+     * Returns a shaft of a cube.
+     *
+     * @param number of a light, or of a {@link #patch}
+     */
     Beam beam(Cube cube, int number) {
         Beam known = cube.beams[number];
         return known == null ? made(cube, number) : known;
@@ -148,7 +160,7 @@ final class Beams {
         return keep(cube, number, surfaces.beam(shape, surfaces.near(shape)));
     }
 
-    /** All patches of a face of the sky at once: what is near one of them is near the face. */
+    /** Makes all patches of a face of the sky at once: items near one of them are near the face. */
     private Beam intoSky(Cube cube, int number) {
         Aabb box = cube.box();
         int face = (number - lights.size()) / FACE_PATCHES;

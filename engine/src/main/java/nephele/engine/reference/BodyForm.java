@@ -5,7 +5,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The convex shape of a body around its own centre, in its own frame: a box, or a sphere drawn along an upright line. */
+/** The convex shape of a body around its own centre, in its own frame: a box, a sphere or an upright capsule. */
 sealed interface BodyForm {
     static BodyForm of(Body body) {
         if (body instanceof Body.Box box) {
@@ -20,7 +20,7 @@ sealed interface BodyForm {
         throw new IllegalArgumentException("no form for " + body.getClass().getSimpleName());
     }
 
-    /** What a line has inside; empty where {@code enter} is greater than {@code leave}. */
+    /** An interval of a line's parameter; empty if {@code enter} is greater than {@code leave}. */
     record Span(double enter, double leave) {
         static final Span EMPTY = new Span(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
 
@@ -32,14 +32,14 @@ sealed interface BodyForm {
             return !(enter <= leave);
         }
 
-        /** Both together, where both are parts of one convex thing. */
+        /** Returns the hull of both, for two parts of one convex shape. */
         private Span joined(Span other) {
             return isEmpty()
                     ? other
                     : other.isEmpty() ? this : new Span(Math.min(enter, other.enter), Math.max(leave, other.leave));
         }
 
-        /** Where |position + t · speed| is at most {@code half}. */
+        /** Returns the interval in which |position + t · speed| is at most {@code half}. */
         private static Span slab(double position, double speed, double half) {
             if (speed == 0) {
                 return Math.abs(position) <= half
@@ -51,7 +51,7 @@ sealed interface BodyForm {
             return new Span(Math.min(a, b), Math.max(a, b));
         }
 
-        /** Where a t² + 2 b t + c is not positive. */
+        /** Returns the interval in which a t² + 2 b t + c is not positive. */
         private static Span parabola(double a, double b, double c) {
             if (a == 0) {
                 return c <= 0 ? new Span(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY) : EMPTY;
@@ -61,19 +61,23 @@ sealed interface BodyForm {
         }
     }
 
-    /** The part inside of the line from {@code origin} along {@code direction}. */
+    /** Returns the part of the line from {@code origin} along {@code direction} that is inside. */
     Span span(Vector3dc origin, Vector3dc direction);
 
-    /** Which of {@link nephele.engine.math.ConvexPolyhedron#box}'s faces a point of the surface lies on; 0 if round. */
+    /** Returns the face of {@link nephele.engine.math.ConvexPolyhedron#box} at a point of the surface; 0 if round. */
     int face(Vector3dc p);
 
-    /** Outward and of unit length at a point of the surface. */
+    /** Returns the outward unit normal at a point of the surface. */
     Vector3d normal(Vector3dc p);
 
-    /** How far the form reaches along a unit direction. */
+    /** Returns the extent from the centre along a unit direction. */
     double reach(Vector3dc direction);
 
-    /** A box by half its sides. */
+    /**
+     * A box.
+     *
+     * @param half half its sides, metres
+     */
     record Cuboid(Vec3 half) implements BodyForm {
         @Override
         public Span span(Vector3dc origin, Vector3dc direction) {
@@ -105,7 +109,11 @@ sealed interface BodyForm {
         }
     }
 
-    /** @param halfAxis from the centre to the centre of a cap, along y; 0 for a sphere */
+    /**
+     * A capsule.
+     *
+     * @param halfAxis from the centre to the centre of a cap, along y; 0 for a sphere
+     */
     record Capsule(double radius, double halfAxis) implements BodyForm {
         @Override
         public Span span(Vector3dc origin, Vector3dc direction) {

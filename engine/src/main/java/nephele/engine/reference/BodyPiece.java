@@ -11,14 +11,14 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * A body where it stands, or its image behind a portal that it reaches through.
+ * A body at its position, or its image behind a portal that it reaches through.
  *
  * @param body index in the level
- * @param cuts only what lies before all of them is there
+ * @param cuts only the part in front of all these planes exists
  */
 record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, List<Plane> cuts)
         implements TracedShape {
-    /** Infinity also for a ray that comes in in a cut. */
+    /** Returns infinity also for a ray that enters through a cut. */
     @Override
     public double entry(Ray ray, double least) {
         Span inside = span(ray);
@@ -67,13 +67,13 @@ record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, L
         return form.span(origin, direction);
     }
 
-    /** A place of the world in the body's own frame. */
+    /** Maps a position in the world to the body's own frame. */
     Vector3d local(Vec3 world) {
         Vector3d p = world.toVector().sub(centre.x(), centre.y(), centre.z());
         return worldFromBody.transformTranspose(p);
     }
 
-    /** How far it reaches from its centre along a unit direction of the world; cuts do not count. */
+    /** Returns the extent from its centre along a unit direction of the world, ignoring cuts. */
     double reach(double x, double y, double z) {
         return form.reach(worldFromBody.transformTranspose(new Vector3d(x, y, z)));
     }

@@ -14,8 +14,8 @@ import org.joml.Matrix3d;
 import org.joml.Vector3d;
 
 /**
- * The bodies of a level as they begin. One that reaches through portals is there several times: itself, cut by the
- * planes of all of these, and behind each its image, cut by the plane of the exit.
+ * The bodies of a level at their initial positions. A body that reaches through portals consists of several pieces: the
+ * body, cut by the planes of all of these portals, and behind each its image, cut by the exit's plane.
  */
 final class BodyPieces {
     private BodyPieces() {}
@@ -45,7 +45,10 @@ final class BodyPieces {
         return new BodyPiece(whole.body(), whole.form(), passage.point(whole.centre()), worldFromBody, List.of(exit));
     }
 
-    /** With its centre before the portal, a part behind, and no edge of the aperture between them. */
+    /**
+     * Returns true if the body's centre is in front of the portal, a part of it is behind, and no edge of the aperture
+     * separates it from the aperture.
+     */
     private static boolean reachesThrough(BodyPiece body, Portal portal) {
         Vec3 c = body.centre();
         Vec3 n = portal.normal();

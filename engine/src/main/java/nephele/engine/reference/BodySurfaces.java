@@ -16,13 +16,17 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What bodies are made of. A box has its texture's middle in the middle of each face; a round body a whole number of
- * repeats around it, and the middle half-way up. The twin of {@code thing.frag}.
+ * The materials of bodies. A box has its texture's middle in the middle of each face; a round body has a whole number
+ * of repeats around it, and the middle at half its height. The twin of {@code thing.frag}.
  */
 final class BodySurfaces {
     private final List<Clothed> bodies;
 
-    /** @param faces in the order of {@link nephele.engine.math.ConvexPolyhedron#box}; none for a round body */
+    /**
+     * The material of a body.
+     *
+     * @param faces in the order of {@link nephele.engine.math.ConvexPolyhedron#box}; none for a round body
+     */
     private record Clothed(Skin skin, List<FaceTexture> faces) {}
 
     BodySurfaces(List<Body> bodies, Skins skins) {
@@ -44,7 +48,11 @@ final class BodySurfaces {
                         .toList());
     }
 
-    /** @param toEye unit */
+    /**
+     * Returns a point of a body's surface.
+     *
+     * @param toEye unit
+     */
     SurfacePoint at(int item, BodyPiece piece, Vec3 place, Vector3dc toEye) {
         Clothed body = bodies.get(piece.body());
         Vector3d local = piece.local(place);

@@ -14,17 +14,17 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Follows a ray of the eye through every portal and off every mirror on it to the first other surface. One for each thread, used again for every
- * ray; the accessors speak of the last one.
+ * Traces an eye ray through every portal and off every mirror to the first other surface. Use one per thread, for any
+ * number of rays; the accessors refer to the last one.
  */
 final class EyePath {
     /**
-     * Between facing portals a ray may go on for ever; what it sees after so many crossings is smaller than a pixel of
-     * any picture, and the sky stands for it.
+     * The greatest number of portals and mirrors on a path. Between portals that face each other a ray may go on for
+     * ever; what it sees beyond this number is smaller than a pixel of any picture, and the sky is used instead.
      */
     static final int MOST_CROSSINGS = 4096;
 
-    /** A wall and the portal in it are met at one place: the portal wins by this. */
+    /** Tolerance for a wall and the portal in it, which coincide: the portal has priority within it. */
     private static final double FLUSH_METRES = 1e-6;
 
     private static final Vector3dc STRAIGHT = new Vector3d();
@@ -44,10 +44,10 @@ final class EyePath {
     private long passed;
 
     /**
-     * A mirror on the way.
+     * A mirror on the path.
      *
-     * @param metres from the eye to it, along the way
-     * @param lost share of light that all mirrors up to it keep, and those before it do not
+     * @param metres length of the path from the eye to it
+     * @param lost share of light that all mirrors before it transmit and that it absorbs
      */
     record Reflected(double metres, Vector3dc lost) {}
 
@@ -58,10 +58,10 @@ final class EyePath {
     }
 
     /**
-     * Walks on until a solid or a body is entered.
+     * Traces until a solid, a body or a model is entered.
      *
-     * @param along depth 1: parameters are depths
-     * @return whether there is one between {@code near} and {@code far}
+     * @param along direction of depth 1: parameters are depths
+     * @return true if there is one between {@code near} and {@code far}
      */
     boolean walk(Vector3dc eye, Vector3dc along, double near, double far) {
         origin.set(eye);
@@ -99,7 +99,7 @@ final class EyePath {
         return false;
     }
 
-    /** Turns the way where what it meets is a mirror. */
+    /** Reflects the path if it hits a mirror. */
     private boolean isReflected(double metresBefore, double length) {
         if (!mirrors.mayBe(hit.item())) {
             return false;
@@ -118,42 +118,42 @@ final class EyePath {
         return true;
     }
 
-    /** What the mirrors on the way multiply radiance by, linear RGB. */
+    /** Returns the product of the tints of the mirrors on the path, linear RGB. */
     Vector3dc tint() {
         return tint;
     }
 
-    /** The mirrors on the way, the first one first. */
+    /** Returns the mirrors on the path in order. */
     List<Reflected> reflected() {
         return reflected;
     }
 
-    /** The last piece of the way: its parameter counts from the last portal or mirror. */
+    /** Returns the last segment of the path; its parameter starts at the last portal or mirror. */
     Ray ray() {
         return ray;
     }
 
-    /** Where the way goes in the end. */
+    /** Returns the direction of the last segment. */
     Vector3dc direction() {
         return direction;
     }
 
-    /** What it ends on. */
+    /** Returns the item at the end of the path, −1 if there is none. */
     int item() {
         return item;
     }
 
-    /** How long the way is, portals and mirrors included; infinite where it ends on nothing. */
+    /** Returns the length of the path through portals and mirrors; infinite if it hits nothing. */
     double metres() {
         return metres;
     }
 
-    /** Stands for the portals and mirrors on the way, in their order; 0 where there is none. */
+    /** Returns a hash of the portals and mirrors on the path, in order; 0 if there are none. */
     long passed() {
         return passed;
     }
 
-    /** Parameter of the last piece at its end. */
+    /** Returns the parameter of the last segment at its end. */
     double end() {
         return hit.distance();
     }

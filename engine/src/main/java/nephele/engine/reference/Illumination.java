@@ -17,18 +17,18 @@ import nephele.engine.reference.SampleSequence.Point;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The light on a place: sun and lamps by one ray each, the sky by a few of many. Light does not pass portals. */
+/** The light at a point: one ray to each light, a few of many to the sky. Light does not pass through portals. */
 final class Illumination {
-    /** As {@code surface-light.glsl}: lights may be arbitrarily near and strong, half floats may not overflow. */
+    /** Bounds radiance as {@code surface-light.glsl} does: a light may be so near that half floats overflow. */
     private static final double MAX_RADIANCE = 65504;
 
-    /** Rays a sample that look for the sky: in a room with a small window few of them find it. */
+    /** Rays per sample towards the sky; in a room with a small window few of them reach it. */
     static final int SKY_RAYS = 4;
 
     private static final int SUN = 0;
     private static final int FIRST_LAMP = 1;
 
-    /** Rays leave this far above their face: over rounding, under anything that is seen. */
+    /** The height of the rays' origins above their face: above rounding errors, below any visible thickness. */
     private static final double LIFT_METRES = 1e-7;
 
     private final Sun sun;
@@ -48,7 +48,7 @@ final class Illumination {
         skyLight = ambient == null ? sky.map(SkyLight::new) : Optional.empty();
     }
 
-    /** For each light but the sky, where it comes from. */
+    /** Returns for each light but the sky the function from a box to the shaft of its shadow rays. */
     List<Function<Aabb, BeamShape>> beams() {
         Vec3 sunwards = Vec3.of(towardsSun);
         List<Function<Aabb, BeamShape>> beams = new ArrayList<>();
@@ -62,9 +62,9 @@ final class Illumination {
     }
 
     /**
-     * Radiance towards the eye.
+     * Returns the radiance towards the eye.
      *
-     * @param sample chooses which rays look for the sky
+     * @param sample chooses the rays towards the sky
      */
     Vector3d radiance(SurfacePoint surface, ShadowRays shadows, PixelSample sample) {
         Vector3d sum = new Vector3d();
@@ -85,7 +85,7 @@ final class Illumination {
         return sum.min(new Vector3d(MAX_RADIANCE)).add(own.x(), own.y(), own.z());
     }
 
-    /** Far from the origin a double's own step is longer than the usual lift. */
+    /** Far from the origin the spacing of doubles exceeds the usual lift. */
     private static Vector3d lifted(SurfacePoint surface) {
         Vector3d p = surface.place().toVector();
         double largest = Math.max(Math.abs(p.x), Math.max(Math.abs(p.y), Math.abs(p.z)));
@@ -136,12 +136,15 @@ final class Illumination {
         }
     }
 
-    /** What the curve sees beyond its triangle's plane is seen along that plane: the triangle itself is not in the way. */
+    /**
+     * Projects a direction of the curve's hemisphere that is below its triangle's plane onto that plane: the triangle
+     * itself does not occlude it.
+     */
     private static void layAbove(Vector3d direction, Vector3dc faceNormal) {
         direction.fma(-Math.min(direction.dot(faceNormal), 0), faceNormal);
     }
 
-    /** Equal cosine weight for equal areas of the unit square (Malley's method). */
+    /** Returns directions of equal cosine weight for equal areas of the unit square (Malley's method). */
     private static Vector3d onHemisphere(Point point, Vector3d across, Vector3d up, Vector3dc normal) {
         double radius = Math.sqrt(point.x());
         double angle = 2 * Math.PI * point.y();

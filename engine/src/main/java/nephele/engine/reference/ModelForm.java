@@ -18,7 +18,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * A model's triangles. No ray passes between two that share an edge. The eye sees their fronts; they shade from both sides.
+ * A model's triangles. No ray passes between two that share an edge. Only front faces are visible; both sides cast
+ * shadows.
  */
 final class ModelForm implements TracedShape {
     private final PlacedModel model;
@@ -47,7 +48,7 @@ final class ModelForm implements TracedShape {
         return model.bounds();
     }
 
-    /** Of the first front. */
+    /** Returns the parameter of the first front face. */
     @Override
     public double entry(Ray ray, double least) {
         RayHit hit = new RayHit();

@@ -5,17 +5,18 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * The camera: every point of the picture is a ray from the eye.
+ * A pinhole camera: every point of the picture corresponds to a ray from the eye.
  *
- * @param basis looks along −back
- * @param halfWidth of the picture at depth 1: the tangent of half its field of view
+ * @param eye world metres
+ * @param basis orientation, looking along −back
+ * @param halfWidth half the picture's width at depth 1: the tangent of half its field of view
  * @param halfHeight likewise
- * @param nearMetres depth before which no surface is seen
- * @param farMetres depth beyond which none is; may be infinite
+ * @param nearMetres least depth at which a surface is visible
+ * @param farMetres greatest such depth; may be infinite
  */
 public record Pinhole(Vec3 eye, Basis basis, double halfWidth, double halfHeight, double nearMetres, double farMetres) {
     /**
-     * Through a point of the picture, of depth 1: a ray's parameter is the depth that it has reached.
+     * Returns the direction through a point of the picture, of depth 1: a ray's parameter is its depth.
      *
      * @param right 0 at the left border, 1 at the right one; {@code up} likewise from the bottom
      */

@@ -13,9 +13,9 @@ import nephele.engine.reference.SampleSequence.PixelSample;
 import nephele.engine.reference.SampleSequence.Point;
 import org.joml.Vector3d;
 
-/** Traces a picture, row by row on several threads; what it shows does not depend on their number. */
+/** Traces a picture, row by row on several threads; the result does not depend on their number. */
 public final class ReferencePicture {
-    /** To be raised whenever a picture of any level changes: traced pictures are kept beside it. */
+    /** Raise it whenever a picture of any level changes: traced pictures are stored under it. */
     public static final int VERSION = 1;
 
     private static final Point MIDDLE = new Point(0.5, 0.5);
@@ -39,9 +39,9 @@ public final class ReferencePicture {
     }
 
     /**
-     * Linear radiance before exposure, RGB, the bottom row first.
+     * Returns linear radiance before exposure, RGB, the bottom row first.
      *
-     * @param progress receives the done fraction, 0–1, from any thread
+     * @param progress receives the completed fraction, 0–1, from any thread
      */
     public static float[] trace(TracedLevel level, Pinhole eye, TraceSettings settings, DoubleConsumer progress) {
         ReferencePicture picture = new ReferencePicture(level, eye, settings, progress);
@@ -80,7 +80,7 @@ public final class ReferencePicture {
         return null;
     }
 
-    /** The mean over the square of the pixel. */
+    /** Computes the mean over the square of the pixel. */
     private void pixel(Tracer tracer, int column, int row) {
         Vector3d sum = new Vector3d();
         for (int i = 0; i < settings.samples(); i++) {

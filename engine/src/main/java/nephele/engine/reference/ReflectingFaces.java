@@ -4,7 +4,7 @@ import java.util.List;
 import nephele.engine.level.Brush;
 import nephele.engine.math.Vec3;
 
-/** Which faces of solids are mirrors, and how much light each reflects. Immutable. */
+/** The faces of solids that are mirrors, with their tints. Immutable. */
 final class ReflectingFaces {
     static final ReflectingFaces NONE = new ReflectingFaces(new Face[0][]);
 
@@ -14,7 +14,7 @@ final class ReflectingFaces {
      * One mirror.
      *
      * @param normal unit length, outwards
-     * @param tint what radiance is multiplied by
+     * @param tint factor on radiance, linear RGB
      */
     record Face(Vec3 normal, Vec3 tint) {}
 
@@ -39,7 +39,7 @@ final class ReflectingFaces {
         return item < faces.length;
     }
 
-    /** {@code null} for a face that is no mirror. */
+    /** Returns {@code null} for a face that is not a mirror. */
     Face at(int item, int face) {
         return faces[item][face];
     }

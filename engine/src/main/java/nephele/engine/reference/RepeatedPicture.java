@@ -4,7 +4,7 @@ import java.util.Arrays;
 import nephele.engine.asset.Picture;
 import nephele.engine.level.appearance.Decoding;
 
-/** A picture that repeats in both directions, bilinear between the middles of its pixels, in linear values. */
+/** A picture that repeats in both directions, interpolated bilinearly between its pixel centres, in linear values. */
 final class RepeatedPicture {
     private final Picture picture;
     private final double[] linear;

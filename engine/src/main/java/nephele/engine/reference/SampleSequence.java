@@ -4,21 +4,25 @@ import nephele.engine.math.BitHash;
 import nephele.engine.math.SeededNoise;
 
 /**
- * Points of the unit square that fill it evenly: Roberts' R2 sequence ("The Unreasonable Effectiveness of Quasirandom
- * Sequences", 2018), shifted for each pixel and use by its own offset (Cranley and Patterson 1976). A value of pixel, use,
- * index and seed, whoever asks and when.
+ * Low-discrepancy points of the unit square: Roberts' R2 sequence ("The Unreasonable Effectiveness of Quasirandom
+ * Sequences", 2018), shifted for each pixel and use by its own offset (Cranley and Patterson 1976). A pure function of
+ * pixel, use, index and seed.
  */
 final class SampleSequence {
-    /** The positive root of x³ = x + 1, whose powers are the least rational steps in two dimensions. */
+    /** The positive root of x³ = x + 1; its powers are the least rational steps in two dimensions. */
     private static final double STEP_ROOT = 1.32471795724474602596;
 
-    /** What points are used for. */
+    /** The uses of points. */
     enum Use {
         PIXEL,
         SKY
     }
 
-    /** @param x in [0, 1), as is {@code y} */
+    /**
+     * A point of the unit square.
+     *
+     * @param x in [0, 1), as is {@code y}
+     */
     record Point(double x, double y) {}
 
     /** One of the samples of a pixel. */
@@ -33,12 +37,16 @@ final class SampleSequence {
             this.index = index;
         }
 
-        /** Where in its pixel it lies. */
+        /** Returns the position in its pixel. */
         Point inPixel() {
             return point(Use.PIXEL, column, row, index);
         }
 
-        /** @param ray less than {@link Illumination#SKY_RAYS} */
+        /**
+         * Returns the point for a ray to the sky.
+         *
+         * @param ray less than {@link Illumination#SKY_RAYS}
+         */
         Point sky(int ray) {
             return point(Use.SKY, column, row, index * Illumination.SKY_RAYS + ray);
         }

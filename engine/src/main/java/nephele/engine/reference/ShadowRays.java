@@ -3,7 +3,7 @@ package nephele.engine.reference;
 import nephele.engine.math.Ray;
 import org.joml.Vector3dc;
 
-/** Asks whether light arrives. One for each thread. */
+/** Tests shadow rays. Use one per thread. */
 final class ShadowRays {
     private final SurfaceRays surfaces;
     private final Beams beams;
@@ -16,9 +16,11 @@ final class ShadowRays {
     }
 
     /**
-     * @param light number of the sun or a lamp, which lies in {@code direction}
-     * @param limit parameter of the ray up to which something is in the way
-     * @param lit the item that is lit: a convex thing does not shade itself
+     * Returns true if light is blocked.
+     *
+     * @param light number of the sun or of a punctual light in {@code direction}
+     * @param limit parameter of the ray up to which items block it
+     * @param lit the lit item: a convex item does not shade itself
      */
     boolean isBlocked(int light, Vector3dc origin, Vector3dc direction, double limit, int lit) {
         int except = surfaces.withoutOwnShade(lit);
@@ -29,7 +31,7 @@ final class ShadowRays {
                 : beams.beam(cube, light).isBlocked(ray, limit, except);
     }
 
-    /** Whether the sky is out of sight in a direction. */
+    /** Returns true if the sky is occluded in a direction. */
     boolean isSkyBlocked(Vector3dc origin, Vector3dc direction, int lit) {
         return isBlocked(beams.patch(direction), origin, direction, Double.POSITIVE_INFINITY, lit);
     }

@@ -13,37 +13,41 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The level's materials with their pictures. Pictures are read where a ray meets them; many rays make the filter. */
+/** The level's materials with their pictures. Pictures are read at the hit point; averaging many rays filters them. */
 final class Skins {
     private static final Skin GREY = new Skin(Material.DEFAULT_GREY, null, null);
 
     private final Map<String, Skin> byId = new HashMap<>();
 
-    /** A material; its pictures are {@code null} where it has none. */
+    /** A material; its pictures are {@code null} if it has none. */
     record Skin(Material material, RepeatedPicture colour, RepeatedPicture normals) {}
 
     /**
-     * Where on a skin a place lies.
+     * The texture coordinates and the texture's directions at a point.
      *
      * @param s texture coordinate along {@code across}
-     * @param t against {@code up}
+     * @param t texture coordinate against {@code up}
      */
     record Spot(double s, double t, Vector3dc across, Vector3dc up) {}
 
     /**
-     * A point of a surface before anything is said of its material.
+     * A point of a surface without its material.
      *
-     * @param normal of the surface that the geometry stands for
+     * @param normal of the surface that the geometry approximates
      * @param faceNormal of the geometry
      */
     record Bare(int item, Vec3 place, Vector3dc normal, Vector3dc faceNormal, Vector3dc toEye) {
-        /** Of what is as smooth as its geometry. */
+        /** Makes a point of an exact geometry. */
         Bare(int item, Vec3 place, Vector3dc normal, Vector3dc toEye) {
             this(item, place, normal, normal, toEye);
         }
     }
 
-    /** @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used */
+    /**
+     * Reads the pictures.
+     *
+     * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
+     */
     Skins(List<Material> materials, AssetSource assets, Decoding decoding) {
         Map<String, RepeatedPicture> colours = new HashMap<>();
         Map<String, RepeatedPicture> normals = new HashMap<>();
@@ -65,7 +69,7 @@ final class Skins {
                         id, name -> new RepeatedPicture(PictureDecoder.decode(name, assets.bytes(name)), decoding));
     }
 
-    /** The default grey for {@code null} and for what is unknown. */
+    /** Returns the default grey for {@code null} and for unknown ids. */
     Skin skin(String material) {
         return byId.getOrDefault(material, GREY);
     }

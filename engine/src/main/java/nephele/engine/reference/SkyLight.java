@@ -6,9 +6,9 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * The sky's irradiance by the normal, divided by π, integrated over the whole sky: Lambert's cosine over a cube of
- * {@value #SKY_CELLS}² cells a face, for a cube of normals between which it is interpolated. The engine keeps nine
- * coefficients of it.
+ * The sky's irradiance by normal, divided by π, integrated over the whole sky with Lambert's cosine: a cube map of
+ * {@value #SKY_CELLS}² cells a face, tabulated for a cube of normals and interpolated. The engine uses nine
+ * coefficients instead.
  */
 final class SkyLight {
     private static final int SKY_CELLS = 48;
@@ -26,7 +26,7 @@ final class SkyLight {
         });
     }
 
-    /** Direction x, y, z and radiance × solid angle / π of every cell of the sky. */
+    /** Returns direction x, y, z and radiance × solid angle / π for every cell of the sky. */
     private static double[] cells(SkyRadiance sky) {
         double[] cells = new double[6 * SKY_CELLS * SKY_CELLS * 6];
         double total = 0;
@@ -69,7 +69,7 @@ final class SkyLight {
         }
     }
 
-    /** Irradiance / π on a surface that looks along {@code normal}: a constant sky gives its own radiance. */
+    /** Returns irradiance / π on a surface with the given normal; a constant sky results in its own radiance. */
     Vector3d ambient(Vector3dc normal) {
         int axis = normal.maxComponent();
         double along = normal.get(axis);

@@ -1,4 +1,4 @@
 package nephele.engine.reference;
 
-/** What everything that rays meet is made of. */
+/** The materials of all items. */
 record SurfaceLooks(Surfaces solids, BodySurfaces bodies, Skins skins) {}

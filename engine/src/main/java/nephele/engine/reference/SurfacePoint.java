@@ -7,16 +7,17 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Where a ray of the eye ends, and what is there.
+ * The end point of an eye ray with its surface properties.
  *
- * @param item as {@link SurfaceRays} numbers it
- * @param normal unit, bent by a normal map
- * @param smoothNormal unit, of the surface that the geometry stands for: its own unless that is a mesh
+ * @param item number as in {@link SurfaceRays}
+ * @param normal unit, perturbed by a normal map
+ * @param smoothNormal unit, of the surface that the geometry approximates: equal to {@code faceNormal} unless that is a
+ *     mesh
  * @param faceNormal unit, of the geometry
- * @param albedo what a Lambert surface reflects; unused with {@code gloss}
+ * @param albedo reflectance of a Lambert surface; unused with {@code gloss}
  * @param gloss {@code null} for a Lambert surface
  * @param toEye unit
- * @param emission radiance of its own
+ * @param emission emitted radiance
  */
 record SurfacePoint(
         int item,
@@ -29,7 +30,7 @@ record SurfacePoint(
         Vector3dc toEye,
         Vec3 emission) {
 
-    /** Radiance towards the eye per irradiance on a plane across the beam. */
+    /** Returns the radiance towards the eye per irradiance on a plane perpendicular to the light. */
     Vector3d reflected(Vector3dc toLight) {
         Vector3d reflected = gloss == null
                 ? new Vector3d(albedo).mul(Math.max(normal.dot(toLight), 0) / Math.PI)
@@ -39,7 +40,7 @@ record SurfacePoint(
                 : reflected.mul(Terminator.share(smoothNormal, faceNormal, toLight));
     }
 
-    /** Radiance towards the eye under light from all around: what falls on the normal, and what is mirrored. */
+    /** Returns the radiance towards the eye under ambient light, irradiance / π at the normal and mirror direction. */
     Vector3d reflected(Vector3dc onNormal, Vector3dc mirrored) {
         if (gloss == null) {
             return new Vector3d(albedo).mul(onNormal);
@@ -47,7 +48,7 @@ record SurfacePoint(
         return new Vector3d(gloss.diffuse()).mul(onNormal).add(new Vector3d(gloss.ambientSpecular()).mul(mirrored));
     }
 
-    /** Where a smooth surface would mirror the eye's ray to. */
+    /** Returns the direction into which a mirror with this normal would reflect the eye ray. */
     Vector3d mirrorDirection() {
         return new Vector3d(normal).mul(2 * normal.dot(toEye)).sub(toEye);
     }

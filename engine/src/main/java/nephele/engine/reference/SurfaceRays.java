@@ -13,11 +13,11 @@ import nephele.engine.math.SpatialIndex;
 import org.joml.Vector3dc;
 
 /**
- * All that rays meet of a level. Items are numbered solids first, then the pieces of bodies, then models. Safe to share
- * between threads.
+ * All items of a level that rays intersect. They are numbered solids first, then the pieces of bodies, then models.
+ * Safe to share between threads.
  */
 final class SurfaceRays {
-    /** By this factor of its way a ray goes on behind a surface before nothing there can be in front by rounding. */
+    /** The factor on a hit's parameter beyond which rounding cannot place an item in front of the hit. */
     private static final double BEHIND = 1 + 1e-9;
 
     private final TracedShape[] items;
@@ -26,7 +26,11 @@ final class SurfaceRays {
     private final double[] bounds;
     private final SpatialIndex index;
 
-    /** @param bodies how many there are, whatever portals cut them into */
+    /**
+     * Collects the items.
+     *
+     * @param bodies number of bodies, however many pieces portals cut them into
+     */
     SurfaceRays(StaticShapes statics, List<BodyPiece> pieces, int bodies) {
         TracedStatics traced = new TracedStatics(statics);
         List<TracedShape> all = new ArrayList<>(traced.solids());
@@ -54,12 +58,14 @@ final class SurfaceRays {
         return items[item];
     }
 
-    /** What need not be looked at for the light on an item, −1 for none: itself, where it is convex; −1 for any other. */
+    /**
+     * Returns the item to exclude from the shadow rays of a lit item: itself if it is convex, otherwise −1 for none.
+     */
     int withoutOwnShade(int item) {
         return item < 0 || items[item].shadesItself() ? -1 : item;
     }
 
-    /** The index of a solid, the number of solids plus that of a body, or the number of both plus that of a model. */
+    /** Returns the index of a solid, the number of solids plus that of a body, or of both plus that of a model. */
     int surface(int item) {
         return surfaces[item];
     }
@@ -68,16 +74,16 @@ final class SurfaceRays {
         return surface >= 0 && surface < solids;
     }
 
-    /** The parameter at which a ray from outside enters a solid; infinity where it does not. */
+    /** Returns the parameter at which a ray from outside enters a solid; infinity if it does not. */
     double entry(Ray ray, int solid) {
         return items[solid].entry(ray, 0);
     }
 
     /**
-     * The first item that the ray enters at a parameter from {@code least} to {@code most}.
+     * Finds the first item that the ray enters at a parameter from {@code least} to {@code most}.
      *
-     * @param likely an item that the ray may well enter first, or −1: what is clearly behind it is not looked at, the
-     *     answer does not depend on it
+     * @param likely an item that the ray probably enters first, or −1: items clearly behind it are skipped, and the
+     *     result does not depend on it
      */
     boolean nearest(Ray ray, double least, double most, int likely, RayHit hit) {
         double behind = likely < 0 ? Double.POSITIVE_INFINITY : BEHIND * items[likely].entry(ray, least);
@@ -88,14 +94,14 @@ final class SurfaceRays {
         return index.nearest(ray, most, (r, item, limit) -> items[item].entry(r, least), hit);
     }
 
-    /** Whether the ray meets any item but {@code except} up to the parameter {@code limit}: one that it does, or −1. */
+    /** Returns an item other than {@code except} that the ray intersects up to the parameter {@code limit}, or −1. */
     int blocker(Ray ray, double limit, int except) {
         Blocker found = new Blocker(except);
         index.anyHit(ray, limit, found);
         return found.item;
     }
 
-    /** All items that rays of the beam may meet. */
+    /** Returns all items that rays of the shaft may intersect. */
     int[] near(BeamShape shape) {
         IntStream.Builder items = IntStream.builder();
         index.passing(shape, items::add);
@@ -103,9 +109,9 @@ final class SurfaceRays {
     }
 
     /**
-     * Those of some items that rays of the beam may meet, nearest first.
+     * Returns the shaft with those of some items that its rays may intersect, nearest first.
      *
-     * @param items all that are {@link #near} this beam or a wider one
+     * @param items all that are {@link #near} this shaft or a wider one
      */
     Beam beam(BeamShape shape, int[] items) {
         long[] met = new long[items.length];
@@ -122,17 +128,17 @@ final class SurfaceRays {
                 Arrays.stream(met, 0, count).mapToInt(key -> items[(int) key]).toArray());
     }
 
-    /** Sorts by what is met first, at {@code entry} ≥ 0, then by place in the list. Only for speed: a float will do. */
+    /** Returns a key that sorts by {@code entry} ≥ 0, then by index. It only affects speed: a float suffices. */
     private static long nearer(double entry, int place) {
         return (long) Float.floatToIntBits((float) entry) << 32 | place;
     }
 
-    /** The first of some items whose box the ray meets up to the parameter {@code limit}, as {@link Ray#firstBox}. */
+    /** Returns the first item with a box that the ray intersects up to {@code limit}, as {@link Ray#firstBox}. */
     int firstBox(Ray ray, double limit, int[] items, int from, int to) {
         return ray.firstBox(limit, bounds, items, from, to);
     }
 
-    /** Whether the ray meets one item up to the parameter {@code limit}. */
+    /** Returns true if the ray intersects one item up to the parameter {@code limit}. */
     boolean isBlockedBy(int item, Ray ray, double limit) {
         return items[item].meets(ray, limit);
     }

@@ -5,15 +5,15 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
 
-/** Which surface the eye sees: what identity colours show, without any light. One for each thread. */
+/** Finds the visible surface, as identity colours show it, without light. Use one per thread. */
 public final class SurfaceSight {
-    /** The sky, or what is beyond the far plane. */
+    /** The sky, or anything beyond the far plane. */
     public static final int NOTHING = -1;
 
-    /** What a drawn picture's depths cannot tell apart. */
+    /** The depth difference that a rendered picture cannot resolve. */
     private static final double SAME_METRES = 1e-5;
 
-    /** Share of the way to a light that its rays leave out at the surface. */
+    /** The share of the distance to a light by which shadow rays start above the surface. */
     private static final double LIFT = 1e-7;
 
     private final SurfaceRays rays;
@@ -31,8 +31,8 @@ public final class SurfaceSight {
     }
 
     /**
-     * The index of the solid that a ray ends on, or the number of solids plus the index of a body, or the number of both
-     * plus the index of a model, or {@link #NOTHING}.
+     * Returns the index of the solid at the end of a ray, or the number of solids plus the index of a body, or the
+     * number of both plus the index of a model, or {@link #NOTHING}.
      *
      * @param right 0 at the left border of the picture, 1 at the right one; {@code up} likewise from the bottom
      */
@@ -44,8 +44,8 @@ public final class SurfaceSight {
     }
 
     /**
-     * Whether a solid's surface is as near as the one that was seen by the last {@link #at}: of faces that lie in one
-     * place any may be said to be seen.
+     * Returns true if a solid's surface is as near as the surface found by the last {@link #at}: of coincident faces
+     * any may be the visible one.
      */
     public boolean coincides(int solid) {
         return path.item() >= 0
@@ -55,21 +55,21 @@ public final class SurfaceSight {
                         <= SAME_METRES;
     }
 
-    /** Stands for the portals and mirrors that the ray of the last {@link #at} met, in their order; 0 for none. */
+    /** Returns a hash of the portals and mirrors on the path of the last {@link #at}, in order; 0 if there are none. */
     public long passed() {
         return path.passed();
     }
 
-    /** Where the ray of the last {@link #at} that met something ended. */
+    /** Returns the end point of the last {@link #at} that hit something. */
     public Vec3 place() {
         return path.ray().at(path.end());
     }
 
     /**
-     * Whether light arrives where the last {@link #at} ended, from a place shifted by a little: what shades is as the
-     * level has it, the thing itself does not.
+     * Returns true if light reaches the end point of the last {@link #at}, moved by a small shift: other items cast
+     * shadows unmoved, the lit item does not shade itself if it is convex.
      *
-     * @param way to the light from the place that is not shifted
+     * @param way vector to the light from the unmoved point
      * @param limit share of the way that counts; infinite for the sun
      */
     public boolean isLit(Vec3 shift, Vec3 way, double limit) {
@@ -84,7 +84,7 @@ public final class SurfaceSight {
         return rays.blocker(ray, limit, rays.withoutOwnShade(path.item())) < 0;
     }
 
-    /** How far one can go straight on without meeting anything, portals and mirrors taken as walls; infinite into the open. */
+    /** Returns the free distance along a direction without portals and reflections; infinite if nothing is hit. */
     public double freeMetres(Vec3 place, Vec3 unitDirection) {
         straight.walk(place.toVector(), unitDirection.toVector(), 0, Double.POSITIVE_INFINITY);
         return straight.metres();

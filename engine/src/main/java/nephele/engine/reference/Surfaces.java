@@ -10,7 +10,7 @@ import nephele.engine.reference.Skins.Skin;
 import nephele.engine.reference.Skins.Spot;
 import org.joml.Vector3dc;
 
-/** What each face of each solid is made of. */
+/** The materials of all faces of all solids. */
 final class Surfaces {
     private final List<List<Face>> faces;
 
@@ -34,7 +34,11 @@ final class Surfaces {
                 skin);
     }
 
-    /** @param toEye unit */
+    /**
+     * Returns a point of a solid's surface.
+     *
+     * @param toEye unit
+     */
     SurfacePoint at(int solid, int faceIndex, Vec3 place, Vector3dc toEye) {
         Face face = faces.get(solid).get(faceIndex);
         FaceTexture texture = face.texture;

@@ -1,9 +1,10 @@
 package nephele.engine.reference;
 
 /**
- * How much of a picture is computed, and by how many. The picture depends on all of it but the threads.
+ * The size and quality of a picture. The picture depends on everything but the number of threads.
  *
- * @param samples rays a pixel; a single one goes through its middle, as a rasteriser's does
+ * @param width pixels, {@code height} likewise; all numbers but the seed are at least 1
+ * @param samples rays per pixel; a single one passes through its centre, as a rasteriser's does
  * @param seed of the pattern that the rays of a pixel form
  */
 public record TraceSettings(int width, int height, int samples, long seed, int threads) {

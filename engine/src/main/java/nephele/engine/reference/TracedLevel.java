@@ -14,7 +14,7 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** A level made ready for rays, its bodies as they begin; immutable, shared by all threads. */
+/** A level prepared for ray tracing, with its bodies at their initial positions; immutable, shared by all threads. */
 public final class TracedLevel {
     private final SurfaceRays rays;
     private final SurfaceLooks looks;
@@ -39,7 +39,7 @@ public final class TracedLevel {
     }
 
     /**
-     * The level with the portals that it starts with.
+     * Prepares the level with its initial portals.
      *
      * @param decoding of the pictures of materials and sky
      * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
@@ -53,7 +53,7 @@ public final class TracedLevel {
         return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new ShadowRays(rays, beams));
     }
 
-    /** For one thread. */
+    /** Returns an object for one thread that finds visible surfaces. */
     public SurfaceSight sight(Pinhole eye) {
         return new SurfaceSight(rays, new EyePath(rays, portals, mirrors), eye);
     }
@@ -62,7 +62,7 @@ public final class TracedLevel {
         return light;
     }
 
-    /** What a path has ended on. */
+    /** Returns the surface point at the end of a path. */
     SurfacePoint surface(EyePath path, Vec3 place, Vector3dc toEye) {
         return rays.shape(path.item()).at(path, place, toEye, looks);
     }

@@ -5,21 +5,21 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
-/** Something that rays meet. Only outsides are seen: a ray that begins inside it does not see it. */
+/** A shape that rays intersect. Only its outside is visible: a ray that starts inside does not see it. */
 sealed interface TracedShape permits TracedSolid, BodyPiece, ModelForm {
     Aabb bounds();
 
-    /** The parameter at which the ray first comes in; infinity where it does so before {@code least}, or never. */
+    /** Returns the parameter at which the ray first enters; infinity if that is before {@code least}, or never. */
     double entry(Ray ray, double least);
 
-    /** Whether the ray has any point of it up to the parameter {@code limit}. */
+    /** Returns true if the ray contains any point of it up to the parameter {@code limit}. */
     boolean meets(Ray ray, double limit);
 
-    /** Whether one part of it can be in another's shade: never where it is convex. */
+    /** Returns true if one part of it can shade another, which is impossible for a convex shape. */
     boolean shadesItself();
 
     /**
-     * What is there where a path has ended on it.
+     * Returns the surface point at the end of a path on this shape.
      *
      * @param toEye unit
      */

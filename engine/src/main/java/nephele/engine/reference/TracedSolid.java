@@ -6,9 +6,9 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
-/** A convex solid, taken as what lies behind all its planes: exact at edges, so that touching solids leave no gap. */
+/** A convex solid as an intersection of half-spaces: exact at edges, so that touching solids leave no gap. */
 final class TracedSolid implements TracedShape {
-    /** Two faces that a ray meets within this share of its way are met on their edge. */
+    /** Two faces with parameters that differ by less than this share are hit on their common edge. */
     private static final double EDGE = 1e-12;
 
     private final double[] planes;
@@ -44,7 +44,9 @@ final class TracedSolid implements TracedShape {
         return looks.solids().at(path.item(), face(path.ray()), place, toEye);
     }
 
-    /** Which of its faces the ray enters the solid by; on an edge, the one that it meets more squarely. */
+    /**
+     * Returns the index of the face by which the ray enters; on an edge, of the face at the smaller angle of incidence.
+     */
     int face(Ray ray) {
         double[] p = planes;
         int entered = 0;
@@ -62,7 +64,7 @@ final class TracedSolid implements TracedShape {
         return entered;
     }
 
-    /** The parameter at which the ray comes in; infinity where it does so before {@code least}, or never. */
+    /** Returns the parameter at which the ray enters; infinity if that is before {@code least}, or never. */
     private static double entry(Ray ray, double[] p, double least) {
         double enter = Double.NEGATIVE_INFINITY;
         double leave = Double.POSITIVE_INFINITY;
@@ -80,7 +82,7 @@ final class TracedSolid implements TracedShape {
         return enter < leave && enter >= least ? enter : Double.POSITIVE_INFINITY;
     }
 
-    /** Clips the ray from 0 to {@code limit} by every plane (Cyrus and Beck 1978): what is left lies inside. */
+    /** Clips the ray from 0 to {@code limit} by every plane (Cyrus and Beck 1978): the rest is inside. */
     private static boolean meets(Ray ray, double[] p, double limit) {
         double enter = 0;
         double leave = limit;

@@ -5,7 +5,7 @@ import java.util.List;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 
-/** Makes what rays meet of static shapes. */
+/** Makes the traced shapes of static shapes. */
 final class TracedStatics implements StaticShape.Cases {
     private final List<TracedSolid> solids = new ArrayList<>();
     private final List<ModelForm> models = new ArrayList<>();
@@ -26,7 +26,7 @@ final class TracedStatics implements StaticShape.Cases {
 
     @Override
     public void heightGrid(StaticShape.HeightGrid grid) {
-        // Ground is not seen yet.
+        // Height grids are not traced yet.
     }
 
     List<TracedSolid> solids() {

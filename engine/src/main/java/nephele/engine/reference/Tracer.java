@@ -5,7 +5,7 @@ import nephele.engine.reference.SampleSequence.PixelSample;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** What one thread traces a level with. */
+/** Traces radiance for one thread. */
 final class Tracer {
     private final TracedLevel level;
     private final Pinhole eye;
@@ -21,7 +21,7 @@ final class Tracer {
         from = eye.eye().toVector();
     }
 
-    /** Radiance that reaches the eye along a ray, see {@link Pinhole#direction}. */
+    /** Returns the radiance that reaches the eye along a ray, see {@link Pinhole#direction}. */
     Vector3d radiance(Vector3d direction, PixelSample sample) {
         if (path.walk(from, direction, eye.nearMetres(), eye.farMetres())) {
             Vec3 place = path.ray().at(path.end());
@@ -34,8 +34,7 @@ final class Tracer {
     }
 
     /**
-     * What mirrors leave of radiance that has come all the way through the fog: the fog before a mirror is not tinted by
-     * it.
+     * Applies the mirrors to radiance that has passed all the fog: the fog in front of a mirror is not tinted by it.
      */
     private Vector3d mirrored(Vector3d radiance) {
         radiance.mul(path.tint());

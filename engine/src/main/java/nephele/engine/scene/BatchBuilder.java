@@ -11,9 +11,9 @@ import java.util.Map;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
 
-/** Sorts triangles into {@link SolidBatch}es, slot after slot of the spatial index. */
+/** Sorts triangles into {@link SolidBatch}es, one slot of the spatial index after the other. */
 final class BatchBuilder {
-    /** Side of a cell in metres: floats relative to its middle are at most 0.06 mm off. */
+    /** The side of a cell in metres: floats relative to its centre have an error of at most 0.06 mm. */
     private static final double CELL_METRES = 1024;
 
     private final Vec3 origin;
@@ -26,7 +26,7 @@ final class BatchBuilder {
 
     private record Key(SolidBatch.Form form, SolidBatch.Kind kind, Vec3 cellOrigin) {}
 
-    /** A batch while its triangles are added. */
+    /** A batch to which triangles are still being added. */
     static final class Growing {
         private final Vec3 cell;
         private int[] indices = new int[64];
@@ -38,12 +38,12 @@ final class BatchBuilder {
             ends = new int[slots];
         }
 
-        /** What the positions of its vertices are relative to. */
+        /** Returns the world position that the vertices' positions are relative to. */
         Vec3 cell() {
             return cell;
         }
 
-        /** Copies indices of another mesh, whose vertices stand {@code shift} farther on in this one. */
+        /** Copies indices of another mesh; in this mesh the number of each vertex is greater by {@code shift}. */
         void indices(IntBuffer from, int first, int end, int shift) {
             reserve(end - first);
             for (int i = first; i < end; i++) {
@@ -57,7 +57,11 @@ final class BatchBuilder {
             }
         }
 
-        /** @param corners numbers of vertices from {@code firstVertex} on */
+        /**
+         * Appends triangles.
+         *
+         * @param corners vertex numbers relative to {@code firstVertex}
+         */
         void triangles(int firstVertex, int[] corners) {
             reserve(corners.length);
             for (int corner : corners) {
@@ -66,18 +70,23 @@ final class BatchBuilder {
         }
     }
 
-    /** The batch like one of another mesh, or {@code null} where nothing is in it yet. */
+    /** Returns the batch that corresponds to one of another mesh, or {@code null} if it is still empty. */
     Growing known(SolidBatch like) {
         return batches.get(new Key(like.form(), like.kind(), like.cellOrigin()));
     }
 
-    /** @param origin what every cell's origin is a whole number of cells away from */
+    /**
+     * Makes a builder without batches.
+     *
+     * @param origin cell origins differ from it by whole numbers of cells
+     * @param slots number of slots of the spatial index
+     */
     BatchBuilder(Vec3 origin, int slots) {
         this.origin = origin;
         this.slots = slots;
     }
 
-    /** The batch for what is made of a material, near a place. */
+    /** Returns the batch for faces of a material near a position. */
     Growing batch(SolidBatch.Form form, Surface surface, int material, Vec3 place) {
         Vec3 cell = cellOf(place);
         if (last == null || lastForm != form || lastMaterial != material || !last.cell.equals(cell)) {
@@ -104,14 +113,14 @@ final class BatchBuilder {
                 origin.z() + CELL_METRES * Math.rint((p.z() - origin.z()) / CELL_METRES));
     }
 
-    /** To be called for each slot in turn, when all of it has been added. */
+    /** Ends a slot; call it for each slot in order, after all its triangles have been added. */
     void endSlot(int slot) {
         for (Growing batch : batches.values()) {
             batch.ends[slot] = batch.size;
         }
     }
 
-    /** All indices, batch after batch; appends the batches to {@code done}. */
+    /** Returns the indices of all batches, one batch after the other, and appends the batches to {@code done}. */
     IntBuffer finish(List<SolidBatch> done) {
         int total = batches.values().stream().mapToInt(b -> b.size).sum();
         IntBuffer indices = ByteBuffer.allocateDirect(4 * total)

@@ -3,8 +3,8 @@ package nephele.engine.scene;
 import nephele.engine.portal.Portal;
 
 /**
- * Where a shot would open a portal.
+ * The preview of the portal that a shot would open.
  *
- * @param colour 0 or 1, the shot
+ * @param colour 0 or 1, the number of the shot
  */
 public record Ghost(Portal portal, int colour) {}

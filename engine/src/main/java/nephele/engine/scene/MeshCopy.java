@@ -2,7 +2,7 @@ package nephele.engine.scene;
 
 import java.util.List;
 
-/** Copies the vertices and triangles of shapes from the mesh of a level before an edit. */
+/** Copies the vertices and triangles of shapes from the mesh that the level had before an edit. */
 final class MeshCopy {
     private final MeshSpans spans;
     private final SolidGeometry.Triangles triangles;
@@ -10,8 +10,10 @@ final class MeshCopy {
     private final BatchBuilder.Growing[] grown;
 
     /**
-     * @param spans of the shapes
-     * @param batches of the mesh
+     * Makes a copier for one mesh.
+     *
+     * @param spans the vertex ranges of the mesh's shapes
+     * @param batches the batches of the mesh
      */
     MeshCopy(MeshSpans spans, SolidGeometry.Triangles triangles, List<SolidBatch> batches) {
         this.spans = spans;
@@ -24,7 +26,10 @@ final class MeshCopy {
         return spans.ends()[number] - spans.firsts()[number];
     }
 
-    /** False, and nothing copied, where no batch of a kind is there yet: its place among the others is the shape's to find. */
+    /**
+     * Copies the mesh of a shape. Returns false and copies nothing if one of its batches does not exist yet, because
+     * the order of the batches has to be that of meshing.
+     */
     boolean copy(int number, VertexBytes vertices, BatchBuilder builder) {
         int slot = spans.slots()[number];
         for (int i = 0; i < grown.length; i++) {

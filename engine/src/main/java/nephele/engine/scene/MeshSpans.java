@@ -1,11 +1,11 @@
 package nephele.engine.scene;
 
 /**
- * Which vertices of a mesh are whose.
+ * The vertex range and the slot of each shape of a mesh.
  *
- * @param firsts first vertex of each shape
- * @param ends one past the last vertex of each
- * @param slots where each is in the spatial index
+ * @param firsts the first vertex of each shape
+ * @param ends one past the last vertex of each shape
+ * @param slots the slot of each shape in the spatial index
  */
 record MeshSpans(int[] firsts, int[] ends, int[] slots) {
     static MeshSpans of(int shapes) {

@@ -12,11 +12,15 @@ import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.light.FaceFragment;
 import nephele.engine.scene.light.FaceFragments;
 
-/** The openings that a level's mirror faces are: one for each face that is not wholly hidden by other solids. */
+/** Makes the openings for a level's mirror faces: one for each face that other solids do not hide entirely. */
 final class Mirrors {
     private Mirrors() {}
 
-    /** @param cut the faces of the level's solids */
+    /**
+     * Returns the mirrors of a level in the order of its faces.
+     *
+     * @param cut the faces of the level's solids, cut by each other
+     */
     static List<Opening> of(Level level, StaticShapes statics, SceneMaterials materials, FaceFragments cut) {
         if (!MirrorFaces.any(level)) {
             return List.of();
@@ -41,7 +45,10 @@ final class Mirrors {
         return List.copyOf(mirrors);
     }
 
-    /** The part that other solids leave in sight, where it is one convex piece; else the face, which they stand before. */
+    /**
+     * Returns the uncovered part of a face if it is a single convex fragment, the whole face if there are several (the
+     * solids in front hide the rest), and nothing if the face is covered entirely.
+     */
     private static List<Vec3> visible(BrushFace face, List<FaceFragment> fragments) {
         List<FaceFragment> seen =
                 fragments.stream().filter(part -> !part.isCovered()).toList();

@@ -7,7 +7,9 @@ import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
 
-/** Turns placed models into triangles, each with its own three vertices: these hold the triangle's own normal too. */
+/**
+ * Turns placed models into triangles. Triangles share no vertices, because a vertex also holds its triangle's normal.
+ */
 final class ModelMesher {
     private static final int[] TRIANGLE = {0, 1, 2};
 
@@ -21,8 +23,10 @@ final class ModelMesher {
     private final MeshSpans spans;
 
     /**
-     * @param skyVisibility for every vertex of every mesh in turn, 0–65535, or {@code null}
-     * @param copy of the same models at the same place in the same light; {@code null} for none
+     * Makes a mesher for all models of a level.
+     *
+     * @param skyVisibility for every vertex of every mesh in order, 0–65535, or {@code null}
+     * @param copy the mesh of the same models with the same origin and the same light; {@code null} if there is none
      */
     ModelMesher(
             List<PlacedModel> models,

@@ -16,14 +16,14 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * What is drawn besides what never changes: portals, bodies, the player's figure and the light outside at one instant. Whoever plays fills
- * it before a frame; one object serves frame after frame.
+ * The frame state: everything drawn that changes, namely portals, bodies, the player's character and the environment
+ * light at one instant. The game fills it before each frame; one object serves all frames.
  */
 public final class Moment {
-    /** Doubles a body: centre, then orientation x y z w. */
+    /** Doubles per body: centre, then orientation x y z w. */
     private static final int STRIDE = 7;
 
-    /** In place of a body's number. */
+    /** Stands for the absence of a body's index. */
     public static final int NOTHING = -1;
 
     private final double[] bodies;
@@ -43,7 +43,10 @@ public final class Moment {
         bodies = new double[STRIDE * bodyCount];
     }
 
-    /** A level before its first tick: its own portals open, its bodies where they begin, nobody in it. */
+    /**
+     * Returns the state of a level before its first tick: its own portals are open, its bodies are at their initial
+     * positions and there is no player.
+     */
     public static Moment atStart(Level level) {
         Moment start = new Moment(level.environment(), level.bodies().size());
         for (int i = 0; i < level.bodies().size(); i++) {
@@ -54,21 +57,22 @@ public final class Moment {
         return start;
     }
 
-    /** The light outside as it is now. */
+    /** Returns the environment light at this instant. */
     public Environment environment() {
         return environment;
     }
 
     /**
-     * Another light outside, as of another hour.
+     * Sets another environment light, such as that of another hour.
      *
-     * @param now differs from the level's in the sun's direction and irradiance, the sky's radiance and the exposure only
+     * @param now differs from the level's only in the sun's direction and irradiance, the sky's radiance and the
+     *     exposure
      */
     public void environment(Environment now) {
         environment = now;
     }
 
-    /** Simulated time: what moves of itself moves by it. */
+    /** Returns the simulated time in seconds; it drives self-moving effects. */
     public double seconds() {
         return seconds;
     }
@@ -81,7 +85,7 @@ public final class Moment {
         return portals;
     }
 
-    /** Replaces the portals; new ones are fully open and of the colour {@code 2 + index}. */
+    /** Replaces the portals; new ones are fully open and have the colour {@code 2 + index}. */
     public void portals(Portals now) {
         if (now == portals) {
             return;
@@ -93,12 +97,14 @@ public final class Moment {
         Arrays.setAll(colours, portal -> 2 + portal);
     }
 
-    /** How far a portal has opened since it was made, 0 to 1: its aperture is drawn scaled by it. */
+    /**
+     * Returns the fraction to which a portal has opened since it was made, 0 to 1; its aperture is drawn scaled by it.
+     */
     public double openness(int portal) {
         return openness[portal];
     }
 
-    /** 0 and 1 for the two shots, 2 and more for those of the level. */
+    /** Returns the colour of a portal: 0 or 1 for the two shots, 2 and more for the level's portals. */
     public int colour(int portal) {
         return colours[portal];
     }
@@ -128,13 +134,13 @@ public final class Moment {
         return out.set(bodies[at], bodies[at + 1], bodies[at + 2]);
     }
 
-    /** World from body. */
+    /** Sets {@code out} to the rotation from the body's frame to the world. */
     public Quaterniond orientation(int body, Quaterniond out) {
         int at = STRIDE * body + 3;
         return out.set(bodies[at], bodies[at + 1], bodies[at + 2], bodies[at + 3]);
     }
 
-    /** How the player's figure stands, {@code null} where nobody is to be seen. */
+    /** Returns the posture of the player's character, {@code null} if no character is drawn. */
     public Posture figure() {
         return figure;
     }
@@ -143,17 +149,20 @@ public final class Moment {
         figure = now;
     }
 
-    /** The body that is looked at with the eyes of whoever holds it, or {@link #NOTHING}: it is drawn see-through. */
+    /** Returns the body that its holder's eye sees, or {@link #NOTHING}; it is drawn transparent. */
     public int held() {
         return held;
     }
 
-    /** Where {@link #held} is from the eye, metres to its right, up and back, along the portals that it is held through. */
+    /**
+     * Returns the offset of {@link #held} from the eye in metres to its right, up and back, measured along the portals
+     * through which the body is held.
+     */
     public Vec3 heldFromEye() {
         return heldFromEye;
     }
 
-    /** How far it has become see-through: 0 solid, 1 as clear as it gets. */
+    /** Returns the transparency reached: 0 for opaque, 1 for the greatest transparency. */
     public double heldClarity() {
         return heldClarity;
     }
@@ -164,12 +173,12 @@ public final class Moment {
         heldClarity = clarity;
     }
 
-    /** Whatever is held is as solid as the rest. */
+    /** Ends the transparency of the held body. */
     public void nothingHeld() {
         held = NOTHING;
     }
 
-    /** Where shots would open portals now. */
+    /** Returns the previews of the portals that shots would open now. */
     public List<Ghost> ghosts() {
         return ghosts;
     }
@@ -179,18 +188,19 @@ public final class Moment {
     }
 
     /**
-     * How a figure stands.
+     * The position and the animation state of a character.
      *
-     * @param centre of its body: on one side of every portal
+     * @param centre centre of its body, on the near side of every portal
      * @param up from feet to head, unit length
-     * @param yawRadians where it looks, as {@code math.Basis.ofYawPitch} has it; {@code pitchRadians} alike
-     * @param heightMetres from sole to crown now
-     * @param step of the walking cycle that has passed, 0 to 1 for left and right; a second adds {@link
-     *     nephele.engine.scene.thing.Gait#cyclesPerSecond}, so that no foot slides
-     * @param stride speed over the ground by {@link nephele.engine.scene.thing.Gait#WALKING_METRES_PER_SECOND}: 0 standing
-     * @param travelRadians where it walks, seen from where it looks: 0 ahead, positive to the left, π backwards
+     * @param yawRadians view angle as in {@code math.Basis.ofYawPitch}; {@code pitchRadians} likewise
+     * @param heightMetres present height from sole to crown
+     * @param step phase of the walking cycle, 0 to 1 for a left and a right step; it advances by
+     *     {@link nephele.engine.scene.thing.Gait#cyclesPerSecond} a second, so that the feet do not slide
+     * @param stride ground speed divided by {@link nephele.engine.scene.thing.Gait#WALKING_METRES_PER_SECOND}: 0
+     *     standing
+     * @param travelRadians walking direction relative to the view direction: 0 ahead, positive to the left, π backwards
      * @param airborne 0 on the ground, 1 in the air
-     * @param carrying 0 with free hands, 1 with a thing before it
+     * @param carrying 0 with free hands, 1 while carrying a body in front
      */
     public record Posture(
             Vec3 centre,
@@ -203,7 +213,7 @@ public final class Moment {
             double travelRadians,
             double airborne,
             double carrying) {
-        /** As the same figure stands beyond a portal. */
+        /** Returns the same posture mapped by a portal transform. */
         public Posture through(Passage passage) {
             Vec3 turned = passage.direction(up);
             Vector3d back = Basis.ofYawPitch(yawRadians, 0).back().toVector();
@@ -222,7 +232,7 @@ public final class Moment {
                     carrying);
         }
 
-        /** Turns what stands upright by the shortest way. */
+        /** Returns the shortest rotation that maps the world's up direction to {@code up}. */
         public static Quaterniond leaning(Vec3 up) {
             return Rotations.renormalised(new Quaterniond().rotationTo(0, 1, 0, up.x(), up.y(), up.z()));
         }

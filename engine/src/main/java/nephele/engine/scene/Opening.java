@@ -13,14 +13,15 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 
 /**
- * A convex polygon in the world through which a view sees another view of it: a portal or a mirror. It is seen from in
- * front only, where {@code frame.back()} points to; its corners go counter-clockwise there. Immutable.
+ * A convex polygon in the world through which a view shows another view of it: a portal or a mirror. It is visible from
+ * its front only, the side that {@code frame.back()} points to; its corners are counter-clockwise seen from there.
+ * Immutable.
  */
 public final class Opening {
-    /** The {@link #portal} of a mirror. */
+    /** The value of {@link #portal} for a mirror. */
     public static final int NO_PORTAL = -1;
 
-    /** What an opening that keeps all light multiplies radiance by. */
+    /** The tint of an opening that loses no light. */
     private static final Vec3 CLEAR = new Vec3(1, 1, 1);
 
     private final int id;
@@ -28,13 +29,16 @@ public final class Opening {
     private final int portal;
     private final Vec3 centre;
     private final Basis frame;
-    /** x and y along right and up of the frame, from the centre. */
+    /** The corners' x and y along right and up of the frame, relative to the centre. */
     private final double[] corners;
 
     private final Isometry isometry;
     private final Plane exit;
     private final Vec3 tint;
-    /** Where the isometry leads the frame: with the polygon, what tells one opening from another. */
+    /**
+     * The images of the centre and of the frame's right and up under the isometry; with the polygon they distinguish
+     * one opening from another.
+     */
     private final Vec3[] exitFrame;
 
     private Opening(
@@ -63,7 +67,11 @@ public final class Opening {
         };
     }
 
-    /** @param index of an open portal */
+    /**
+     * Makes the opening of a portal.
+     *
+     * @param index index of an open portal
+     */
     static Opening ofPortal(int id, Portals portals, int index) {
         Portal portal = portals.portal(index);
         Aperture aperture = portal.aperture();
@@ -79,9 +87,11 @@ public final class Opening {
     }
 
     /**
-     * @param polygon its corners in the world, counter-clockwise seen from in front
-     * @param normal unit length, towards where it is seen from
-     * @param tint share of light that it reflects, linear RGB
+     * Makes the opening of a mirror.
+     *
+     * @param polygon its corners in the world, counter-clockwise seen from the front
+     * @param normal unit length, towards the front
+     * @param tint reflected share of the light, linear RGB
      */
     public static Opening ofMirror(int id, List<Vec3> polygon, Vec3 normal, Vec3 tint) {
         Vec3 centre = middle(polygon);
@@ -103,35 +113,37 @@ public final class Opening {
         return Vec3.of(sum.div(polygon.size()).add(first.x(), first.y(), first.z()));
     }
 
-    /** The index of the portal that this is, or {@link #NO_PORTAL}. */
+    /** Returns the index of the portal, or {@link #NO_PORTAL} for a mirror. */
     public int portal() {
         return portal;
     }
 
+    /** Returns the world position of the centre, metres. */
     public Vec3 centre() {
         return centre;
     }
 
+    /** Returns the orientation: right and up span the plane, back is the normal towards the front. */
     public Basis frame() {
         return frame;
     }
 
-    /** From a view before it to the view that is seen through it. */
+    /** Returns the map from a view in front of the opening to the view that is seen through it. */
     public Isometry isometry() {
         return isometry;
     }
 
-    /** Behind which the view through it sees nothing. */
+    /** Returns the plane that cuts the view through the opening; only what is in front of it is visible. */
     public Plane exit() {
         return exit;
     }
 
-    /** What radiance that comes through it is multiplied by, linear RGB. */
+    /** Returns the factor on the radiance that comes through the opening, linear RGB. */
     public Vec3 tint() {
         return tint;
     }
 
-    /** Metres in front of its plane, negative behind it. */
+    /** Returns the signed distance in metres to the opening's plane, positive in front of it. */
     double inFront(double x, double y, double z) {
         Vec3 n = frame.back();
         return n.x() * (x - centre.x()) + n.y() * (y - centre.y()) + n.z() * (z - centre.z());
@@ -149,7 +161,9 @@ public final class Opening {
         return corners[2 * corner + 1];
     }
 
-    /** How far it reaches from its centre along a direction of its plane. */
+    /**
+     * Returns the greatest extent from the centre along a direction of the plane, in units of the direction's length.
+     */
     public double reach(double x, double y) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < corners.length; i += 2) {
@@ -158,12 +172,12 @@ public final class Opening {
         return most;
     }
 
-    /** Whether this undoes what {@code other} does. */
+    /** Returns true if this is the partner opening of {@code other}, which inverts its map. */
     boolean leadsBackThrough(Opening other) {
         return id == other.partner;
     }
 
-    /** Whether a straight way goes through it, from in front to behind or into its plane. */
+    /** Returns true if a segment passes through the opening from its front to its back or ends in its plane. */
     boolean isPassed(Vector3d start, Vector3d end) {
         double before = inFront(start.x, start.y, start.z);
         double after = inFront(end.x, end.y, end.z);
@@ -186,7 +200,7 @@ public final class Opening {
         return true;
     }
 
-    /** Whether both have one id, lie at one place, have one shape and lead to one place. */
+    /** Returns true if both have the same id, position, shape and target. */
     boolean isSameAs(Opening other) {
         return this == other
                 || id == other.id

@@ -3,21 +3,26 @@ package nephele.engine.scene;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
-/** Cuts openings to what a view sees of them. */
+/** Clips openings to the part that a view sees. */
 final class OpeningCutter {
-    /** Times the picture: what is cut off must not show at its edges after rounding to float. */
+    /**
+     * The clipping bounds as a factor on the picture's: the clipped edges must stay outside after rounding to float.
+     */
     private static final double BEYOND_PICTURE = 1.05;
 
-    /** An opening in the plane that a view looks out of is its rear, whatever rounding says. */
+    /**
+     * In metres: an opening that reaches no farther than this in front of the view's clip plane is in that plane, up to
+     * rounding, and faces away.
+     */
     private static final double IN_PLANE_METRES = 1e-6;
 
     private OpeningCutter() {}
 
     /**
-     * Fills {@code seen} with the part of an opening that lies before the view's plane, nearer than its far plane and in
-     * its picture; empties it when the opening is seen from behind or not at all.
+     * Fills {@code seen} with the part of an opening that is in front of the view's clip plane, nearer than its far
+     * plane and in its picture; empties it if the opening faces away or is not visible.
      *
-     * @param openness scales the opening
+     * @param openness scale of the opening, 0 to 1
      */
     static void cut(View view, Opening opening, double openness, PicturePolygon seen) {
         seen.clear();
@@ -28,7 +33,7 @@ final class OpeningCutter {
         double tanAcross = projection.tanHalfWidth();
         double tanUp = projection.tanHalfHeight();
         for (int i = 0; i < opening.corners(); i++) {
-            // Counter-clockwise in the picture, also where that is mirrored.
+            // Counter-clockwise in the picture, also in a mirrored one.
             int corner = view.isMirrored() ? opening.corners() - 1 - i : i;
             double across = openness * opening.cornerX(corner);
             double upward = openness * opening.cornerY(corner);
@@ -65,7 +70,7 @@ final class OpeningCutter {
         seen.keepInPicture(BEYOND_PICTURE);
     }
 
-    /** Metres by which an opening reaches before a plane. */
+    /** Returns the greatest signed distance of an opening's corners to a plane, metres. */
     private static double reachBefore(Plane plane, Opening opening, double openness) {
         double alongRight = dot(opening.frame().right(), plane.nx(), plane.ny(), plane.nz());
         double alongUp = dot(opening.frame().up(), plane.nx(), plane.ny(), plane.nz());
@@ -81,7 +86,10 @@ final class OpeningCutter {
         return axis.x() * x + axis.y() * y + axis.z() * z;
     }
 
-    /** The plane does not pass through the eye, so in the picture's coordinates it has a fourth term. */
+    /**
+     * Keeps the part in front of a plane. The plane does not pass through the eye, so its equation in picture
+     * coordinates has a constant term.
+     */
     private static void keepBefore(View view, Plane plane, PicturePolygon seen) {
         Projection projection = view.projection();
         seen.keep(

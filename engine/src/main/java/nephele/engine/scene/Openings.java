@@ -7,8 +7,8 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 
 /**
- * What can be seen through at one instant: the mirrors of a scene, then its open portals. Ids count the mirrors first, so
- * that a new portal renames none. One object serves frame after frame.
+ * All openings at one instant: the mirrors of a scene, then its open portals. Ids count the mirrors first, so that a
+ * new portal changes no mirror's id. One object serves all frames.
  */
 final class Openings {
     private final List<Opening> mirrors;
@@ -18,12 +18,16 @@ final class Openings {
     private Portals portals;
     private Moment moment;
 
-    /** @param mirrors in the order of their ids, from 0 on */
+    /**
+     * Makes the set with mirrors only.
+     *
+     * @param mirrors in the order of their ids, from 0
+     */
     Openings(List<Opening> mirrors) {
         this.mirrors = List.copyOf(mirrors);
     }
 
-    /** Takes the portals as they are now. */
+    /** Updates the portals to a frame state. */
     void at(Moment now) {
         moment = now;
         if (portals == now.portals()) {
@@ -48,8 +52,9 @@ final class Openings {
     }
 
     /**
-     * The portal that an eye has gone through on a straight way from one view to another, or {@code null}: of those that it
-     * can have gone through the one that makes the way shortest, if that is shorter than the way without.
+     * Returns the portal through which an eye has moved on a straight path from one view to another, or {@code null}:
+     * of the portals that such a path passes, the one with the shortest path, if that is shorter than the path through
+     * none.
      */
     Opening crossed(View from, View to) {
         start.set(from.eyeX(), from.eyeY(), from.eyeZ());
@@ -70,7 +75,7 @@ final class Openings {
         return crossed;
     }
 
-    /** Share of its size at which an opening is open now: a portal grows when it is made. */
+    /** Returns the scale at which an opening is open now, 0 to 1: a new portal grows. */
     double openness(Opening opening) {
         return opening.portal() == Opening.NO_PORTAL ? 1 : moment.openness(opening.portal());
     }

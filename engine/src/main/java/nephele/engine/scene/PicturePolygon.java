@@ -1,15 +1,19 @@
 package nephele.engine.scene;
 
 /**
- * A convex polygon before an eye, in the picture's homogeneous coordinates: x/w and y/w from −1 to 1 are in the picture,
- * w is the distance along the view in metres. Nothing is divided by w before the picture's sides have cut the polygon,
- * so that it may reach behind the eye and pass it as closely as doubles can tell. Corners go counter-clockwise.
+ * A convex polygon in front of an eye, in the picture's homogeneous coordinates: points with x/w and y/w from −1 to 1
+ * are in the picture, w is the distance along the view in metres. Nothing is divided by w before the polygon has been
+ * clipped to the picture's sides, so that the polygon may reach behind the eye and pass arbitrarily close to it.
+ * Corners are counter-clockwise.
  */
 public final class PicturePolygon {
-    /** More corners than this no cut may leave: cuts beyond are left out, and the polygon stays too large. */
+    /** The greatest number of corners: further clipping is skipped, and the polygon stays too large. */
     public static final int MOST_CORNERS = 64;
 
-    /** Rounding decides where a shorter edge points: between two corners that should be one, even backwards. */
+    /**
+     * The length in picture coordinates below which an edge of the clipping polygon is skipped: rounding decides its
+     * direction, which between two nearly equal corners may even be reversed.
+     */
     private static final double SHORTEST_EDGE = 1e-8;
 
     private double[] corners = new double[3 * (MOST_CORNERS + 1)];
@@ -27,7 +31,7 @@ public final class PicturePolygon {
         corners[at + 2] = w;
     }
 
-    /** Takes over another one's corners. */
+    /** Copies the corners of another polygon. */
     public void copy(PicturePolygon other) {
         System.arraycopy(other.corners, 0, corners, 0, 3 * other.size);
         size = other.size;
@@ -53,12 +57,12 @@ public final class PicturePolygon {
         return corners[3 * corner + 2];
     }
 
-    /** Keeps what of the polygon has a·x + b·y + c·w not negative. */
+    /** Clips to the half-space a·x + b·y + c·w ≥ 0. */
     void keep(double a, double b, double c) {
         keep(a, b, c, 0);
     }
 
-    /** Keeps what of the polygon has a·x + b·y + c·w + d not negative: a plane off the eye; Sutherland, Hodgman 1974. */
+    /** Clips to a·x + b·y + c·w + d ≥ 0, a plane that need not pass through the eye (Sutherland and Hodgman 1974). */
     void keep(double a, double b, double c, double d) {
         if (size >= MOST_CORNERS || isEmpty()) {
             return;
@@ -91,17 +95,17 @@ public final class PicturePolygon {
         return kept + 1;
     }
 
-    /** Keeps what is at most {@code metres} away along the view. */
+    /** Clips to the part at most {@code metres} away along the view. */
     public void keepNearer(double metres) {
         keep(0, 0, -1, metres);
     }
 
-    /** Keeps what is at least {@code metres} away along the view. */
+    /** Clips to the part at least {@code metres} away along the view. */
     public void keepFarther(double metres) {
         keep(0, 0, 1, -metres);
     }
 
-    /** Keeps what lies within {@code reach} times the picture. */
+    /** Clips to {@code reach} times the picture's bounds. */
     void keepInPicture(double reach) {
         keep(1, 0, reach);
         keep(-1, 0, reach);
@@ -109,7 +113,7 @@ public final class PicturePolygon {
         keep(0, -1, reach);
     }
 
-    /** Keeps what is seen through {@code other}, which lies in the picture. */
+    /** Clips to the part seen through {@code other}, which must be within the picture. */
     void keepWithin(PicturePolygon other) {
         int from = other.size - 1;
         for (int to = 0; to < other.size && !isEmpty(); to++) {
@@ -124,7 +128,10 @@ public final class PicturePolygon {
         }
     }
 
-    /** How far beyond its nearest edge's line a point of the picture lies; not positive within the polygon. */
+    /**
+     * Returns the greatest signed distance of a point of the picture to the lines of the edges, positive outside; it is
+     * not positive within the polygon.
+     */
     double outside(double atX, double atY) {
         double most = Double.NEGATIVE_INFINITY;
         int from = size - 1;
@@ -141,7 +148,7 @@ public final class PicturePolygon {
         return most;
     }
 
-    /** Share of the picture that is covered; the polygon lies in the picture. */
+    /** Returns the covered share of the picture; the polygon must be within the picture. */
     double share() {
         double twice = 0;
         int from = size - 1;
@@ -152,7 +159,7 @@ public final class PicturePolygon {
         return twice / 8;
     }
 
-    /** Least w. */
+    /** Returns the least w, metres. */
     double nearest() {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < size; i++) {
@@ -161,7 +168,7 @@ public final class PicturePolygon {
         return least;
     }
 
-    /** How far the polygon reaches along a direction of the picture. */
+    /** Returns the polygon's support along a direction of the picture, in picture coordinates. */
     double support(double alongX, double alongY) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < size; i++) {

@@ -1,6 +1,6 @@
 package nephele.engine.scene;
 
-/** Pixels of a picture, counted from its lower left corner; reused from frame to frame. */
+/** A rectangle of pixels, counted from the picture's lower left corner; reused from frame to frame. */
 public final class PixelRectangle {
     private int x;
     private int y;
@@ -18,7 +18,7 @@ public final class PixelRectangle {
         height = newHeight;
     }
 
-    /** The pixels that {@code polygon} may touch and one more on every side, as far as they lie in {@code outer}. */
+    /** Sets this to the pixels that {@code polygon} may touch and one more on every side, clipped to {@code outer}. */
     void around(PicturePolygon polygon, int pictureWidth, int pictureHeight, PixelRectangle outer) {
         int left = Math.max(pixel(-polygon.support(-1, 0), pictureWidth) - 1, outer.x);
         int bottom = Math.max(pixel(-polygon.support(0, -1), pictureHeight) - 1, outer.y);

@@ -1,19 +1,21 @@
 package nephele.engine.scene;
 
 /**
- * A perspective projection that every input gives: what is out of range or not a number is clamped, so that no matrix
- * ever holds a NaN. OpenGL's clip space, z from −1 at near to 1 at far.
+ * A perspective projection that is valid for every input: values out of range are clamped and NaN is replaced by a
+ * default, so that no matrix ever contains a NaN. The clip space is OpenGL's, z from −1 at near to 1 at far.
  *
- * @param verticalFovRadians full angle, 1° to 170°
- * @param aspect width / height, 10⁻³ to 10³
- * @param nearMetres at least 1 mm
- * @param farMetres at least {@code nearMetres · (1 + 10⁻³)}, or infinite
+ * @param verticalFovRadians full angle, 1° to 170°; 60° for NaN
+ * @param aspect width / height, 10⁻³ to 10³; 1 for NaN
+ * @param nearMetres 1 mm to 1000 km; 5 cm for NaN
+ * @param farMetres at least {@code nearMetres · (1 + 10⁻³)}, or infinite; infinite for NaN
  */
 public record Projection(double verticalFovRadians, double aspect, double nearMetres, double farMetres) {
+    /** Limits and default of the field of view, radians. */
     private static final double LEAST_FOV = StrictMath.toRadians(1);
     private static final double GREATEST_FOV = StrictMath.toRadians(170);
     private static final double USUAL_FOV = StrictMath.toRadians(60);
     private static final double GREATEST_ASPECT = 1e3;
+    /** Limits and default of the near plane's distance, metres. */
     private static final double LEAST_NEAR = 1e-3;
     private static final double GREATEST_NEAR = 1e6;
     private static final double USUAL_NEAR = 0.05;
@@ -26,7 +28,7 @@ public record Projection(double verticalFovRadians, double aspect, double nearMe
         farMetres = clamp(farMetres, leastFar, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
-    /** The same picture, given by the angle between its left and right border. */
+    /** Makes the projection with the given angle between the picture's left and right borders. */
     public static Projection ofHorizontalFov(double horizontalFovRadians, double aspect, double near, double far) {
         double width = clamp(horizontalFovRadians, LEAST_FOV, GREATEST_FOV, USUAL_FOV);
         double ratio = clamp(aspect, 1 / GREATEST_ASPECT, GREATEST_ASPECT, 1);
@@ -37,28 +39,28 @@ public record Projection(double verticalFovRadians, double aspect, double nearMe
         return Double.isNaN(value) ? insteadOfNan : Math.max(least, Math.min(greatest, value));
     }
 
-    /** Half the picture's height at distance 1. */
+    /** Returns half the picture's height at distance 1. */
     public double tanHalfHeight() {
         return StrictMath.tan(verticalFovRadians / 2);
     }
 
-    /** Half the picture's width at distance 1. */
+    /** Returns half the picture's width at distance 1. */
     public double tanHalfWidth() {
         return tanHalfHeight() * aspect;
     }
 
-    /** The factor of view z in clip z. */
+    /** Returns the factor on view z in clip z. */
     public double depthScale() {
         return isInfinite() ? -1 : -(farMetres + nearMetres) / (farMetres - nearMetres);
     }
 
-    /** What is added in clip z. */
+    /** Returns the constant term in clip z. */
     public double depthOffset() {
         return isInfinite() ? -2 * nearMetres : -2 * nearMetres * (farMetres / (farMetres - nearMetres));
     }
 
     private boolean isInfinite() {
-        // Beyond this far + near loses near; the limit of the matrix is then exact in float.
+        // Beyond this ratio far + near rounds to far; the limit of the matrix is then exact in float.
         return farMetres > 1e9 * nearMetres;
     }
 }

@@ -3,8 +3,8 @@ package nephele.engine.scene;
 import java.util.Arrays;
 
 /**
- * The projections of views through portals: a frame's own with the near plane pushed away. Distances go in steps, so that
- * whoever draws frame after frame makes each of them once.
+ * The projections of views through openings: the frame's own projection with the near plane moved away. The distances
+ * are quantised to 16 steps per doubling, so that each projection is made once and reused in later frames.
  */
 final class Projections {
     private static final int STEPS_PER_DOUBLE = 16;
@@ -13,7 +13,7 @@ final class Projections {
     private final Projection[] pushed = new Projection[20 * STEPS_PER_DOUBLE];
     private Projection main;
 
-    /** Forgets what belongs to another picture. */
+    /** Clears the cache if the main projection has changed. */
     void begin(Projection newMain) {
         if (!newMain.equals(main)) {
             main = newMain;
@@ -21,7 +21,10 @@ final class Projections {
         }
     }
 
-    /** The one with its near plane as far away as a step below {@code metres}, or as {@code before} has it. */
+    /**
+     * Returns the projection with its near plane at the greatest step not beyond {@code metres}, or {@code before} if
+     * that has its near plane at least as far away.
+     */
     Projection pushed(Projection before, double metres) {
         double doubles = Math.log(metres / main.nearMetres()) / LOG_2;
         int step = (int) Math.floor(Math.min(doubles * STEPS_PER_DOUBLE, pushed.length - 1));

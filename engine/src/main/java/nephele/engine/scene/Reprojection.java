@@ -2,7 +2,7 @@ package nephele.engine.scene;
 
 import org.joml.Vector3d;
 
-/** Where what one view sees at a place is in another view's picture, both homogeneous; reused. */
+/** Maps homogeneous picture coordinates in one view to those in another; reused. */
 public final class Reprojection {
     /** Three rows of factors on x, y, w and 1. */
     private final double[] rows = new double[12];

@@ -14,14 +14,14 @@ import nephele.engine.scene.light.LightNeeds;
 import nephele.engine.scene.light.SkyVisibility;
 
 /**
- * Everything drawable that follows from a level; immutable.
+ * Everything drawable that is derived from a level; immutable.
  *
- * @param statics the shapes of what never moves
- * @param solids the same to be drawn
- * @param cut the faces of the level's solids; {@code null} where neither sky visibility nor mirrors ask for them
- * @param skyVisibility {@code null} where no light of the sky falls on them
+ * @param statics the shapes of the static geometry
+ * @param solids the meshes of the static geometry
+ * @param cut the faces of the level's solids; {@code null} if neither sky visibility nor mirrors need them
+ * @param skyVisibility {@code null} if no light of the sky reaches them
  * @param mirrors openings that never change, in the order of their ids
- * @param lamps {@code null} where none lights anything
+ * @param lamps {@code null} if there is no punctual light
  */
 public record Scene(
         Level level,
@@ -33,7 +33,7 @@ public record Scene(
         SkyVisibility skyVisibility,
         List<Opening> mirrors,
         LampTable lamps) {
-    /** As {@link #of(PlacedLevel, SkyVisibility)}, for a level that nobody else derives anything from. */
+    /** Same as {@link #of(PlacedLevel, SkyVisibility)}, for a level from which nothing else is derived. */
     public static Scene of(Level level, AssetSource assets) {
         PlacedLevel placed = PlacedLevel.of(level, assets);
         return of(placed, BakedSky.of(placed, done -> {}));
@@ -42,7 +42,7 @@ public record Scene(
     /**
      * Derives the scene; bakes nothing.
      *
-     * @param visibility of {@link BakedSky}
+     * @param visibility the result of {@link BakedSky}
      * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
      */
     public static Scene of(PlacedLevel placed, SkyVisibility visibility) {
@@ -57,8 +57,8 @@ public record Scene(
     }
 
     /**
-     * Derives the scene of an edited level: what does not differ stays the same object. Bakes nothing: the old
-     * light of the sky stays, as well as it fits.
+     * Derives the scene of an edited level; unchanged parts stay the same objects. Bakes nothing: the former sky
+     * visibility is kept as far as it fits.
      *
      * @param baked for this level or for an earlier one, {@code null} for that of this scene
      * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used

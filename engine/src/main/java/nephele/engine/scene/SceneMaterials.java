@@ -14,7 +14,7 @@ import nephele.engine.level.Material;
 import nephele.engine.math.Kept;
 
 /**
- * The level's materials by index, their pictures merged into arrays of one size each.
+ * The level's materials by index; their pictures are merged into one array for each size.
  *
  * @param surfaces index 0 is the default grey of faces without a material
  * @param colourArrays pictures in sRGB
@@ -30,14 +30,14 @@ public record SceneMaterials(
     /** Pictures of equal size, 8-bit RGBA. */
     public record PictureArray(int width, int height, List<Picture> layers) {}
 
-    /** Where a picture is: which array, which layer. */
+    /** The location of a picture: array index and layer. */
     public record Slot(int array, int layer) {
         public static final Slot NONE = new Slot(-1, 0);
     }
 
-    /** A material with its pictures found. */
+    /** A material with the locations of its pictures. */
     public record Surface(Material material, Slot colour, Slot normal) {
-        /** Whether a face of it has the same vertices, in the same batch. */
+        /** Returns true if faces of both materials have the same vertices and are in the same batch. */
         boolean isMeshedLike(Surface other) {
             return colour.array == other.colour.array
                     && normal.array == other.normal.array
@@ -47,7 +47,8 @@ public record SceneMaterials(
     }
 
     /**
-     * Those of an edited level; pictures that are known are not read again, and what does not differ is the same object.
+     * Returns the materials of an edited level; known pictures are not read again, and unchanged parts are the same
+     * objects.
      *
      * @throws nephele.engine.asset.AssetException naming the picture that cannot be used
      */
@@ -72,7 +73,7 @@ public record SceneMaterials(
         return new SceneMaterials(List.copyOf(all), colours.finished(), normals.finished(), Map.copyOf(indexById));
     }
 
-    /** The ids of materials whose faces had other vertices, or were in another batch. */
+    /** Returns the ids of the materials that change the vertices or the batch of their faces. */
     Set<String> changedSince(SceneMaterials before) {
         Set<String> changed = new HashSet<>(indexById.keySet());
         changed.addAll(before.indexById.keySet());
@@ -81,12 +82,16 @@ public record SceneMaterials(
         return changed;
     }
 
-    /** @param materialId {@code null} for the default grey */
+    /**
+     * Returns the index of a material, 0 for an unknown id.
+     *
+     * @param materialId {@code null} for the default grey
+     */
     public int indexOf(String materialId) {
         return materialId == null ? 0 : indexById.getOrDefault(materialId, 0);
     }
 
-    /** Collects pictures by size; one file is decoded once. */
+    /** Collects pictures by size; each file is decoded once. */
     private static final class Arrays {
         private final AssetSource assets;
         private final List<PictureArray> before;

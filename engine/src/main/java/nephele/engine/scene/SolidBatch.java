@@ -5,20 +5,20 @@ import nephele.engine.math.Vec3;
 /**
  * Faces that are drawn with one program and one set of bindings.
  *
- * @param form whose faces they are
- * @param kind what the shader must be able to do for them
- * @param cellOrigin world position that the vertices' floats are relative to
- * @param firstIndex where the batch's indices begin in the index buffer of its form
- * @param indexEnds for slot i of the spatial index the number of the batch's indices up to and including it: what the
- *     slots [a, b) contribute is contiguous
+ * @param form decides the vertex layout
+ * @param kind decides the shader variant and the bindings
+ * @param cellOrigin world position that the vertices' floats are relative to, metres
+ * @param firstIndex position of the batch's first index in the index buffer of its form
+ * @param indexEnds for slot i of the spatial index, the number of the batch's indices up to and including the slot; the
+ *     indices of the slots [a, b) are contiguous
  */
 public record SolidBatch(Form form, Kind kind, Vec3 cellOrigin, int firstIndex, int[] indexEnds) {
-    /** What a face belongs to, which decides what its vertices hold. */
+    /** The kind of shape that a face belongs to, which decides the contents of its vertices. */
     public enum Form {
         SOLID,
-        /** A model whose every triangle looks as flat as it is. */
+        /** A model with flat-shaded triangles. */
         FACETED_MODEL,
-        /** A model whose triangles stand for a curved surface. */
+        /** A model with triangles that approximate a curved surface. */
         CURVED_MODEL;
 
         public boolean isModel() {
@@ -26,7 +26,7 @@ public record SolidBatch(Form form, Kind kind, Vec3 cellOrigin, int firstIndex, 
         }
     }
 
-    /** Materials that differ in more than numbers are of different kinds. */
+    /** The properties of a material that need another shader variant or binding, beyond uniform values. */
     public record Kind(boolean lambert, int colourArray, int normalArray, int materialBlock) {
         public boolean isTextured() {
             return colourArray >= 0;
@@ -37,12 +37,12 @@ public record SolidBatch(Form form, Kind kind, Vec3 cellOrigin, int firstIndex, 
         }
     }
 
-    /** Index in the index buffer at which {@code slot} ends. */
+    /** Returns the position in the index buffer at which {@code slot} ends. */
     int end(int slot) {
         return firstIndex + indexEnds[slot];
     }
 
-    /** Index in the index buffer at which {@code slot} begins. */
+    /** Returns the position in the index buffer at which {@code slot} begins. */
     int start(int slot) {
         return firstIndex + (slot == 0 ? 0 : indexEnds[slot - 1]);
     }

@@ -15,16 +15,16 @@ import nephele.engine.scene.light.FaceLight;
 import nephele.engine.scene.light.SkyVisibility;
 
 /**
- * All solids as one static mesh, all models as another: what never moves is drawn from one vertex and one index buffer
- * each, and found by one index.
+ * The static geometry as two meshes, one of all solids and one of all models, each with one vertex buffer and one index
+ * buffer, and a spatial index over both.
  *
- * <p>A solid's vertex takes {@link #VERTEX_BYTES}: position, three floats relative to its batch's cell origin; outward
- * normal, three 16-bit integers to be normalised, and with them the material's index within its block; texture
- * coordinates, two floats. With sky visibility {@link #LIGHT_MAP_BYTES} more: light map coordinates as two 16-bit integers
- * in sixteenths of a texel.
+ * <p>A solid's vertex has {@link #VERTEX_BYTES} bytes: position, three floats relative to its batch's cell origin;
+ * outward normal, three 16-bit integers to be normalised, followed by the material's index within its block; texture
+ * coordinates, two floats. With sky visibility there are {@link #LIGHT_MAP_BYTES} more: light map coordinates as two
+ * 16-bit integers in sixteenths of a texel.
  *
- * <p>A model's vertex takes {@link #MODEL_VERTEX_BYTES}: the same, the normal being its triangle's, and the normal of the
- * surface that the mesh stands for as three 16-bit integers, with the sky visibility as a fourth, 0 to 32767.
+ * <p>A model's vertex has {@link #MODEL_VERTEX_BYTES} bytes: the same with the triangle's normal, then the normal of
+ * the surface that the mesh approximates as three 16-bit integers, followed by the sky visibility, 0 to 32767.
  */
 public final class SolidGeometry {
     public static final int VERTEX_BYTES = 28;
@@ -33,7 +33,9 @@ public final class SolidGeometry {
 
     public static final int MODEL_VERTEX_BYTES = 36;
 
-    /** Materials per uniform block: 16 KiB, which every OpenGL allows, at 64 bytes a material. */
+    /**
+     * Materials per uniform block: 16 KiB, the size that every OpenGL implementation supports, at 64 bytes a material.
+     */
     public static final int MATERIALS_PER_BLOCK = 256;
 
     private final StaticShapes statics;
@@ -42,7 +44,7 @@ public final class SolidGeometry {
     private final SkyVisibility sky;
     private final FaceLight light;
     private final short[] skyOfModels;
-    /** How the vertices came about; {@code null} in a level without a light map until it is edited, to save memory. */
+    /** The faces that were meshed; {@code null} until the first edit in a level without a light map, to save memory. */
     private final FaceFragments fragments;
 
     private final MeshSpans solidSpans;
@@ -54,9 +56,9 @@ public final class SolidGeometry {
     private final Vec3 origin;
 
     /**
-     * What one vertex array is made of; both direct, native byte order.
+     * The contents of one vertex array; both buffers are direct and in native byte order.
      *
-     * @param indices triangles counter-clockwise seen from outside
+     * @param indices triangles, counter-clockwise seen from outside
      */
     public record Triangles(ByteBuffer vertices, IntBuffer indices) {
         public boolean isEmpty() {
@@ -120,7 +122,7 @@ public final class SolidGeometry {
         return new SolidMesher.Before(drawn.solids(), fragments.byBrush(), now.changedSince(materials), copy);
     }
 
-    /** {@code null} where one of them looks otherwise. */
+    /** Returns {@code null} if the material of a model has changed. */
     private MeshCopy knownModels(SceneMaterials now) {
         Set<String> changed = now.changedSince(materials);
         boolean isOneChanged = drawn.models().all().stream()
@@ -158,21 +160,21 @@ public final class SolidGeometry {
 
         @Override
         public void heightGrid(StaticShape.HeightGrid grid) {
-            // Ground is not drawn yet.
+            // Height grids are not drawn yet.
         }
     }
 
     /**
-     * Meshes what never moves.
+     * Meshes the static geometry.
      *
-     * @param sky how much of it is seen where, or {@code null} where its light falls on nothing
-     * @param cut the solids' faces, read where {@code sky} falls on them
+     * @param sky the sky visibility, or {@code null} if no light of the sky reaches it
+     * @param cut the solids' faces, read only if {@code sky} is not {@code null}
      */
     static SolidGeometry of(StaticShapes statics, SceneMaterials materials, SkyVisibility sky, FaceFragments cut) {
         return new SolidGeometry(statics, materials, sky, cut, null);
     }
 
-    /** The same of an edited level, or this where nothing of it is drawn otherwise. */
+    /** Returns the geometry of an edited level, or this object if nothing drawn has changed. */
     SolidGeometry edited(
             StaticShapes others, SceneMaterials otherMaterials, SkyVisibility otherSky, FaceFragments cut) {
         boolean isSame = others == statics
@@ -182,12 +184,12 @@ public final class SolidGeometry {
         return isSame ? this : new SolidGeometry(others, otherMaterials, otherSky, cut, this);
     }
 
-    /** Middle of everything, which every cell's origin is a whole number of cells away from. */
+    /** Returns the centre of all shapes; cell origins differ from it by whole numbers of cells. */
     public Vec3 origin() {
         return origin;
     }
 
-    /** Whether solids' vertices carry light map coordinates. */
+    /** Returns true if the solids' vertices have light map coordinates. */
     public boolean lightMapped() {
         return sky != null;
     }
@@ -196,20 +198,22 @@ public final class SolidGeometry {
         return batches.isEmpty();
     }
 
+    /** Returns the mesh of all solids. */
     public Triangles solids() {
         return solids;
     }
 
+    /** Returns the mesh of all models. */
     public Triangles models() {
         return models;
     }
 
-    /** Those of solids before those of models. */
+    /** Returns all batches, those of solids before those of models. */
     public List<SolidBatch> batches() {
         return batches;
     }
 
-    /** Slots of the index, one for each solid and each model; no batch can be cut into more ranges. */
+    /** Returns the number of slots of the index, one per solid and model; a batch has at most as many ranges. */
     public int slotCount() {
         return index.size();
     }

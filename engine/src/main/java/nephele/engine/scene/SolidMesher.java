@@ -22,14 +22,16 @@ final class SolidMesher {
     private final BatchBuilder batches;
     private final MeshSpans spans;
     private final Before before;
-    /** For each solid its number in the mesh that is copied, {@link Kept#NEW} where it is meshed. */
+    /** For each solid its number in the mesh that is copied, {@link Kept#NEW} if it has to be meshed. */
     private final int[] known;
 
     private final VertexBytes vertices;
 
     /**
-     * @param light {@code null} where vertices carry no light map coordinates
-     * @param before lies at the same place in the same light; {@code null} for none
+     * Makes a mesher for all solids of a level.
+     *
+     * @param light {@code null} if vertices have no light map coordinates
+     * @param before has the same origin and the same light; {@code null} if there is none
      */
     SolidMesher(
             List<Brush> brushes,
@@ -57,7 +59,7 @@ final class SolidMesher {
     /**
      * The mesh of a level before an edit.
      *
-     * @param changed ids of materials that look otherwise now
+     * @param changed ids of the materials that change the vertices or the batch of their faces
      */
     record Before(List<Brush> brushes, List<List<List<FaceFragment>>> fragments, Set<String> changed, MeshCopy copy) {
         private boolean has(int number, List<List<FaceFragment>> now) {
@@ -84,7 +86,10 @@ final class SolidMesher {
                 .sum();
     }
 
-    /** Nobody sees what touches, but where its edge is a wall's seam too its dark pixels would win at equal depth. */
+    /**
+     * Returns false for covered touching faces. They are invisible, but if one shares an edge with a visible face, its
+     * dark pixels would win at equal depth there.
+     */
     private static boolean isDrawn(FaceFragment part) {
         return part.cover() != Cover.TOUCHING;
     }

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import nephele.engine.math.Vec3;
 
-/** Vertices as the GPU reads them, appended one by one. */
+/** Vertices in the layout of the GPU buffer, appended one by one. */
 final class VertexBytes {
     private final ByteBuffer bytes;
     private final int vertexBytes;
@@ -14,12 +14,12 @@ final class VertexBytes {
         bytes = ByteBuffer.allocateDirect(vertices * vertexBytes).order(ByteOrder.nativeOrder());
     }
 
-    /** Of vertices so far; only between two of them. */
+    /** Returns the number of vertices so far; valid only after a complete vertex. */
     int count() {
         return bytes.position() / vertexBytes;
     }
 
-    /** Appends vertices of the same kind. */
+    /** Appends vertices of the same layout. */
     void copy(ByteBuffer from, int first, int vertices) {
         bytes.put(bytes.position(), from, first * vertexBytes, vertices * vertexBytes);
         bytes.position(bytes.position() + vertices * vertexBytes);
@@ -31,7 +31,7 @@ final class VertexBytes {
         bytes.putFloat((float) (p.z() - cell.z()));
     }
 
-    /** A unit vector in 16 bits a component, and a whole number with it. */
+    /** Appends a unit vector with 16 bits per component, and an integer as the fourth component. */
     void normal(Vec3 n, int fourth) {
         bytes.putShort(unit16(n.x()));
         bytes.putShort(unit16(n.y()));
@@ -53,7 +53,7 @@ final class VertexBytes {
         bytes.putShort((short) Math.round(b));
     }
 
-    /** Direct, native byte order. */
+    /** Returns the bytes, direct and in native byte order. */
     ByteBuffer finished() {
         return bytes.flip();
     }

@@ -10,13 +10,14 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * From where and how the scene is seen. Right, up and back are orthonormal world directions; the view looks along −back.
- * They are right-handed, but left-handed in a {@link #isMirrored mirrored} view, which sees triangles the other way round.
+ * A camera: its position, orientation and projection, and the plane that clips it. Right, up and back are orthonormal
+ * world directions; the view looks along −back. They are right-handed, but left-handed in a
+ * {@link #isMirrored mirrored} view, which reverses the winding of triangles.
  *
- * <p>Whoever is given one cannot change it; one that was made by constructor or factory never changes and may be kept. The view of a
- * {@link ViewNode} behind an opening, however, is filled anew whenever its {@link ViewTree} grows, so that it allocates
- * nothing: it is good for that frame, and longer only for {@link ViewHistory}, whose tree does not grow meanwhile. For
- * that reason a view equals nothing but itself.
+ * <p>A view has no public mutators; one made by constructor or factory never changes and may be kept. The view of a
+ * {@link ViewNode} behind an opening, however, is refilled whenever its {@link ViewTree} grows, to allocate nothing: it
+ * is valid for that frame, and longer only for {@link ViewHistory}, as its tree does not grow meanwhile. Therefore
+ * views are compared by identity.
  */
 public final class View {
     private final Vector3d eye = new Vector3d();
@@ -31,8 +32,10 @@ public final class View {
     private View() {}
 
     /**
+     * Makes a view from orthonormal axes.
+     *
      * @param eye world metres
-     * @param clip only what is in front of it is seen, as behind an opening; {@code null} for everything
+     * @param clip only what is in front of it is visible, as behind an opening; {@code null} for no clipping
      */
     public View(Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection, Plane clip) {
         this.projection = projection;
@@ -44,7 +47,7 @@ public final class View {
         mirrored = this.right.cross(this.up, new Vector3d()).dot(this.back) < 0;
     }
 
-    /** Through no opening. */
+    /** Makes a view that no plane clips. */
     public View(Vec3 eye, Vec3 right, Vec3 up, Vec3 back, Projection projection) {
         this(eye, right, up, back, projection, null);
     }
@@ -53,12 +56,12 @@ public final class View {
         to.set(from.x(), from.y(), from.z());
     }
 
-    /** For a node, to {@link #carry} anew for every frame. */
+    /** Makes the view of a node, to be refilled by {@link #carry} in every frame. */
     static View reusable() {
         return new View();
     }
 
-    /** Becomes what {@code before} sees through an opening, cut by the plane that it looks out of. */
+    /** Becomes the image of {@code before} under an opening's map, clipped at the opening's exit plane. */
     void carry(View before, Opening opening, Projection newProjection) {
         Isometry passage = opening.isometry();
         projection = newProjection;
@@ -72,88 +75,100 @@ public final class View {
         passage.direction(back.set(before.back));
     }
 
-    /** World metres. */
+    /** Returns the position in world metres. */
     public Vec3 eye() {
         return Vec3.of(eye);
     }
 
+    /** Returns the world direction to the right, unit length. */
     public Vec3 right() {
         return Vec3.of(right);
     }
 
+    /** Returns the world direction upwards in the picture, unit length. */
     public Vec3 up() {
         return Vec3.of(up);
     }
 
+    /** Returns the world direction opposite to the view direction, unit length. */
     public Vec3 back() {
         return Vec3.of(back);
     }
 
+    /** Returns the projection. */
     public Projection projection() {
         return projection;
     }
 
-    /** Only what is in front of it is seen, as behind an opening; {@code null} for everything. */
+    /** Returns the clip plane, as behind an opening: only its front is visible; {@code null} for no clipping. */
     public Plane clip() {
         return clip;
     }
 
-    /** Whether an odd number of mirrors led here: triangles that face the eye go clockwise in the picture. */
+    /** Returns true after an odd number of mirrors: triangles that face the eye are clockwise in the picture. */
     public boolean isMirrored() {
         return mirrored;
     }
 
-    /** What the openings before this view multiply its radiance by, linear RGB. */
+    /** Returns the product of the tints of the openings before this view, linear RGB. */
     public Vector3dc tint() {
         return tint;
     }
 
-    /** Whether mirrors before this view keep some light back. */
+    /** Returns true if a mirror before this view absorbs light. */
     public boolean isTinted() {
         return tint.x != 1 || tint.y != 1 || tint.z != 1;
     }
 
+    /** Returns the x coordinate of the position in world metres. */
     public double eyeX() {
         return eye.x;
     }
 
+    /** Returns the y coordinate of the position in world metres. */
     public double eyeY() {
         return eye.y;
     }
 
+    /** Returns the z coordinate of the position in world metres. */
     public double eyeZ() {
         return eye.z;
     }
 
-    /** The part of a world direction that points to the right. */
+    /** Returns the component of a world direction along right. */
     public double alongRight(double x, double y, double z) {
         return right.dot(x, y, z);
     }
 
+    /** Returns the component of a world direction along up. */
     public double alongUp(double x, double y, double z) {
         return up.dot(x, y, z);
     }
 
-    /** Towards the eye, away from what is looked at. */
+    /** Returns the component of a world direction along back, away from the target. */
     public double alongBack(double x, double y, double z) {
         return back.dot(x, y, z);
     }
 
-    /** The world direction of so much to the right, up and back. @return {@code out} */
+    /**
+     * Converts view coordinates to a world direction.
+     *
+     * @return {@code out}
+     */
     public Vector3d direction(double toTheRight, double upwards, double backwards, Vector3d out) {
         return out.zero().fma(toTheRight, right).fma(upwards, up).fma(backwards, back);
     }
 
     /**
-     * Looks from {@code eye} to {@code target}; where {@code up} is parallel to that, another up is taken, and where
-     * both are one point, the view looks along −z.
+     * Returns the view from {@code eye} to {@code target}. If {@code up} is parallel to that direction, another up is
+     * chosen; if both points are equal, the view looks along −z.
      */
     public static View lookAt(Vec3 eye, Vec3 target, Vec3 up, Projection projection) {
         Basis basis = Basis.lookAt(eye, target, up, Basis.WORLD);
         return new View(eye, basis.right(), basis.up(), basis.back(), projection);
     }
 
-    /** What {@code camera} sees at {@code frame} of its path (wrapping around), or from its position without one. */
+    /** Returns the view of {@code camera} at {@code frame} of its path (which wraps around), or at its position. */
     public static View ofCamera(Camera camera, int frame, double aspect) {
         double near = camera.nearMetres();
         double far = camera.farMetres();
@@ -169,8 +184,8 @@ public final class View {
     }
 
     /**
-     * The matrix from world directions with the eye as origin to clip space. No position enters it, so it is as exact a
-     * million metres out as at the origin.
+     * Returns the matrix from world directions relative to the eye to clip space. It contains no position, so it is as
+     * exact a million metres out as at the origin.
      *
      * @return {@code destination}
      */

@@ -4,24 +4,24 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Finds in the picture before this one what fills the openings that the budget does not reach. A view is known by its
- * path: the openings from the eye to it. When the eye has gone through a portal since, the paths of the picture before
- * are taken from the eye's new place.
+ * Finds, in the previous picture, contents for the openings that the budget does not reach. A view is identified by its
+ * path, the openings from the eye to it. If the eye has passed through a portal since, the paths of the previous
+ * picture are taken relative to the eye's new position.
  */
 public final class ViewHistory {
-    /** Of half the picture: a lookup so far beyond an opening's edge still meets its last pixel. */
+    /** Tolerance in units of half the picture: a lookup this far beyond an opening's edge still hits its last pixel. */
     private static final double EDGE = 2e-3;
 
-    /** What was cut off by the picture's side is continued from there, if it is not more than this. */
+    /** The least share of an opening's corners that must have been visible; the rest is extrapolated. */
     private static final double LEAST_SHARE = 0.5;
 
     private final List<ViewNode> matches = new ArrayList<>();
     private final Reprojection reprojection = new Reprojection();
     private ViewTree before;
-    /** The portal that the eye has gone through since, or {@code null}. */
+    /** The portal that the eye has passed through since, or {@code null}. */
     private Opening crossed;
 
-    /** Keeps the views of a picture that stays to be looked at; they must not change from now on. */
+    /** Keeps the views of the picture that was drawn; they must not change until they are replaced. */
     public void remember(ViewTree tree) {
         before = tree;
     }
@@ -35,7 +35,7 @@ public final class ViewHistory {
         return before == null;
     }
 
-    /** Looks for every terminal opening of {@code now}. */
+    /** Finds the match of every terminal opening of {@code now}. */
     public void match(ViewTree now) {
         matches.clear();
         crossed = before == null
@@ -46,14 +46,14 @@ public final class ViewHistory {
         }
     }
 
-    /** @return what to take the picture of a terminal opening from, or {@code null} */
+    /** Returns the view that supplies the picture for a terminal opening, or {@code null}. */
     public ViewNode of(ViewNode terminal) {
         return matches.get(terminal.terminal());
     }
 
     /**
-     * The view of the same path, or, where that was not drawn either, the nearest one on the path that is seen through the
-     * same opening: between facing portals a view looks like the one before it.
+     * Returns the view with the same path or, if that was not drawn either, the nearest one on the path that is seen
+     * through the same opening: between portals that face each other a view resembles the one before it.
      */
     private ViewNode best(ViewNode terminal) {
         for (ViewNode node = terminal; node.parent() != null; node = node.parent()) {
@@ -65,7 +65,7 @@ public final class ViewHistory {
         return null;
     }
 
-    /** The drawn view of the picture before that a node's path leads to, or {@code null}. */
+    /** Returns the drawn view of the previous picture with a node's path, or {@code null}. */
     private ViewNode counterpart(ViewNode node) {
         if (node.parent() == null) {
             return crossed == null ? before.root() : drawnChild(before.root(), crossed);
@@ -87,7 +87,10 @@ public final class ViewHistory {
         return null;
     }
 
-    /** Of the corners of what shows of {@code terminal}, those that were seen where {@code shown} was. */
+    /**
+     * Returns the share of the corners of {@code terminal}'s region that fall into the region of {@code shown}, 0 if
+     * one is behind the eye.
+     */
     private double coveredShare(ViewNode shown, ViewNode terminal) {
         reprojection.between(terminal.parent().view(), shown.parent().view());
         PicturePolygon seen = terminal.region();

@@ -7,14 +7,14 @@ import nephele.engine.math.Plane;
 import org.joml.Vector3d;
 
 /**
- * One view of a frame's {@link ViewTree}: the picture itself, or what is seen through an opening in another view. Reused
+ * One view of a frame's {@link ViewTree}: the main view, or what is seen through an opening in another view. Reused
  * from frame to frame.
  */
 public final class ViewNode {
-    /** Directions of the picture in which the frustum is as narrow as the opening; the other four are opposite. */
+    /** Directions in the picture along which side planes bound the frustum to the opening. */
     private static final double[][] EIGHT = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}};
 
-    /** Of the nearest depth in the opening: rasterised corners lie up to 1/256 pixel off. */
+    /** The near plane as a share of the opening's nearest depth: rasterised corners are up to 1/256 pixel off. */
     private static final double NEAR_SHARE = 0.98;
 
     private final List<ViewNode> children = new ArrayList<>();
@@ -33,17 +33,17 @@ public final class ViewNode {
     private int number;
     private int terminalIndex;
 
-    /** What is seen here; of a {@link #isTerminal terminal} node what would be. */
+    /** Returns the view; for a {@link #isTerminal terminal} node the view that would be drawn. */
     public View view() {
         return view;
     }
 
-    /** In whose picture this one is seen; {@code null} for the picture itself. */
+    /** Returns the view in which this one is seen; {@code null} for the main view. */
     public ViewNode parent() {
         return parent;
     }
 
-    /** Counts the openings of a frame, terminal ones too; 0 for the picture itself. */
+    /** Returns the number among all openings of a frame, including terminal ones; 0 for the main view. */
     public int number() {
         return number;
     }
@@ -52,7 +52,7 @@ public final class ViewNode {
         number = newNumber;
     }
 
-    /** Which of the frame's terminal openings this is. */
+    /** Returns the index among the frame's terminal openings. */
     int terminal() {
         return terminalIndex;
     }
@@ -61,47 +61,49 @@ public final class ViewNode {
         terminalIndex = index;
     }
 
-    /** Through what this is seen; {@code null} for the picture itself. */
+    /** Returns the opening through which this view is seen; {@code null} for the main view. */
     public Opening opening() {
         return opening;
     }
 
-    /** Openings between the eye and this view. */
+    /** Returns the number of openings between the eye and this view. */
     public int depth() {
         return depth;
     }
 
-    /** Openings that are seen in this view, the larger ones first. */
+    /** Returns the openings seen in this view, in descending order of area. */
     public List<ViewNode> children() {
         return children;
     }
 
-    /** Whether the frame's budget ends here: the opening is to be filled without drawing what is behind it. */
+    /** Returns true if the frame's budget does not reach this view: the opening is filled without drawing it. */
     public boolean isTerminal() {
         return terminal;
     }
 
-    /** The opening as the parent's projection has it, cut by little more than the picture's sides. */
+    /** Returns the opening in the parent's picture, clipped slightly outside the picture's sides. */
     public PicturePolygon outline() {
         return outline;
     }
 
-    /** What of the picture shows this view at most, by the openings before it; in the picture's sides. */
+    /**
+     * Returns a bound of the picture's part that shows this view, given by all openings before it; within the picture.
+     */
     public PicturePolygon region() {
         return region;
     }
 
-    /** Pixels around the {@link #region}. */
+    /** Returns a rectangle of pixels around the {@link #region}. */
     public PixelRectangle pixels() {
         return pixels;
     }
 
-    /** What may be seen through the openings; for the picture itself nothing is in here. */
+    /** Returns the frustum that is visible through the openings; it is not set for the main view. */
     public Frustum frustum() {
         return frustum;
     }
 
-    /** Pixels that the region covers. */
+    /** Returns the area of the region in pixels. */
     public double area() {
         return area;
     }
@@ -122,7 +124,7 @@ public final class ViewNode {
         pixels.whole(width, height);
     }
 
-    /** Makes this what {@code seenIn} shows of an opening, if it shows any of it. */
+    /** Becomes a terminal node for an opening seen in {@code seenIn}; its area is 0 if the opening is not visible. */
     void candidate(ViewNode seenIn, Opening through, double openness, PixelRectangle picture) {
         children.clear();
         view = null;
@@ -140,14 +142,14 @@ public final class ViewNode {
         }
     }
 
-    /** Makes this a view of its own, from behind the plane that the opening leads to. */
+    /** Becomes a drawn view, clipped at the opening's exit plane. */
     void open(Projections projections, PixelRectangle picture) {
         look(projections);
         terminal = false;
         narrow(picture);
     }
 
-    /** Looks from behind the plane that the opening leads to. */
+    /** Sets the view behind the opening. */
     void look(Projections projections) {
         View before = parent.view;
         Projection projection = projections.pushed(before.projection(), NEAR_SHARE * region.nearest());
@@ -172,7 +174,7 @@ public final class ViewNode {
         }
     }
 
-    /** Keeps a·right + b·up + c·back + d not negative. */
+    /** Keeps a·right + b·up + c·back + d ≥ 0. */
     private void keepInView(double a, double b, double c, double d) {
         view.direction(a, b, c, direction);
         frustum.keep(direction.x, direction.y, direction.z, d);

@@ -6,13 +6,13 @@ import nephele.engine.level.Level;
 import nephele.engine.level.MirrorFaces;
 
 /**
- * Which views make up one frame: the picture itself, what its openings show, what the openings in those show, and so on.
- * Views are chosen by the pixels they cover, the largest first, until a budget is used up or none covers a pixel; the
- * openings that are left are {@link ViewNode#isTerminal terminal}. An opening is seen from in front only, within the
- * openings before it, and before the plane that cuts the view. One object serves frame after frame.
+ * The views that make up one frame: the main view, the views through its openings, the views through the openings in
+ * those, and so on. Views are chosen by covered area, the largest first, until a budget is used up or none covers a
+ * pixel; the remaining openings are {@link ViewNode#isTerminal terminal}. An opening is visible from its front only,
+ * within the openings before it, and in front of the view's clip plane. One object serves all frames.
  */
 public final class ViewTree {
-    /** A stencil counts to 255. */
+    /** The greatest depth: the stencil buffer counts to 255. */
     private static final int DEEPEST = 254;
 
     private static final double LEAST_PIXELS = 1;
@@ -26,17 +26,25 @@ public final class ViewTree {
     private final Openings openings;
     private int used;
 
-    /** @param mirrors openings that never change */
+    /**
+     * Makes an empty tree.
+     *
+     * @param mirrors openings that never change
+     */
     public ViewTree(List<Opening> mirrors) {
         openings = new Openings(mirrors);
     }
 
-    /** Whether a level has portals or mirrors, or lets the player open portals. */
+    /** Returns true if a level has portals or mirrors, or a portal gun. */
     public static boolean mayGrow(Level level) {
         return !level.portals().isEmpty() || level.portalGun() != null || MirrorFaces.any(level);
     }
 
-    /** @param budget views beside the picture itself, at most */
+    /**
+     * Builds the tree of a frame of {@code width} by {@code height} pixels.
+     *
+     * @param budget greatest number of views besides the main view
+     */
     public void grow(View main, Moment moment, int width, int height, int budget) {
         used = 0;
         waiting.clear();
@@ -67,7 +75,7 @@ public final class ViewTree {
         views.add(node);
     }
 
-    /** Its sky is all that can be drawn of it. */
+    /** Ends the tree at a node. Its view is set because the sky is drawn in it. */
     private void end(ViewNode node) {
         node.look(projections);
         node.terminal(terminals.size());
@@ -89,7 +97,7 @@ public final class ViewTree {
         }
     }
 
-    /** The first among equally large ones, so that a frame does not depend on rounding of the order. */
+    /** Removes the largest node, the first among equals, so that a frame does not depend on the order of rounding. */
     private ViewNode takeLargest() {
         int best = 0;
         for (int i = 1; i < waiting.size(); i++) {
@@ -109,17 +117,17 @@ public final class ViewTree {
         return openings;
     }
 
-    /** The picture itself. */
+    /** Returns the main view. */
     public ViewNode root() {
         return views.get(0);
     }
 
-    /** All that are to be drawn, the picture itself first, every one after the one it is seen in. */
+    /** Returns the views to draw, the main view first, every view after its parent. */
     public List<ViewNode> views() {
         return views;
     }
 
-    /** Openings that the budget does not reach. */
+    /** Returns the openings that the budget does not reach. */
     public List<ViewNode> terminals() {
         return terminals;
     }

@@ -6,8 +6,8 @@ import nephele.engine.math.RangeVisitor;
 import org.joml.Matrix4d;
 
 /**
- * Which index ranges of each batch a view may see, nearest parts first. Conservative: what is left out covers no pixel.
- * One object serves frame after frame without growing.
+ * The index ranges of each batch that a view may see, nearest parts first. Conservative: omitted parts cover no pixel.
+ * One object serves all frames without growing.
  */
 public final class VisibleSet {
     private final SolidGeometry geometry;
@@ -27,7 +27,7 @@ public final class VisibleSet {
         sizes = new int[batches.size()];
     }
 
-    /** Replaces the content by what {@code view} may see. */
+    /** Replaces the contents by what {@code view} may see. */
     public void find(View view) {
         find(frustum(view));
     }
@@ -41,24 +41,24 @@ public final class VisibleSet {
         return frustum;
     }
 
-    /** Replaces the content by what {@code frustum} may contain. */
+    /** Replaces the contents by what {@code frustum} may contain. */
     public void find(Frustum frustum) {
         clear();
         geometry.index().cull(frustum, add);
     }
 
-    /** As {@link #find(View)} by a slower and looser test: one sphere after the other. */
+    /** Same as {@link #find(View)} by a slower and looser test: one bounding sphere after the other. */
     public void findBySpheres(View view) {
         findBySpheres(frustum(view));
     }
 
-    /** As {@link #find(Frustum)} by a slower and looser test: one sphere after the other. */
+    /** Same as {@link #find(Frustum)} by a slower and looser test: one bounding sphere after the other. */
     public void findBySpheres(Frustum frustum) {
         clear();
         geometry.index().cullSpheres(frustum, add);
     }
 
-    /** Everything: what culling must not differ from. */
+    /** Selects everything; the reference for tests of culling. */
     public void takeAll() {
         clear();
         add(0, geometry.slotCount());
@@ -88,7 +88,7 @@ public final class VisibleSet {
         }
     }
 
-    /** Number of ranges of a batch; the arrays below are valid up to it. */
+    /** Returns the number of ranges of a batch; the arrays below are valid up to it. */
     public int size(int batch) {
         return sizes[batch];
     }

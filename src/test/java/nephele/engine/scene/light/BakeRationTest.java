@@ -9,7 +9,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.placed.StaticShapes;
 import org.junit.jupiter.api.Test;
 
-/** Bakes cast all of their rays where that ends soon, and fewer elsewhere. */
+/** Bakes cast all of their rays if that is within the budget, and fewer otherwise. */
 class BakeRationTest {
     private static final double[] ABOVE = {0, 2, 0};
     private static final double[] DOWN = {0, -1, 0};

@@ -11,11 +11,11 @@ import nephele.engine.level.Brush;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** The solids of a crowd that throw shadows are found in near-linear time. */
+/** Finding the shadow casters of a crowd takes near-linear time. */
 class CrowdedShadowsTest {
     private static final double MOST_CPU_SECONDS = 2;
 
-    /** Shifted by 1 mm each, so that something reaches below every face of all but the ground. */
+    /** The boxes are displaced by 1 mm each, so that some box is below every face except the ground's. */
     @Test
     void tenThousandOverlappingBoxesAllCast() {
         List<Brush> crowd = new ArrayList<>();

@@ -17,12 +17,12 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** Where solids meet, every edge has all the corners that lie on it, with the same bits. */
+/** Every edge of touching solids contains all the corners on it, with the same bits. */
 class FaceFragmentsTest {
     private static final int PLUS_X = 0;
     private static final int PLUS_Z = 4;
 
-    /** A low wall continues a high one; at −0.7 their corners differ in the last bit, as authors' sums do. */
+    /** A low wall continues a high one; at −0.7 their corners differ in the last bit, as sums written in levels do. */
     private static final List<Brush> WALLS =
             List.of(ShadowTest.box(-1.75, 1.5, -0.85, 1.5, 3, 0.3), ShadowTest.box(-0.85, 1, -3, 0.3, 2, 4.6));
 
@@ -54,7 +54,7 @@ class FaceFragmentsTest {
         assertEquals(2 * 0.3, hidden, 1e-3);
     }
 
-    /** Between two solids that abut; through a portal one would see it when the eye is in the wall. */
+    /** A face is hidden if another solid's face contains it; a portal would show it with the eye in the wall. */
     @Test
     void aFaceThatStaysWholeIsHiddenWhereAnotherSolidsFaceHoldsAllOfIt() {
         List<Brush> abutting = List.of(ShadowTest.box(0, 0, 0, 1, 1, 1), ShadowTest.box(1, 0, 0, 1, 2, 2));
@@ -67,7 +67,7 @@ class FaceFragmentsTest {
         }
     }
 
-    /** A copy at the same place changes nothing. */
+    /** A copy at the same position changes nothing. */
     @Test
     void solidsThatAreThereManyTimesAreCutOnce() {
         List<Brush> repeated = new ArrayList<>(WALLS);
@@ -88,7 +88,10 @@ class FaceFragmentsTest {
                 .toList();
     }
 
-    /** A thousand boxes that all overlap exceed the bound of pairs, ten times what a full level has: the most crowded get no neighbours. */
+    /**
+     * A thousand boxes that all overlap exceed the limit of pairs, ten times the number in a full level: the most
+     * crowded get no neighbours.
+     */
     @Test
     void inACrowdThoseWithTheMostNeighboursStandAlone() {
         List<Aabb> crowd = new ArrayList<>();
@@ -103,7 +106,7 @@ class FaceFragmentsTest {
         assertEquals(499, few.of(250).length);
     }
 
-    /** Boxes of a small grid, some of them off it by up to a micrometre: they touch, overlap and repeat. */
+    /** Returns a box of a small grid, sometimes off it by up to a micrometre: such boxes touch, overlap and repeat. */
     private static Brush any(SplittableRandom random) {
         double off = random.nextInt(4) == 0 ? 1e-6 * random.nextDouble() : 0;
         return ShadowTest.box(

@@ -16,7 +16,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** A lamp's irradiance over distance, range and cone. */
+/** A punctual light's irradiance depends on distance, range and cone, and its grid lists are complete. */
 class LampTest {
     private static final Vec3 WHITE = new Vec3(1, 1, 1);
 
@@ -90,7 +90,7 @@ class LampTest {
         }
     }
 
-    /** Every lamp that lights a point is in the point's list, inside the grid and far outside of it. */
+    /** Every light that reaches a point is in the point's list, inside the grid and far outside of it. */
     @Test
     void gridListsEveryLampThatArrives() {
         SplittableRandom random = new SplittableRandom(44);
@@ -117,7 +117,7 @@ class LampTest {
         assertEquals(0, all.distance(listed), 1e-12, "light at " + p + " is missing lamps");
     }
 
-    /** Along an axis or anywhere. */
+    /** Returns a normal along an axis or an arbitrary one. */
     private static Vec3 normal(SplittableRandom random, int i) {
         double sign = (i & 1) == 0 ? 1 : -1;
         return switch (i % 7) {
@@ -165,7 +165,7 @@ class LampTest {
         return lights;
     }
 
-    /** What a list leaves out is hidden: from every point of the cell a solid lies between it and the lamp. */
+    /** A light omitted from a cell's list is hidden from every point of the cell by a solid. */
     @Test
     void hiddenLampsAreLeftOutAndNoOthers() {
         List<Brush> walls = List.of(

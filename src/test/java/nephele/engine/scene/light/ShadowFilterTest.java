@@ -18,7 +18,7 @@ class ShadowFilterTest {
     private static final boolean[] ALL = {true, true, true, true};
     private static final double[] EVENLY = {0.25, 0.25, 0.25, 0.25};
 
-    /** A plane never shades itself, at any slope and place, because each texel is compared with its own depth. */
+    /** A plane never shades itself at any slope, because each texel is compared with the plane's depth there. */
     @Test
     void aSlopingPlaneIsLitEverywhere() {
         SplittableRandom random = new SplittableRandom(7);
@@ -44,7 +44,7 @@ class ShadowFilterTest {
         }
     }
 
-    /** Seen from a lamp at the origin, along z: a plane's distance at any texel, from that and its slope at one. */
+    /** The filter's distance of a plane, for a light at the origin along z, equals the exact one at any texel. */
     @Test
     void aPlaneIsItselfInALampsPicture() {
         double range = 40;
@@ -70,7 +70,7 @@ class ShadowFilterTest {
         }
     }
 
-    /** Of the plane n · q = −5, seen at a texel. */
+    /** Returns the distance of the plane n · q = −5 at a texel. */
     private static double distance(Vec3 n, double texelsToTangent, double x, double y) {
         return -5 / (n.x() * (x - 256) * texelsToTangent + n.y() * (y - 256) * texelsToTangent + n.z());
     }
@@ -87,7 +87,7 @@ class ShadowFilterTest {
         assertEquals(lit, ofMapped(nearerBy, four.weight(), 0), 1e-12);
     }
 
-    /** Past the edge of a wall that is thinner than a texel the map shows what lies far behind the room. */
+    /** Surfaces far behind the room, mapped beyond the edge of a thin wall, do not make the receiver lit. */
     @Test
     void whatLiesBehindAReceiverProvesNoLight() {
         double[] nearerBy = {-3, -3, 0.2, 0.2};
@@ -95,7 +95,7 @@ class ShadowFilterTest {
         assertEquals(0, ofMapped(nearerBy, EVENLY, 0));
     }
 
-    /** The steep inner face of a wall, carried on through the roof, meets the roof's sunny side. */
+    /** The plane of a wall's inner face intersects the roof's sunlit side, which does not make the face lit. */
     @Test
     void anotherFaceInTheReceiversPlaneProvesNoLight() {
         boolean[] isLike = {false, false, true, true};
@@ -104,7 +104,7 @@ class ShadowFilterTest {
         assertEquals(0, ShadowFilter.litShareOfMapped(nearerBy, isLike, EVENLY, HALF_TEXEL, 0.1));
     }
 
-    /** At a lit joint the other face is a little before the plane. */
+    /** At a lit joint the other face is slightly nearer than the plane. */
     @Test
     void aFaceAtAJointShadesNothing() {
         assertEquals(1, ofMapped(new double[] {0.1, 0.1, 0, 0}, EVENLY, 0.2));
@@ -131,7 +131,7 @@ class ShadowFilterTest {
         assertEquals(6, octants);
     }
 
-    /** Rise over run in whole numbers, stored in 16 bits: far enough from where a bit changes. */
+    /** Normals with small integer components, rounded to 16 bits, keep their octant. */
     @Test
     void noPlainSlopeLiesOnABorder() {
         for (int i = 0; i < 13 * 13 * 13; i++) {

@@ -61,7 +61,7 @@ class ShadowTest {
         }
     }
 
-    /** The same casters as by comparing every solid with every other. */
+    /** The casters equal those of a comparison of every solid with every other. */
     @Test
     void castersAreThoseOfTheDefinition() {
         SplittableRandom random = new SplittableRandom(5);
@@ -92,7 +92,7 @@ class ShadowTest {
                                 || other.shape().vertices().stream().allMatch(v -> plane.signedDistance(v) >= -1e-6)));
     }
 
-    /** Six pictures around a lamp see every direction, each with two texels to spare at the edges between them. */
+    /** The six pictures of a point light cover all directions and overlap by two texels at the edges. */
     @Test
     void cubeLayersOverlapByTheirGuardBand() {
         List<Lamp> lamps = List.of(Lamp.of(new Light.Point("p", new Vec3(5, 6, 7), new Vec3(1, 1, 1), 10, true))

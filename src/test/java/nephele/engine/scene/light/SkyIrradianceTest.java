@@ -22,7 +22,7 @@ class SkyIrradianceTest {
         }
     }
 
-    /** Nine coefficients against the integral itself: Ramamoorthi and Hanrahan state 3 % at worst, 1 % on average. */
+    /** Nine coefficients match the integral: Ramamoorthi and Hanrahan state 3 % at worst, 1 % on average. */
     @Test
     void gradientSkyAgreesWithTheIntegralWithinThreePercent() {
         Sky gradient = new Sky.Gradient(new Vec3(0.2, 0.5, 1), new Vec3(1, 0.9, 0.8), new Vec3(0.1, 0.1, 0.05));

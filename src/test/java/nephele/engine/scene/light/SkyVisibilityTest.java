@@ -14,7 +14,7 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** Analytic values of the cosine-weighted visible part of the sky; the bake's rays are allowed 0.01. */
+/** The baked visibility matches analytic values of the cosine-weighted visible part of the sky within 0.01. */
 class SkyVisibilityTest {
     private static final double TOLERANCE = 0.01;
     private static final int TOP = 2;
@@ -33,7 +33,7 @@ class SkyVisibilityTest {
         assertEquals(0.5, seen(scene, 0, TOP, new Vec3(-1.5, 0, 0)), TOLERANCE, "at the foot of the wall");
     }
 
-    /** A wall of height h at distance d hides (1 − d/√(d² + h²)) / 2: the cosine of its upper edge's altitude. */
+    /** A wall of height h at distance d hides (1 − d/√(d² + h²)) / 2; the fraction is its edge's cosine of altitude. */
     @Test
     void longWallHidesAsMuchAsItsFormFactor() {
         double h = 3;
@@ -58,7 +58,7 @@ class SkyVisibilityTest {
         assertTrue(seen(baked, 0, TOP, new Vec3(4, 0, 0)) > 0.4, "the same floor face outside the walls");
     }
 
-    /** Under a disc-like roof of half width a at height h: what is left is the sky between roof and horizon. */
+    /** Under a square roof of half width a at height h only the sky between roof and horizon is visible. */
     @Test
     void roofWithoutWallsLeavesTheRim() {
         double a = 2;
@@ -67,7 +67,7 @@ class SkyVisibilityTest {
         // Form factor of the quarter rectangle a × a seen from a point under its corner (Howell, configuration B-3).
         double x = a / h;
         double quarter = 2 * x / Math.sqrt(1 + x * x) * Math.atan(x / Math.sqrt(1 + x * x)) / (2 * Math.PI);
-        // The roof's own thickness hides a little more than its lower face alone.
+        // The roof's thickness hides a little more than its lower face alone.
         double y = a / (h + 0.2);
         double upper = 2 * y / Math.sqrt(1 + y * y) * Math.atan(y / Math.sqrt(1 + y * y)) / (2 * Math.PI);
         double middle = seen(scene, 0, TOP, new Vec3(0, 0, 0));
@@ -75,7 +75,7 @@ class SkyVisibilityTest {
         assertEquals(1 - 4 * quarter, middle, TOLERANCE, "under the middle of the roof");
     }
 
-    /** Beside a kerb of 3 cm a face is as bright as its places are on average, not as dark as the joint. */
+    /** Beside a kerb of 3 cm a face has the mean brightness of its points, not the darkness of the joint. */
     @Test
     void kerbDarkensNoMoreThanItHides() {
         double h = 0.03;
@@ -155,7 +155,7 @@ class SkyVisibilityTest {
         return true;
     }
 
-    /** A floor of 10 × 10 m, walls 0.5 m thick around 5 × 5 m on it, and a roof. */
+    /** Returns a floor of 10 × 10 m, walls 0.5 m thick around 5 × 5 m on it, and a roof. */
     private static List<Brush> room() {
         return new ArrayList<>(List.of(
                 box(0, -0.5, 0, 10, 1, 10),

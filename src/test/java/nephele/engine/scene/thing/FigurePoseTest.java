@@ -9,7 +9,7 @@ import nephele.engine.scene.Moment.Posture;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** The figure stands on the ground it walks over, holds together, and never gets lost. */
+/** The character's feet follow the ground, its parts stay connected, and every posture is valid. */
 class FigurePoseTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final double BALL_METRES = 0.11;
@@ -24,7 +24,7 @@ class FigurePoseTest {
         return ball.add(pose.centre(foot));
     }
 
-    /** A foot on the ground moves less than 2 cm while the body goes over it, at every speed. */
+    /** A foot on the ground moves less than 2 cm while the body passes over it, at every speed. */
     @Test
     void feetDoNotSlide() {
         for (double stride : new double[] {0.25, 0.5, 1, 1.5}) {
@@ -45,7 +45,7 @@ class FigurePoseTest {
         }
     }
 
-    /** No foot goes deeper into the ground than its sole is thick, and one is on it while the figure walks slowly. */
+    /** During slow walking the ball of the lower foot is within 3 cm of the ground. */
     @Test
     void feetKeepToTheGround() {
         FigurePose pose = new FigurePose();
@@ -57,7 +57,7 @@ class FigurePoseTest {
         }
     }
 
-    /** Thigh meets shin and shin meets foot, whatever the legs do; the head is where the eye is. */
+    /** Thigh and shin, and shin and foot, share their joints in every posture; the head is at the eye. */
     @Test
     void theFigureHoldsTogether() {
         Random random = new Random(3);
@@ -92,7 +92,7 @@ class FigurePoseTest {
         assertEquals(0, end.distance(start), 0.01, upper + " and " + lower);
     }
 
-    /** Nothing that a posture may hold makes a part infinite or lets it fly away. */
+    /** No value in a posture makes a part's position infinite or distant from the body. */
     @Test
     void everyPostureIsFinite() {
         double[] odd = {0, 1, -1, 1e9, -1e300, Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, 1e-320};

@@ -15,7 +15,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** What reaches through portals: its pieces are the whole thing once, each on the side of the plane where it is. */
+/** The pieces of an object in portals make up the whole object once, each on the right side of its plane. */
 class ThingPlacesTest {
     private static final ThingShape[] BOX = {new ThingShape(ThingShape.BOX, new Vec3(0.4, 0.3, 0.5), 0)};
 
@@ -51,7 +51,9 @@ class ThingPlacesTest {
         return true;
     }
 
-    /** Any point of a box that straddles lies in exactly one of its pieces, where the passage puts it. */
+    /**
+     * Any point of a box in a portal is in exactly one of its pieces, at the position given by the portal transform.
+     */
     @Test
     void halvesMakeAWhole() {
         Random random = new Random(1);
@@ -95,7 +97,7 @@ class ThingPlacesTest {
         assertEquals(0, p.distance(expected), 1e-12);
     }
 
-    /** A thing beside the opening, or behind the portal, is whole, however far it reaches past the plane. */
+    /** An object beside the opening or behind the portal is not cut, however far it extends beyond the plane. */
     @Test
     void whatIsBesideTheOpeningStaysWhole() {
         Portals portals = new Portals(
@@ -112,7 +114,7 @@ class ThingPlacesTest {
                 placed(new Vector3d(0, 0, 0.1), new Quaterniond(), BOX, closed).copies());
     }
 
-    /** There is room for two own planes: a third portal of the corner neither cuts nor shows an image. */
+    /** A part has at most two clip planes: a third portal of the corner neither clips it nor makes an image. */
     @Test
     void inACornerOfThreePortalsNothingIsThereTwice() {
         List<Portal> all = new ArrayList<>();
@@ -128,7 +130,9 @@ class ThingPlacesTest {
         assertEquals(3, places.copies(), "the host and an image for each cut");
     }
 
-    /** A rod between facing portals that are nearer than it is long goes on through both, and never for ever. */
+    /**
+     * A rod between facing portals that are closer than its length is divided by both into a finite number of slices.
+     */
     @Test
     void aRodBetweenFacingPortalsIsCutIntoSlices() {
         ThingShape[] rod = {new ThingShape(ThingShape.BOX, new Vec3(0.1, 0.1, 1.25), 0)};

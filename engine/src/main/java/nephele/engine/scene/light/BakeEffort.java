@@ -1,6 +1,6 @@
 package nephele.engine.scene.light;
 
-/** How many rays a bake casts: what the game ships is baked in full, other levels while somebody waits. */
+/** The ray budget of a bake: full for shipped levels, limited for others, which are baked during loading. */
 enum BakeEffort {
     FULL,
     RATIONED

@@ -3,14 +3,14 @@ package nephele.engine.scene.light;
 import java.util.function.IntConsumer;
 
 /**
- * How much of the work of a bake is done, so that the light of any level is there within seconds. Box tests are counted
- * for a sample of the places; rays are left out where all places would take more of them than {@link #MOST_BOX_TESTS}.
+ * The budget of a bake, so that it ends within seconds for any level. Box tests are counted for a sample of the points;
+ * rays are omitted if all points would need more than {@link #MOST_BOX_TESTS}.
  */
 final class BakeRation implements SkySight {
-    /** One or two seconds of a core. */
+    /** Takes one or two seconds on one core. */
     static final long MOST_BOX_TESTS = 150_000_000L;
 
-    /** As many items again make a box test as much dearer: the tree leaves the processor's caches. */
+    /** Each further such number of items adds the cost of a cached box test: the tree leaves the processor's caches. */
     private static final double CACHED_ITEMS = 25_000;
 
     private static final int SAMPLES = 128;
@@ -30,10 +30,10 @@ final class BakeRation implements SkySight {
     }
 
     /**
-     * By how much the rays of each of {@code places} are to be divided: a power of two.
+     * Returns the divisor for the number of rays of each of {@code places}, a power of two.
      *
-     * @param from as many items as the sample may be taken from
-     * @param measure casts the rays of a place of one item, with this as the sight
+     * @param from number of items from which the sample is taken
+     * @param measure casts the rays of one point of an item, with this as the sight
      */
     int divisor(int from, int places, IntConsumer measure) {
         int samples = Math.min(from, SAMPLES);

@@ -3,17 +3,18 @@ package nephele.engine.scene.light;
 import java.util.function.DoubleConsumer;
 import nephele.engine.level.placed.PlacedLevel;
 
-/** The step before a scene that may take seconds: how much of the sky what never moves sees. */
+/** The sky visibility of the static geometry, computed before the scene because it may take seconds. */
 public final class BakedSky {
     private BakedSky() {}
 
     /**
-     * Reads it where it was baked before, else bakes it and keeps it for the next time ({@link SkyVisibilityCache}). May
-     * run on a thread of its own while the level is edited; {@link nephele.engine.scene.Scene#edited} takes the light then.
+     * Reads the visibility if it was baked before, otherwise bakes and stores it ({@link SkyVisibilityCache}). May run
+     * on a thread of its own while the level is edited; {@link nephele.engine.scene.Scene#edited} accepts the result
+     * then.
      *
-     * @param progress the done fraction, 0–1, of a bake, heard from several threads; not called where none is due.
-     *     What it throws ends the bake, which leaves nothing, and is thrown here
-     * @return {@code null} where no light of the sky falls on anything
+     * @param progress receives the completed fraction of a bake, 0–1, from several threads; not called without a bake.
+     *     An exception that it throws ends the bake, which stores nothing, and is rethrown here
+     * @return {@code null} if no light of the sky reaches anything
      */
     public static SkyVisibility of(PlacedLevel placed, DoubleConsumer progress) {
         if (!LightNeeds.skyVisibility(placed.level())) {

@@ -12,16 +12,16 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A folder of files that can be made again, up to a size: when a new one does not fit, those go that were not used for
- * longest. Files that its owner would not have written stay.
+ * A folder of reproducible files with a size limit: if a new file does not fit, the least recently used ones are
+ * deleted. Files that do not match the pattern are never deleted.
  *
  * @param pattern glob of the files' names
- * @param mostBytes of all files together; the newest one stays even if it is larger
+ * @param mostBytes limit for all files together; the newest one is kept even if it is larger
  */
 record CacheFolder(Path folder, String pattern, long mostBytes) {
     private record Stored(Path path, long bytes, FileTime used) {}
 
-    /** The bytes of a file, which counts as used now; empty where there is none or it cannot be read. */
+    /** Returns the bytes of a file and marks it as used now; empty if it does not exist or cannot be read. */
     Optional<byte[]> find(String name) {
         Path file = folder.resolve(name);
         try {
@@ -37,12 +37,12 @@ record CacheFolder(Path folder, String pattern, long mostBytes) {
         try {
             Files.setLastModifiedTime(file, FileTime.fromMillis(System.currentTimeMillis()));
         } catch (IOException e) {
-            // A folder that is only read is never trimmed either.
+            // A read-only folder is never trimmed either.
             return;
         }
     }
 
-    /** Writes a file, whole or not at all, and drops the longest unused ones above the limit. */
+    /** Writes a file atomically and deletes the least recently used ones above the limit. */
     void store(String name, byte[] bytes) throws IOException {
         Files.createDirectories(folder);
         Path temporary = Files.createTempFile(folder, name, ".tmp");

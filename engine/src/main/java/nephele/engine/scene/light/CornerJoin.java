@@ -10,19 +10,24 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.FaceCut.Piece;
 
-/** Gives every fragment the corners that its neighbours, on any face, have on its edges: bit by bit the same. */
+/** Inserts the corners of neighbouring fragments, on any face, into a fragment's edges, with the same bits. */
 final class CornerJoin {
     private final ConvexPolyhedron shape;
     private final Aabb around;
     private final double reachMetres;
     private final Set<Vec3> corners = new LinkedHashSet<>();
 
-    /** @param pieces welded, by face */
+    /**
+     * Starts with the corners of one shape.
+     *
+     * @param pieces the shape's welded pieces, by face
+     */
     CornerJoin(ConvexPolyhedron shape, List<List<Piece>> pieces) {
         this.shape = shape;
         Aabb box = shape.bounds();
         double longest = box.maxX() - box.minX() + box.maxY() - box.minY() + box.maxZ() - box.minZ();
-        // A corner counts as between two others that is up to 0.71e-6 of their distance, and a micrometre, beside them.
+        // A corner counts as between two others if its distance to their edge is at most a micrometre plus 0.71e-6 of
+        // the edge's length.
         reachMetres = 10 * CornerWeld.WELD_METRES + 1e-6 * longest;
         around = box.grown(reachMetres);
         add(pieces);
@@ -90,7 +95,7 @@ final class CornerJoin {
         return joined;
     }
 
-    /** Whether it is in the box around an edge. */
+    /** Returns true if a point is in the bounding box of an edge. */
     private boolean isNear(Vec3 a, Vec3 b, Vec3 p) {
         return isWithin(a.x(), b.x(), p.x()) && isWithin(a.y(), b.y(), p.y()) && isWithin(a.z(), b.z(), p.z());
     }
@@ -105,7 +110,7 @@ final class CornerJoin {
             return false;
         }
         double parts = Math.sqrt(squareDistance(a, p)) + Math.sqrt(squareDistance(p, b));
-        // A corner h beside an edge of length L makes the way about 2h²/L longer.
+        // A corner at the distance h from an edge of length L makes the path about 2h²/L longer.
         return parts - whole <= 2 * CornerWeld.WELD_METRES * CornerWeld.WELD_METRES / whole + 1e-12 * whole;
     }
 

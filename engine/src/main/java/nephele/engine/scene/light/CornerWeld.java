@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.math.Vec3;
 
-/** Gives corners that mean the same place the same bits: the first one seen stands for all within a micrometre. */
+/** Welds corners: all corners within a micrometre of the first one get its bits. */
 final class CornerWeld {
     static final double WELD_METRES = 1e-6;
 
     private static final double CELL_METRES = 1e-3;
-    /** Keeps the multiples of a millimetre that authors write away from the cells' borders. */
+    /** Keeps whole millimetres, which are common in levels, away from the cells' borders. */
     private static final double OFFSET_METRES = 3.7e-4;
 
     private final Map<Cell, List<Vec3>> corners = new HashMap<>();

@@ -1,10 +1,10 @@
 package nephele.engine.scene.light;
 
-/** Gives values to places that have none, from the nearest ones that have. */
+/** Fills missing values from the nearest known ones. */
 final class Dilation {
     private Dilation() {}
 
-    /** Replaces every NaN, ring by ring, by the mean of its neighbours that are numbers; all become 0 if none is. */
+    /** Replaces every NaN, ring by ring, by the mean of its neighbours that are numbers; all by 0 if there is none. */
     static void fill(double[] values, int columns) {
         double[] before = values.clone();
         boolean isChanged = true;

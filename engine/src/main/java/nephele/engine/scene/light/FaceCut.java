@@ -7,27 +7,30 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.FaceFragment.Cover;
 
-/** Divides a face by the shapes that stand on it. */
+/** Divides a face by the footprints of other shapes on it. */
 final class FaceCut {
-    /** Another shape covers a face where it is found this far above the face. */
+    /** The height above a face, in metres, at which another shape is tested for covering it. */
     static final double PROBE_METRES = 1e-4;
 
-    /** Smaller cuts are not worth a fragment. */
+    /** Fragments below this area are not cut off. */
     private static final double MIN_AREA_SQUARE_METRES = 1e-6;
 
-    /** Corners this far behind a plane are not behind it: half of what {@link FacePolygon} asks for, above all rounding. */
+    /**
+     * Corners up to this distance behind a plane count as not behind it: half the tolerance of {@link FacePolygon}, far
+     * above rounding errors.
+     */
     private static final double CLEAR_METRES = 5e-7;
 
     private FaceCut() {}
 
-    /** A part of a face and what covers it. */
+    /** A part of a face and its cover. */
     record Piece(Cover cover, List<Vec3> outline) {
         boolean isCovered() {
             return cover != Cover.NONE;
         }
     }
 
-    /** One piece: the whole face, hidden where a face of another shape holds all of it. */
+    /** Returns the whole face as one piece; it is hidden if a face of another shape contains it. */
     static List<Piece> whole(ConvexPolyhedron.Face face, List<ConvexPolyhedron> near) {
         for (ConvexPolyhedron other : near) {
             if (holds(other, face.polygon()) && coverBy(face.plane(), other) == Cover.TOUCHING) {
@@ -48,7 +51,7 @@ final class FaceCut {
         return true;
     }
 
-    /** The pieces under the shapes' footprints and those beside them. */
+    /** Returns the pieces under the shapes' footprints and those beside them. */
     static List<Piece> cut(ConvexPolyhedron.Face face, List<ConvexPolyhedron> near) {
         List<Piece> pieces = List.of(new Piece(Cover.NONE, face.polygon()));
         for (ConvexPolyhedron other : near) {
@@ -69,7 +72,7 @@ final class FaceCut {
         return pieces;
     }
 
-    /** Whether the whole face lies before one plane of the footprint; most shapes near a face do not stand on it. */
+    /** Returns true if the whole face is in front of one plane of the footprint, as for most shapes near a face. */
     private static boolean isClear(ConvexPolyhedron.Face face, ConvexPolyhedron other) {
         for (ConvexPolyhedron.Face side : other.faces()) {
             Plane plane = side.plane();
@@ -99,7 +102,7 @@ final class FaceCut {
         return touches ? Cover.TOUCHING : Cover.INSIDE;
     }
 
-    /** The other shape's planes, moved so that they cut the face where the shape is just above it. */
+    /** Returns the other shape's planes, moved so that they cut the face where the shape is just above it. */
     private static List<Plane> footprint(Plane face, ConvexPolyhedron other) {
         List<Plane> planes = new ArrayList<>();
         for (ConvexPolyhedron.Face side : other.faces()) {

@@ -6,21 +6,23 @@ import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
 
 /**
- * A convex part of a face, over which the sky visibility is continuous: no other solid stands on it.
+ * A convex part of a face over which the sky visibility is continuous, because no other solid's footprint divides it.
  *
- * @param cover what hides it
+ * @param cover the kind of cover
  * @param outline counter-clockwise from outside
- * @param corners the outline with every neighbouring fragment's corner on its edges; when
- *     there are such, the centroid follows as the last entry
+ * @param corners the outline with the corners of all neighbouring fragments on its edges; if there are any, the
+ *     centroid follows as the last entry
  * @param triangles indices into {@code corners}
  */
 public record FaceFragment(Cover cover, List<Vec3> outline, List<Vec3> corners, int[] triangles) {
-    /** Whether another solid hides a part of a face. */
+    /** The way in which another solid covers a part of a face. */
     public enum Cover {
         NONE,
-        /** A face of the other solid lies on it, edge by edge: nobody ever sees it, and it is not drawn. */
+        /** A face of the other solid touches all of it: it is never visible and not drawn. */
         TOUCHING,
-        /** It is inside the other solid; drawn, because its border runs across the other's faces and would crack. */
+        /**
+         * It is inside the other solid; drawn, because its border crosses the other's faces, where cracks would appear.
+         */
         INSIDE
     }
 
@@ -28,7 +30,7 @@ public record FaceFragment(Cover cover, List<Vec3> outline, List<Vec3> corners, 
         return cover != Cover.NONE;
     }
 
-    /** Whether two lists of fragments, by face, hold the same, bit by bit. */
+    /** Returns true if two lists of fragments, by face, are equal bit by bit. */
     static boolean areSame(List<List<FaceFragment>> faces, List<List<FaceFragment>> others) {
         for (int face = 0; face < faces.size(); face++) {
             List<FaceFragment> some = faces.get(face);
@@ -42,12 +44,12 @@ public record FaceFragment(Cover cover, List<Vec3> outline, List<Vec3> corners, 
         return true;
     }
 
-    /** The triangles follow from the corners. */
+    /** Compares all but the triangles, which follow from the corners. */
     private boolean isSame(FaceFragment other) {
         return cover == other.cover && outline.equals(other.outline) && corners.equals(other.corners);
     }
 
-    /** A face that is not cut. */
+    /** Returns the fragment of an undivided face. */
     public static FaceFragment whole(List<Vec3> polygon) {
         return new FaceFragment(Cover.NONE, polygon, polygon, fan(polygon.size()));
     }
@@ -70,7 +72,7 @@ public record FaceFragment(Cover cover, List<Vec3> outline, List<Vec3> corners, 
         return triangles;
     }
 
-    /** Around a hub: a fan would skip the corners that lie on an edge of its first one. */
+    /** Returns triangles around a hub: a fan would omit the corners on an edge next to its first one. */
     private static int[] wheel(int rim) {
         int[] triangles = new int[3 * rim];
         for (int i = 0; i < rim; i++) {

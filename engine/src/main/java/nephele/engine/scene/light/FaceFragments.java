@@ -14,24 +14,24 @@ import nephele.engine.math.Kept;
 import nephele.engine.scene.light.FaceCut.Piece;
 
 /**
- * Faces cut along the footprints of the solids that stand on them. A wall on a floor separates the floor's light map
- * into inside and outside, so no interpolation carries light under the wall. Immutable; those of an edited level are
- * cut anew only near what changed, with the result of a fresh cut, bit by bit.
+ * Faces divided along the footprints of the solids on them. A wall on a floor separates the floor's light map into
+ * inside and outside, so no interpolation leaks light under the wall. Immutable; after an edit only the vicinity of
+ * changes is divided again, with the result of a full division, bit by bit.
  *
- * <p>A shape's fragments are found in three steps: its faces are divided by the shapes near it, the pieces' corners are
- * welded to equal ones nearby, and the corners of the shapes near it are put on its pieces' edges. Each step is repeated
- * for the shapes that a change of the step before can reach; all that is welded together lies within a micrometre, far
- * within the reach of {@link Neighbours}.
+ * <p>A shape's fragments are computed in three steps: its faces are divided by the shapes near it, the pieces' corners
+ * are welded to equal ones nearby, and the corners of the shapes near it are inserted into its pieces' edges. Each step
+ * is repeated for the shapes that a change in the previous step can affect; welding has a reach of a micrometre, far
+ * below that of {@link Neighbours}.
  */
 public final class FaceFragments {
     private static final int NEW = Kept.NEW;
 
-    /** More new brushes than these are no edit. */
+    /** An edit with more new brushes is divided from scratch. */
     private static final int MOST_NEW = 32;
 
     private final BiFunction<ConvexPolyhedron.Face, List<ConvexPolyhedron>, List<Piece>> divide;
     private final List<Brush> brushes;
-    /** Solids of the same shape at the same place have the same fragments: a face is never before its own copy. */
+    /** Distinct shapes: equal solids share their fragments, because a face never covers its own copy. */
     private final List<ConvexPolyhedron> shapes = new ArrayList<>();
 
     private final int[] numberOf;
@@ -67,26 +67,30 @@ public final class FaceFragments {
         byBrush = IntStream.of(numberOf).mapToObj(joined::get).toList();
     }
 
+    /** Divides the faces of all brushes. */
     public static FaceFragments of(List<Brush> brushes) {
         return new FaceFragments(FaceCut::cut, brushes, null);
     }
 
-    /** As {@link #of}, but every face stays whole: its neighbours' corners are put on its edges, or they hide all of it. */
+    /**
+     * Same as {@link #of}, but every face remains whole: the corners of its neighbours are inserted into its edges, or
+     * it is hidden entirely.
+     */
     public static FaceFragments uncut(List<Brush> brushes) {
         return new FaceFragments(FaceCut::whole, brushes, null);
     }
 
-    /** The same for other brushes; what is the same of a brush is the same object. */
+    /** Returns the fragments of other brushes; unchanged parts are the same objects. */
     public FaceFragments edited(List<Brush> brushes) {
         return brushes == this.brushes ? this : new FaceFragments(divide, brushes, this);
     }
 
-    /** Fragments by brush, by face of its shape; together they cover each face exactly. */
+    /** Returns the fragments by brush and by face of its shape; together they cover each face exactly. */
     public List<List<List<FaceFragment>>> byBrush() {
         return byBrush;
     }
 
-    /** Numbers the shapes as the brushes come; all of them are new. */
+    /** Numbers the shapes in the order of the brushes; all of them are new. */
     private int[] numbered() {
         Map<ConvexPolyhedron, Integer> numbers = new HashMap<>();
         for (int i = 0; i < numberOf.length; i++) {
@@ -103,10 +107,10 @@ public final class FaceFragments {
     }
 
     /**
-     * Numbers the shapes as the brushes come.
+     * Numbers the shapes in the order of the brushes.
      *
-     * @param places of the brushes among those known
-     * @return each shape's number among those known, {@link #NEW} where it is not there
+     * @param places the indices of the brushes among those known
+     * @return each shape's number among those known, {@link #NEW} if it is not known
      */
     private int[] numbered(int[] places, FaceFragments known) {
         int[] now = new int[known.shapes.size()];
@@ -162,7 +166,7 @@ public final class FaceFragments {
         return differs;
     }
 
-    /** Whether a shape or one near it is among those that changed. */
+    /** Returns for each shape true if it or one near it has changed. */
     private boolean[] reached(boolean[] changed, boolean[] also) {
         boolean[] reached = new boolean[changed.length];
         for (int shape = 0; shape < changed.length; shape++) {
@@ -174,7 +178,7 @@ public final class FaceFragments {
         return reached;
     }
 
-    /** Fills {@link #divided} and answers which differ from those before. */
+    /** Fills {@link #divided}; returns for each shape true if it has changed. */
     private boolean[] divide(int[] before, FaceFragments known, boolean[] isDue) {
         boolean[] changed = new boolean[before.length];
         for (int shape = 0; shape < before.length; shape++) {
@@ -194,7 +198,7 @@ public final class FaceFragments {
         return changed;
     }
 
-    /** Fills {@link #welded} and answers which differ from those before. */
+    /** Fills {@link #welded}; returns for each shape true if it has changed. */
     private boolean[] weld(int[] before, FaceFragments known, boolean[] isDue) {
         CornerWeld weld = new CornerWeld();
         boolean[] isFollowed = reached(isDue, isDue);

@@ -8,9 +8,9 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /**
- * Where the fragments of faces look up their light in a light map: each in its own chart where the map was baked for these
- * solids. Solids that were edited since keep the old light until the next bake: a fragment looks where its face, by its
- * solid's id and its own name, had its nearest chart, and moves along with its solid; what is new is bright.
+ * The light map coordinates of face fragments: in each fragment's own chart if the map was baked for these solids.
+ * Edited solids keep the old light until the next bake: a fragment uses the nearest chart of its face, found by its
+ * solid's id and the face's name, and moves along with its solid; new faces are bright.
  */
 public final class FaceLight {
     private final SkyVisibility baked;
@@ -19,7 +19,11 @@ public final class FaceLight {
     private final Map<String, Integer> bakedById;
     private Spot brightest;
 
-    /** @param baked for these solids or for some before an edit */
+    /**
+     * Makes the lookup.
+     *
+     * @param baked for these solids or for those before an edit
+     */
     public FaceLight(SkyVisibility baked, List<Brush> solids) {
         this(baked, solids, new HashMap<>());
         for (int i = 0; i < baked.statics().solids().size(); i++) {
@@ -34,20 +38,20 @@ public final class FaceLight {
         isOwn = baked.isOf(solids);
     }
 
-    /** The same light for other solids. */
+    /** Returns the lookup of the same light for other solids. */
     public FaceLight edited(List<Brush> others) {
         return new FaceLight(baked, others, bakedById);
     }
 
     /**
-     * Texel coordinates for the points of one fragment.
+     * The texel coordinates of the points of one fragment.
      *
-     * @param chart {@code null} where all points look at one place
-     * @param column of the chart's first texel, from the map's left border
-     * @param from the place of the chart's origin relative to where it was baked
+     * @param chart {@code null} if all points have the same coordinates
+     * @param column of the chart's first texel centre, from the map's left border; {@code row} from its lower border
+     * @param from displacement of the solid since the bake, metres
      */
     public record Spot(LightMapChart chart, double column, double row, Vec3 from) {
-        /** Under another solid. */
+        /** For fragments covered by another solid. */
         private static final Spot COVERED = new Spot(null, 0.5, 0.5, Vec3.ZERO);
 
         public double columnOf(Vec3 p) {
@@ -64,7 +68,7 @@ public final class FaceLight {
     }
 
     /**
-     * Where one fragment looks.
+     * Returns the light map coordinates of one fragment.
      *
      * @param solid index of its solid
      * @param part its index among those of its face
@@ -102,14 +106,14 @@ public final class FaceLight {
         return -1;
     }
 
-    /** How far a solid of the same size went; a size that differs is taken as a border that was moved. */
+    /** Returns the displacement of a solid; zero if its size has changed, because then only a border was moved. */
     private static Vec3 moved(Aabb before, Aabb now) {
         Vec3 some = new Vec3(now.minX() - before.minX(), now.minY() - before.minY(), now.minZ() - before.minZ());
         Vec3 other = new Vec3(now.maxX() - before.maxX(), now.maxY() - before.maxY(), now.maxZ() - before.maxZ());
         return some.toVector().distance(other.x(), other.y(), other.z()) < CornerWeld.WELD_METRES ? some : Vec3.ZERO;
     }
 
-    /** The chart nearest to a fragment's middle, its own above all; −1 for none. */
+    /** Returns the chart nearest to a fragment's centre, preferably one with the same outline; −1 if there is none. */
     private int nearest(int[] charts, FaceFragment fragment, Vec3 moved) {
         Vec3 middle = FacePolygon.centroid(fragment.outline());
         Vec3 place = middle.minus(moved);

@@ -6,14 +6,14 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** Cutting of convex polygons in space. */
+/** Clipping of convex polygons in space. */
 final class FacePolygon {
-    /** Corners this near to a cut lie on it: a tenth of a millimetre in a level of 1 km is 1e-7 of it. */
+    /** Corners this near to a plane count as on it. */
     private static final double ON_PLANE_METRES = 1e-6;
 
     private FacePolygon() {}
 
-    /** The part behind the plane; empty when nothing with an area is left. */
+    /** Returns the part behind the plane; empty if nothing with an area is left. */
     static List<Vec3> behind(List<Vec3> polygon, Plane plane) {
         return keep(polygon, plane, 1);
     }
@@ -22,7 +22,7 @@ final class FacePolygon {
         return keep(polygon, plane, -1);
     }
 
-    /** Sutherland and Hodgman (1974), for one plane. */
+    /** Clips at one plane (Sutherland and Hodgman 1974). */
     private static List<Vec3> keep(List<Vec3> polygon, Plane plane, double sign) {
         List<Vec3> kept = new ArrayList<>(polygon.size() + 1);
         boolean hasInside = false;

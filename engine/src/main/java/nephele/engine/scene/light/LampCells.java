@@ -15,25 +15,30 @@ import nephele.engine.math.Kept;
 import nephele.engine.math.Vec3;
 
 /**
- * Which cells of a grid each lamp may light: those in its reach that do not lie wholly in its shadow. What a convex solid
- * hides from a point is convex: a box whose eight corners are hidden by the same solid is hidden whole. Never wrongly no.
+ * The cells of a grid that each punctual light may reach: those within its range that are not entirely in shadow. The
+ * region that a convex solid hides from a point is convex, so a box is hidden if the same solid hides its eight
+ * corners. Conservative: no lit cell is omitted.
  */
 final class LampCells {
-    /** Cells beside the reach of a lamp: one that is partly in it, and what the cells overlap. */
+    /**
+     * The margin around a light's range in cell sides: one for cells that are partly within it, and the cells' overlap.
+     */
     private static final double MARGIN = 1.1;
 
     private final LampGrid grid;
     private final List<Lamp> lamps;
     private final boolean[] casts;
     private final StaticShapes statics;
-    /** For each lamp, by cell. */
+    /** For each light the set of cells. */
     private final BitSet[] lit;
 
     /**
-     * @param grid whose cells; what it lists is not read
-     * @param firstLayer negative for lamps whose light passes through everything
-     * @param before {@code null}, or the cells of a level before an edit: a lamp's are taken over when neither it nor
-     *     anything that may hide it differs
+     * Finds the cells.
+     *
+     * @param grid its cells are used, not its lists
+     * @param firstLayer negative for lights without shadows
+     * @param before {@code null}, or the cells of a level before an edit: those of a light are reused if neither it nor
+     *     anything that may hide it has changed
      */
     LampCells(LampGrid grid, List<Lamp> lamps, int[] firstLayer, StaticShapes statics, LampCells before) {
         this.grid = grid;
@@ -51,7 +56,7 @@ final class LampCells {
         return lit[lamp].get(cell);
     }
 
-    /** Taken over as it is; never written to again. */
+    /** Returns the cells of a light; reused after an edit, never modified. */
     BitSet lit(int lamp) {
         return lit[lamp];
     }
@@ -78,7 +83,7 @@ final class LampCells {
         return known;
     }
 
-    /** The bounds of what is in one of two levels only. */
+    /** Returns the bounds of the shapes that only one of two levels contains. */
     private static List<Aabb> changed(StaticShapes before, StaticShapes now) {
         List<Aabb> changed = new ArrayList<>();
         addNew(before.solids(), now.solids(), brush -> changed.add(brush.shape().bounds()));
@@ -110,7 +115,7 @@ final class LampCells {
             lit[lamp] = new BitSet();
         }
         int found = 0;
-        // What is left out where lists are too long is never read: the grid takes larger cells.
+        // Beyond this limit the remaining cells are not needed: the grid will use larger cells.
         for (int cell = 0; cell < grid.cells() && found <= LampGrid.MOST_LIT; cell++) {
             Aabb reach = grid.reachOf(cell);
             Aabb box = grid.boxOf(cell);
@@ -137,7 +142,10 @@ final class LampCells {
         return occluders.oneMeetsAllSegments(new double[] {p.x(), p.y(), p.z()}, towards);
     }
 
-    /** Around everything that may lie between a lamp and a cell in its reach: the outermost ones reach out to any lamp. */
+    /**
+     * Returns a box around everything that may be between a light and a cell within its range; the outermost cells
+     * extend to any light.
+     */
     private Aabb region(int lamp) {
         Vec3 p = lamps.get(lamp).position();
         Aabb cells = grid.bounds();

@@ -7,30 +7,35 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /**
- * Which lamps can light which faces in which cell of a regular grid over the level, so that a pixel asks few of a
- * thousand lamps. Lists are complete: where many lamps have a long range the cells grow, no lamp is left out but those
- * that lie behind the face or are hidden from the whole cell. Places beyond the grid belong to its outermost cells.
+ * Lists the punctual lights that can light the faces in each cell of a regular grid over the level, so that a pixel
+ * evaluates few of a thousand lights. Lists are complete: if many lights have a long range the cells grow, and only
+ * lights behind the face or hidden from the whole cell are omitted. Points outside the grid belong to its outermost
+ * cells.
  *
- * @param firstOfList start of each list in {@code lamps}, and one entry more; {@value #FACINGS} lists a cell, cells with
- *     x varying fastest
- * @param lamps indices into the list of lamps, ascending within a list
+ * @param min the grid's corner, world metres
+ * @param cellMetres sides of a cell
+ * @param firstOfList start of each list in {@code lamps}, and one entry more; {@value #FACINGS} lists per cell, cells
+ *     with x varying fastest
+ * @param lamps indices into the list of lights, ascending within a list
  */
 public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int rows, int[] firstOfList, int[] lamps) {
-    /** Faces that look along +x −x +y −y +z −z, and the rest. */
+    /** One list for faces towards each of +x −x +y −y +z −z, and one for all others. */
     public static final int FACINGS = 7;
 
     private static final int MAX_CELLS = 1 << 13;
     private static final int MAX_ENTRIES = 1 << 17;
 
-    /** Lamps in cells, all together, that are too many: each is in four lists of its cell or more. */
+    /**
+     * The greatest number of pairs of a light and a cell: each pair takes at least four entries, so more cannot fit.
+     */
     static final int MOST_LIT = MAX_ENTRIES / 4;
 
     private static final double FINEST_CELL_METRES = 1;
 
-    /** Float coordinates in the shader may fall into the neighbouring cell. */
+    /** In cell sides: float coordinates in the shader may fall into the neighbouring cell. */
     private static final double OVERLAP = 1e-3;
 
-    /** The smallest cells that so large a level may have. */
+    /** Returns the side of the smallest cells that are allowed for the level's size, metres. */
     static double finestMetres(Aabb bounds) {
         double side = FINEST_CELL_METRES;
         while (cells(bounds.maxX() - bounds.minX(), side)
@@ -46,7 +51,7 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
         return Math.max(1, Math.ceil(extent / side));
     }
 
-    /** Cells that list no lamp. */
+    /** Returns a grid with empty lists. */
     static LampGrid over(Aabb box, double side) {
         int nx = (int) cells(box.maxX() - box.minX(), side);
         int ny = (int) cells(box.maxY() - box.minY(), side);
@@ -86,9 +91,9 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
     }
 
     /**
-     * The same cells with their lists.
+     * Returns the same cells with their lists.
      *
-     * @return {@code null} where the lists are too long and the cells can be larger
+     * @return {@code null} if the lists are too long and the cells can be larger
      */
     LampGrid listing(List<Lamp> all, LampCells lit) {
         int most = cells() == 1 ? Integer.MAX_VALUE : MAX_ENTRIES;
@@ -126,7 +131,7 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
         return count;
     }
 
-    /** Whether a face in the box that looks along an axis can have the lamp before it. */
+    /** Returns true if a light can be in front of a face in the box with the given facing. */
     private static boolean isBefore(int facing, Aabb box, Vec3 lamp) {
         return switch (facing) {
             case 0 -> lamp.x() > box.minX();
@@ -139,7 +144,7 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
         };
     }
 
-    /** Which list of its cell a face asks, as the shader finds it. */
+    /** Returns the index of a face's list in its cell, as the shader computes it. */
     public static int facingOf(Vec3 normal) {
         double limit = 0.9999;
         double[] n = {normal.x(), normal.y(), normal.z()};
@@ -166,7 +171,7 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
                 .grown(OVERLAP * Math.max(c.x(), Math.max(c.y(), c.z())));
     }
 
-    /** The cell's box, a little grown; unbounded on the grid's outside. */
+    /** Returns the cell's box, slightly grown; unbounded on the grid's outside. */
     Aabb reachOf(int cell) {
         int x = cell % columns;
         int y = cell / columns % floors;
@@ -188,7 +193,7 @@ public record LampGrid(Vec3 min, Vec3 cellMetres, int columns, int floors, int r
         return index == count - 1 ? 1e12 : min + (index + 1 + OVERLAP) * side;
     }
 
-    /** As the shader finds it; for every point in space. */
+    /** Returns the cell of any point in space, as the shader computes it. */
     public int cellAt(Vec3 p) {
         int x = index((p.x() - min.x()) / cellMetres.x(), columns);
         int y = index((p.y() - min.y()) / cellMetres.y(), floors);

@@ -5,7 +5,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** Whether a lamp can light anything in a box; never wrongly no. */
+/** A conservative test if a punctual light can light anything in a box; it never returns false wrongly. */
 final class LampReach {
     private LampReach() {}
 
@@ -22,7 +22,9 @@ final class LampReach {
         return Math.max(0, Math.max(min - x, x - max));
     }
 
-    /** The box's ball against the cone: the angle to its centre, less the angle that its radius spans. */
+    /**
+     * Tests the box's bounding sphere against the cone: the angle to its centre, less the angle that its radius spans.
+     */
     private static boolean coneMeets(Lamp lamp, Aabb box) {
         Vec3 c = box.centre();
         double x = box.maxX() - box.minX();

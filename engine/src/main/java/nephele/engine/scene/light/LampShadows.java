@@ -11,11 +11,11 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
 /**
- * Which layers of the lamps' depth texture belong to whom: one for a spot, six for a point lamp or a spot wider than 80°.
- * The side of a layer shrinks from {@value #LARGEST_SIDE} until all fit into the budget; what does not fit at
- * {@value #SMALLEST_SIDE} goes without a shadow, weakest lamps first.
+ * The assignment of layers of the depth texture to punctual lights: one for a spot, six for a point light or a spot
+ * wider than 80°. The side of a layer shrinks from {@value #LARGEST_SIDE} until all fit into the budget; lights that do
+ * not fit at {@value #SMALLEST_SIDE} cast no shadow, the weakest first.
  *
- * @param firstLayer per lamp, −1 without a shadow
+ * @param firstLayer per light, −1 without a shadow
  * @param layers one per depth picture to draw
  * @param side texels
  */
@@ -24,15 +24,17 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
     public static final int LARGEST_SIDE = 512;
     public static final int SMALLEST_SIDE = 128;
 
-    /** 32 MiB of 32-bit depth; OpenGL 4.1 promises 2048 layers. */
+    /** 32 MiB of 32-bit depth; OpenGL 4.1 guarantees 2048 layers. */
     private static final int MAX_TEXELS = 1 << 23;
 
     private static final int MAX_LAYERS = Light.MOST_SHADOW_PICTURES;
 
-    /** Texels beyond a cube's edge in each of its six pictures: a filter near the edge stays in one picture. */
+    /** Texels beyond a cube's edge in each of its six pictures: a filter near the edge reads one picture only. */
     private static final double GUARD_TEXELS = 2;
 
     /**
+     * One depth picture.
+     *
      * @param axis 0–5 for +x −x +y −y +z −z, or 6 for a spot's own axis
      */
     public record Layer(int lamp, int axis) {}
@@ -83,7 +85,7 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
         return pictures(lamp) == 1;
     }
 
-    /** Half the picture's width over its distance, inverted: less than the lamp's opening by the guard texels. */
+    /** Returns the picture's distance over its half width, which exceeds the light's opening by the guard texels. */
     static double cotangent(Lamp lamp, int side) {
         double guard = 1 - 2 * GUARD_TEXELS / side;
         if (!hasOwnAxis(lamp)) {
@@ -93,7 +95,7 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
         return guard * c / Math.sqrt(1 - c * c);
     }
 
-    /** A spot's horizontal picture axis (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"). */
+    /** Returns a spot's horizontal picture axis (Duff et al. 2017, "Building an Orthonormal Basis, Revisited"). */
     static Vector3d right(Lamp lamp) {
         Vec3 n = lamp.axis();
         double sign = n.z() < 0 ? -1 : 1;
@@ -101,7 +103,10 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
         return new Vector3d(1 + sign * n.x() * n.x() * a, sign * n.x() * n.y() * a, -sign * n.x());
     }
 
-    /** Clip space of one layer from metres relative to {@code anchor}; may mirror, so draw both sides. */
+    /**
+     * Returns the matrix from metres relative to {@code anchor} to a layer's clip space. It may mirror: draw both
+     * sides.
+     */
     public Matrix4d clipFromAnchor(List<Lamp> lamps, int layer, Vec3 anchor) {
         Lamp lamp = lamps.get(layers.get(layer).lamp());
         int axis = layers.get(layer).axis();
@@ -138,7 +143,7 @@ public record LampShadows(int[] firstLayer, List<Layer> layers, int side) {
         return Math.max(lamp.rangeMetres(), 2 * NEAR_METRES);
     }
 
-    /** What a picture holds is its distance along the axis times this. */
+    /** Returns the factor from the distance along a layer's axis to the stored depth. */
     public static double depthPerMetre(Lamp lamp) {
         return 1 / farMetres(lamp);
     }

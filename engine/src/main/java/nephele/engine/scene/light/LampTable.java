@@ -10,31 +10,33 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * Everything about a level's lamps that shaders read.
+ * All data about a level's punctual lights that shaders read.
  *
- * @param shadows layers of the depth texture; none when nothing casts
- * @param cells what the grid's lists were made from
+ * @param shadows layers of the depth texture; none if no light casts shadows
+ * @param cells the data from which the grid's lists were made
  */
 public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows, LampCells cells) {
-    /** Texels of four floats that one lamp takes in {@link #packed}. */
+    /** The number of texels (of four floats) per light in {@link #packed}. */
     public static final int TEXELS_PER_LAMP = 4;
 
     private static final Aabb NOTHING_LIT = new Aabb(0, 0, 0, 1, 1, 1);
 
     /**
-     * @param statics what may be lit and what hides
-     * @return {@code null} where no lamp lights anything
+     * Makes the table of a level.
+     *
+     * @param statics shapes that are lit and that cast shadows
+     * @return {@code null} if no light reaches anything
      */
     public static LampTable of(Level level, StaticShapes statics) {
         return edited(null, level, statics);
     }
 
     /**
-     * The table of an edited level, the same where nothing in it differs; what no change can reach is not looked for
-     * again.
+     * Makes the table of an edited level; returns the same object if nothing in it has changed, and reuses the parts
+     * that no change affects.
      *
-     * @param before {@code null} where there was none
-     * @return {@code null} where no lamp lights anything
+     * @param before {@code null} if there is none
+     * @return {@code null} if no light reaches anything
      */
     public static LampTable edited(LampTable before, Level level, StaticShapes statics) {
         if (!LightNeeds.lamps(level)) {
@@ -47,7 +49,11 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows, La
         return before.cells.areOf(lamps, statics) ? before : of(lamps, statics.bounds(), statics, before.cells);
     }
 
-    /** @param bounds of what may be lit */
+    /**
+     * Makes a table from lights.
+     *
+     * @param bounds of the surfaces to light
+     */
     static LampTable of(List<Light> lights, Aabb bounds, StaticShapes statics) {
         return of(lamps(lights), bounds, statics, null);
     }
@@ -70,17 +76,17 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows, La
     }
 
     /**
-     * What stands for all that a lamp may be shaded by: the same object in the table of an edited level while neither the
-     * lamp nor anything in its reach is another.
+     * Returns a token for everything that may cast a shadow in a light: the same object after an edit as long as
+     * neither the light nor anything within its range has changed.
      */
     public Object shade(int lamp) {
         return cells.lit(lamp);
     }
 
     /**
-     * Per lamp: position and 1/range²; intensity and cone scale; axis and cone offset; the shadow picture's right axis
-     * times its cotangent (the cotangent alone for six pictures), and the first layer – plus ½ where it is the only one,
-     * −1 without a shadow.
+     * Returns four texels per light: position and 1/range²; intensity and cone scale; axis and cone offset; the shadow
+     * picture's right axis times its cotangent (the cotangent alone for six pictures), and the first layer, plus ½ if
+     * it is the only one, −1 without a shadow.
      */
     public float[] packed(Vec3 anchor) {
         float[] packed = new float[lamps.size() * TEXELS_PER_LAMP * 4];
@@ -110,7 +116,7 @@ public record LampTable(List<Lamp> lamps, LampGrid grid, LampShadows shadows, La
         return new Vec3(right.x, right.y, right.z);
     }
 
-    /** Start of each list, then the lists: starts count from the first list. */
+    /** Returns the start of each list, then the lists; starts are indices into the returned array. */
     public int[] packedGrid() {
         int[] first = grid.firstOfList();
         int[] packed = new int[first.length + grid.lamps().length];

@@ -6,10 +6,12 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * A rectangle over a face fragment whose outermost texel centres lie on the fragment's border: interpolation never
- * leaves the chart, so charts need no gutter and borders are sampled where they are.
+ * A rectangle over a face fragment with its outermost texel centres on the fragment's border: interpolation never
+ * leaves the chart, so charts need no gutter and borders are sampled exactly.
  *
+ * @param outline the fragment's corners
  * @param across unit vector in the plane, {@code up} the other; {@code normal} is outward
+ * @param minAcross least coordinate along {@code across}, metres; {@code minUp} along {@code up}
  * @param columns at least 2, likewise {@code rows}
  */
 public record LightMapChart(
@@ -23,7 +25,10 @@ public record LightMapChart(
         double heightMetres,
         int columns,
         int rows) {
-    /** A face longer than 64 m gets longer texels by itself, so that one endless ground doesn't coarsen the rest. */
+    /**
+     * The greatest side of a chart: a face longer than 64 m gets larger texels of its own, so that one huge ground does
+     * not coarsen the rest.
+     */
     private static final int MAX_SIDE_TEXELS = 257;
 
     static LightMapChart over(List<Vec3> outline, Plane plane, double texelMetres) {
@@ -71,12 +76,12 @@ public record LightMapChart(
         return Math.max(2, (int) Math.min(Math.ceil(metres / texelMetres - 1e-6) + 1, MAX_SIDE_TEXELS));
     }
 
-    /** The point of the fragment nearest to a place between texel centres, clear of the border. */
+    /** Returns the point of the fragment nearest to a (fractional) texel position, at a distance from the border. */
     Vector3d inside(double column, double row) {
         return clampedIntoOutline(pointAt(column, row), insetMetres());
     }
 
-    /** Position of a texel's centre in the plane. */
+    /** Returns the world position of a texel position in the plane. */
     private Vector3d pointAt(double column, double row) {
         double s = minAcross + widthMetres * column / (columns - 1);
         double t = minUp + heightMetres * row / (rows - 1);
@@ -85,7 +90,7 @@ public record LightMapChart(
         return new Vector3d(normal).mul(distance).fma(s, across).fma(t, up);
     }
 
-    /** Texel coordinates (0 = centre of the first column or row) of a point on the fragment. */
+    /** Returns the column of a point on the fragment; 0 is the centre of the first column. */
     double columnOf(Vec3 p) {
         double s = (across.dot(p.x(), p.y(), p.z()) - minAcross) / widthMetres;
         return Math.min(Math.max(s, 0), 1) * (columns - 1);
@@ -96,17 +101,17 @@ public record LightMapChart(
         return Math.min(Math.max(t, 0), 1) * (rows - 1);
     }
 
-    /** How far a point of the plane lies outside the rectangle. */
+    /** Returns the distance of a point of the plane to the rectangle, 0 inside. */
     double metresTo(Vec3 p) {
         double s = across.dot(p.x(), p.y(), p.z()) - minAcross;
         double t = up.dot(p.x(), p.y(), p.z()) - minUp;
         return Math.hypot(Math.max(0, Math.max(-s, s - widthMetres)), Math.max(0, Math.max(-t, t - heightMetres)));
     }
 
-    /** Nearest point of the fragment, drawn in by {@code inset} from its border. */
+    /** Returns the nearest point of the fragment at a distance of {@code inset} from its border. */
     private Vector3d clampedIntoOutline(Vector3d p, double inset) {
         Vector3d q = new Vector3d(p);
-        // Two rounds settle the corner between two edges; sharper corners may keep a fraction of the inset.
+        // Two rounds suffice for a corner between two edges; sharper corners may keep a fraction of the inset.
         for (int round = 0; round < 4; round++) {
             for (int i = 0; i < outline.size(); i++) {
                 Vector3d a = outline.get(i).toVector();
@@ -122,7 +127,7 @@ public record LightMapChart(
         return q;
     }
 
-    /** A small fragment is sampled at its middle rather than beyond it. */
+    /** Returns the inset; a small fragment is sampled near its centre. */
     double insetMetres() {
         return Math.min(2e-3, 0.25 * Math.min(widthMetres, heightMetres));
     }

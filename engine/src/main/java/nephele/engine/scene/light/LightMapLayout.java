@@ -7,10 +7,13 @@ import nephele.engine.level.Brush;
 import nephele.engine.math.Plane;
 
 /**
- * Where each face fragment of a level lies in one light map. Depends on the solids alone, so a baked map fits every run.
+ * The layout of all face fragments of a level in one light map. It depends on the solids alone, so a baked map is valid
+ * for every run.
  *
- * @param chartOf same order as the flattened fragments: index into {@code charts}, −1 for a covered fragment
+ * @param chartOf for each brush and face the indices into {@code charts}, −1 for a covered fragment
  * @param columnOf left texel of each chart in the map, {@code rowOf} its lowest
+ * @param brushOf brush of each chart
+ * @param width texels, {@code height} likewise
  */
 public record LightMapLayout(
         FaceFragments fragments,
@@ -22,10 +25,10 @@ public record LightMapLayout(
         int width,
         int height,
         double texelMetres) {
-    /** A texel's side where the level is small enough. */
+    /** The side of a texel, metres, unless the level is too large. */
     public static final double TEXEL_METRES = 0.25;
 
-    /** 16 bits each: half a mebibyte; beyond it texels grow. */
+    /** At 16 bits per texel half a mebibyte; beyond it texels grow. */
     static final int MAX_TEXELS = 1 << 18;
 
     static final int MAX_SIDE = 1024;
@@ -66,7 +69,7 @@ public record LightMapLayout(
         return packed(fragments, charts, chartOf, brush, texelMetres);
     }
 
-    /** Shelves: charts by falling height, side by side until a row is full. */
+    /** Packs charts into shelves: by descending height, side by side until a row is full. */
     private static LightMapLayout packed(
             FaceFragments fragments,
             List<LightMapChart> charts,
@@ -92,7 +95,7 @@ public record LightMapLayout(
         return new LightMapLayout(fragments, charts, chartOf, column, row, brushOf, width, height, texelMetres);
     }
 
-    /** The texel at (0, 0) stays free: covered fragments point at it. */
+    /** Assigns positions. The texel at (0, 0) stays free for covered fragments. */
     private static int shelve(List<LightMapChart> charts, int[] column, int[] row, int width) {
         List<Integer> byHeight = new ArrayList<>();
         for (int i = 0; i < charts.size(); i++) {

@@ -8,7 +8,7 @@ import nephele.engine.level.appearance.Lamp;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 
-/** Which kinds of light a level asks for. Each answers no as soon as its cause is taken away. */
+/** The kinds of light that a level needs. */
 public final class LightNeeds {
     private LightNeeds() {}
 
@@ -18,8 +18,8 @@ public final class LightNeeds {
     }
 
     /**
-     * A sun that casts, and a model or more than one solid: a shadow is possible, {@link ShadowCasters} know whether it is
-     * there.
+     * Returns true if the sun casts shadows and there are a model or several solids: a shadow is possible, and
+     * {@link ShadowCasters} decides if there is one.
      */
     public static boolean sunCasts(Level level) {
         return sun(level)
@@ -27,7 +27,7 @@ public final class LightNeeds {
                 && (level.solids().size() > 1 || !level.models().isEmpty());
     }
 
-    /** A sun that casts, and a model or a solid that another one can be shaded by. */
+    /** Returns true if the sun casts shadows and there is a model or a solid that another one can shade. */
     public static boolean sunShadow(Level level, StaticShapes statics) {
         return sunCasts(level)
                 && (!level.models().isEmpty()
@@ -40,24 +40,27 @@ public final class LightNeeds {
                 && level.lights().stream().anyMatch(light -> Lamp.of(light).isPresent());
     }
 
-    /** A lamp that casts, and a model or more than one solid or body: a convex one does not shade itself. */
+    /**
+     * Returns true if a punctual light casts shadows and there are a model or several solids or bodies; a single convex
+     * shape does not shade itself.
+     */
     public static boolean lampShadow(Level level) {
         boolean several = level.solids().size() + level.bodies().size() > 1
                 || !level.models().isEmpty();
         return several && lamps(level) && level.lights().stream().anyMatch(LightNeeds::casts);
     }
 
-    /** Whether a lamp lights anything and casts. */
+    /** Returns true if a light emits anything and casts shadows. */
     public static boolean casts(Light light) {
         return light.castsShadow() && Lamp.of(light).isPresent();
     }
 
-    /** A sky that shines, solids or models for it to fall on, and no constant in its place. */
+    /** Returns true if the sky emits light, there are solids or models to receive it, and no constant replaces it. */
     public static boolean skyVisibility(Level level) {
         return hasSurfaces(level) && skyShines(level);
     }
 
-    /** What there is to be lit and to shade, as a reason is told. */
+    /** Returns the names of the kinds of surfaces, for the explanation of a need. */
     public static String surfaces(Level level) {
         if (level.models().isEmpty()) {
             return "solids";
@@ -65,12 +68,12 @@ public final class LightNeeds {
         return level.solids().isEmpty() ? "models" : "solids, models";
     }
 
-    /** Whether anything that never moves is there to be lit. */
+    /** Returns true if there is static geometry to light. */
     public static boolean hasSurfaces(Level level) {
         return !level.solids().isEmpty() || !level.models().isEmpty();
     }
 
-    /** A sky that shines, and no constant in its place. */
+    /** Returns true if the sky emits light and no constant replaces it. */
     public static boolean skyShines(Level level) {
         return level.environment().ambient() == null
                 && shines(level.environment().sky());

@@ -12,21 +12,26 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
- * The sky visibility of models, at their vertices: the hemisphere is that over the vertex's normal, so that a curved
- * surface is as smooth under the sky as it is under the sun. Where
- * they are too many, those that are left out see what the one before them sees. The result does not depend on the number
- * of threads.
+ * The sky visibility of models at their vertices. The hemisphere is that over the vertex's normal, so that a curved
+ * surface is as smooth in the sky's light as in the sun's. If there are too many vertices, omitted ones get the value
+ * of the one before. The result does not depend on the number of threads.
  */
 final class ModelVisibility {
-    /** Of all models together; a vertex gets its part of them, within {@link #LEAST_RAYS} and those of a texel. */
+    /** The ray budget of all models; a vertex gets its share, at least {@link #LEAST_RAYS}, at most a texel's rays. */
     private static final int ALL_RAYS = 1 << 23;
 
     private static final int LEAST_RAYS = 16;
 
-    /** Over the thickness of anything, and over what a curve's triangles sink below it so near to a vertex. */
+    /**
+     * The height of the rays' origins above the surface: below the thickness of any object, above the depth of a
+     * curve's triangles below the curve near a vertex.
+     */
     private static final double LIFT_METRES = 1e-3;
 
-    /** A vertex looks from so far within a triangle of its: on the border it would be in what stands against it. */
+    /**
+     * The distance of the rays' origin from the vertex into one of its triangles: on the border it would be inside
+     * adjacent objects.
+     */
     private static final double INSET_METRES = 2e-3;
 
     private static final double LARGEST_INSET = 0.25;
@@ -45,7 +50,7 @@ final class ModelVisibility {
         spiral = SkyVisibilityBake.spiral(rays);
     }
 
-    /** With its part of all rays, or with as many as end soon. */
+    /** Uses the full share of rays, or fewer if the budget is limited. */
     private static ModelVisibility of(StaticShapes statics, BakeEffort effort) {
         Occluders occluders = new Occluders(statics);
         int vertices = Math.max(statics.models().vertexCount(), 1);
@@ -74,7 +79,7 @@ final class ModelVisibility {
         });
     }
 
-    /** A value, 0–65535 for 0–1, for every vertex of every model in turn. */
+    /** Returns a value, 0–65535 for 0–1, for every vertex of every model in order. */
     static short[] values(StaticShapes statics, BakeEffort effort, DoubleConsumer progress) {
         ModelVisibility bake = ModelVisibility.of(statics, effort);
         int count = statics.models().all().size();
@@ -116,7 +121,7 @@ final class ModelVisibility {
         return values;
     }
 
-    /** NaN inside a solid. */
+    /** Returns the visible share, NaN inside a solid. */
     private double visibility(WorldTriangles mesh, int triangle, int corner, int item) {
         Vec3 n = mesh.normal(triangle, corner);
         double[] origin = inside(mesh, triangle, corner);
@@ -148,7 +153,10 @@ final class ModelVisibility {
         return new double[] {p.x() + share * inward.x(), p.y() + share * inward.y(), p.z() + share * inward.z()};
     }
 
-    /** A vertex inside a solid, unseen itself, gets what the others of its triangles see: light is interpolated to it. */
+    /**
+     * Gives a vertex inside a solid the mean of the other vertices of its triangles: it is hidden, but light is
+     * interpolated towards it.
+     */
     private static void fillFromNeighbours(WorldTriangles mesh, double[] seen) {
         double[] sums = new double[seen.length];
         int[] counts = new int[seen.length];

@@ -8,14 +8,14 @@ import nephele.engine.math.ItemList;
 import nephele.engine.math.SpatialIndex;
 
 /**
- * Which boxes touch which. Their number is bounded: where thousands of boxes overlap each other, those with the most
- * neighbours are taken as standing alone.
+ * The pairs of boxes that touch. Their number is bounded: if thousands of boxes overlap each other, those with the most
+ * neighbours are treated as having none.
  */
 final class Neighbours {
-    /** Limit for all boxes together: a second's work for those that ask for them. */
+    /** The limit for all boxes together: about a second's work for the users of the pairs. */
     private static final int MOST_PAIRS = 300_000;
 
-    /** More new boxes than these are found by an index. */
+    /** More new boxes than these are found with a spatial index. */
     private static final int MOST_SCANNED = 32;
 
     private static final int[] NONE = {};
@@ -34,7 +34,11 @@ final class Neighbours {
         Arrays.fill(near, NONE);
     }
 
-    /** @param reachMetres boxes with a wider gap between them are no neighbours */
+    /**
+     * Finds the pairs.
+     *
+     * @param reachMetres boxes with a wider gap between them are no neighbours
+     */
     static Neighbours of(List<Aabb> boxes, double reachMetres) {
         SpatialIndex index = SpatialIndex.of(boxes);
         Neighbours all = new Neighbours(boxes, reachMetres, false);
@@ -46,7 +50,7 @@ final class Neighbours {
         return all;
     }
 
-    /** Those with more neighbours than {@code mostOfOne} get none; ends when there are too many of all. */
+    /** Finds all pairs. Boxes with more neighbours than {@code mostOfOne} get none; stops early above the limit. */
     private void find(SpatialIndex index, int mostOfOne) {
         ItemList found = new ItemList();
         for (int box = 0; box < near.length && (isCrowded || pairs <= MOST_PAIRS); box++) {
@@ -60,7 +64,7 @@ final class Neighbours {
         }
     }
 
-    /** The box itself is among those found. */
+    /** Removes the box itself from those found. */
     private static int[] others(int box, ItemList found) {
         found.sort();
         int[] others = new int[found.size() - 1];
@@ -74,9 +78,9 @@ final class Neighbours {
     }
 
     /**
-     * What {@link #of} finds, from these boxes with others in place of some.
+     * Returns the result of {@link #of} for edited boxes.
      *
-     * @param before for each box its number among these, −1 for a new one; ascending but for them
+     * @param before for each box its number among these, −1 for a new one; ascending except for new ones
      */
     Neighbours edited(List<Aabb> edited, int[] before) {
         int[] added =
@@ -121,7 +125,7 @@ final class Neighbours {
         }
     }
 
-    /** In ascending order; none for a box that has more than its share of a crowd. */
+    /** Returns the neighbours in ascending order; none for a box that exceeds its share of the limit. */
     int[] of(int box) {
         return near[box];
     }

@@ -2,17 +2,19 @@ package nephele.engine.scene.light;
 
 import nephele.engine.math.TriangleMeeting;
 
-/** Something that a half-line may meet. */
+/** A shape that blocks rays. */
 sealed interface Occluder {
-    /** Whether it meets o + t · d, 0 ≤ t ≤ {@code length}. */
+    /** Returns true if o + t · d intersects it for some 0 ≤ t ≤ {@code length}. */
     boolean meets(double[] o, double[] d, double length);
 
-    /** Whether a point is inside it or on its surface; nothing is inside a surface that is not closed. */
+    /** Returns true if a point is inside or on the surface; an open surface contains no point. */
     boolean holds(double[] p);
 
-    /** What lies behind all planes, four numbers each: exact at edges, so that touching solids leave no gap. */
+    /**
+     * The intersection of half-spaces, four numbers per plane; exact at edges, so that touching solids leave no gap.
+     */
     record Convex(double[] planes) implements Occluder {
-        /** Clips by every plane (Cyrus and Beck 1978); what is left lies inside. */
+        /** Clips the line by every plane (Cyrus and Beck 1978); the rest is inside. */
         @Override
         public boolean meets(double[] o, double[] d, double length) {
             double enter = 0;
@@ -45,7 +47,7 @@ sealed interface Occluder {
         }
     }
 
-    /** A triangle of a mesh that is not convex: nine numbers from {@code at} on. */
+    /** A triangle of a non-convex mesh: nine numbers from {@code at}. */
     record Triangle(double[] corners, int at) implements Occluder {
         @Override
         public boolean meets(double[] o, double[] d, double length) {

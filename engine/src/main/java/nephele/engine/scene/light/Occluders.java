@@ -11,11 +11,11 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.SpatialIndex;
 
 /**
- * Answers whether a half-line meets anything that never moves. Items are the level's solids, each at its index, then its
- * convex models, then the triangles of the others. Immutable and safe to share between threads.
+ * Intersects rays with the static geometry. Items are the level's solids, each at its index, then its convex models,
+ * then the triangles of the others. Immutable and safe to share between threads.
  */
 final class Occluders {
-    /** No item at all. */
+    /** No item. */
     static final int NONE = -1;
 
     private final Occluder[] items;
@@ -35,12 +35,12 @@ final class Occluders {
         index = SpatialIndex.of(boxes);
     }
 
-    /** The item that a model of the level is where it is convex, {@link #NONE} for any other. */
+    /** Returns the item of a convex model of the level, {@link #NONE} for any other model. */
     int itemOfModel(int model) {
         return itemOfModel.getOrDefault(model, NONE);
     }
 
-    /** Inside or on the surface of a solid other than {@code except}; nothing is inside a surface that is not closed. */
+    /** Returns true if a point is in or on a solid other than {@code except}; an open surface contains no point. */
     boolean isInside(double[] p, int except) {
         boolean[] inside = new boolean[1];
         index.passing(
@@ -58,7 +58,7 @@ final class Occluders {
                 && p[2] <= boxes[at + 5];
     }
 
-    /** Whether the half-line from {@code o} along {@code d} meets an item other than {@code except}. */
+    /** Returns true if the ray from {@code o} along {@code d} intersects an item other than {@code except}. */
     boolean isOccluded(double[] o, double[] d, int except) {
         return index.anyHit(
                 new Ray(o[0], o[1], o[2], d[0], d[1], d[2]),
@@ -70,7 +70,7 @@ final class Occluders {
         return index.size();
     }
 
-    /** How many boxes are tested for the answer of {@link #isOccluded}, which {@code hit} receives. */
+    /** Returns the number of boxes tested for the result of {@link #isOccluded}, which is stored in {@code hit}. */
     int boxTests(double[] o, double[] d, int except, boolean[] hit) {
         Ray ray = new Ray(o[0], o[1], o[2], d[0], d[1], d[2]);
         int[] tests = new int[1];
@@ -83,17 +83,17 @@ final class Occluders {
         return tests[0];
     }
 
-    /** For callers that keep their test: whether it hits any item up to {@code limit}. */
+    /** Returns true if the ray hits any item up to {@code limit}; for callers that reuse their test. */
     boolean anyHit(Ray ray, double limit, ItemRayTest test) {
         return index.anyHit(ray, limit, test);
     }
 
-    /** The answer of such a test for one item. */
+    /** Returns the result of such a test for one item. */
     double hit(int item, double[] o, double[] d, double limit) {
         return answer(meets(item, o, d, limit));
     }
 
-    /** Whether a single solid meets every segment from {@code o} to {@code o + segments[i]}. */
+    /** Returns true if a single item intersects every segment from {@code o} to {@code o + segments[i]}. */
     boolean oneMeetsAllSegments(double[] o, double[][] segments) {
         double[] first = segments[0];
         return index.anyHit(

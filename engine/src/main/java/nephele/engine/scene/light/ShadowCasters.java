@@ -16,17 +16,17 @@ import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
 
 /**
- * Which solids can throw a shadow on another, or on a model: a ground that lies behind everything need not be in the depth
- * map. Models can always: even one alone shades itself.
+ * The solids that can cast a shadow on another shape; a ground that is behind everything need not be in the depth map.
+ * Models always can, because even a single one shades itself.
  */
 public final class ShadowCasters {
     private static final double TOUCH_METRES = 1e-6;
 
     private final List<Brush> brushes;
     private final List<StaticShape> shapes;
-    /** The two outermost shapes in each direction of an axis: one of them reaches below most planes. */
+    /** The two outermost shapes in each direction of an axis: one of them is below most planes. */
     private final int[] outermost;
-    /** Made when none of them does. */
+    /** Made when none of those is below a plane. */
     private SpatialIndex index;
 
     private ShadowCasters(StaticShapes statics) {
@@ -58,7 +58,7 @@ public final class ShadowCasters {
         return found;
     }
 
-    /** The corners of all that can throw a shadow. */
+    /** Returns the corners of everything that can cast a shadow. */
     public static List<Vec3> corners(StaticShapes statics, Vec3 towardsSun) {
         List<Vec3> corners = new ArrayList<>();
         of(statics, towardsSun).forEach(brush -> corners.addAll(brush.shape().vertices()));
@@ -71,13 +71,13 @@ public final class ShadowCasters {
         return corners;
     }
 
-    /** Whether {@link #of} holds any: stops at the first. */
+    /** Returns true if {@link #of} is not empty; stops at the first caster. */
     public static boolean any(List<Brush> brushes, Vec3 towardsSun) {
         ShadowCasters search = new ShadowCasters(StaticShapes.of(brushes));
         return IntStream.range(0, brushes.size()).anyMatch(i -> !search.isBehindAllOthers(i, towardsSun));
     }
 
-    /** Solids without those that have all others before one of their sunny faces. A convex solid never shades itself. */
+    /** Returns all solids except those with all others in front of one of their sunlit faces. */
     public static List<Brush> of(List<Brush> brushes, Vec3 towardsSun) {
         return of(StaticShapes.of(brushes), towardsSun);
     }
@@ -121,7 +121,7 @@ public final class ShadowCasters {
         return search.isFound;
     }
 
-    /** Whether the box that stands in {@code boxes} from {@code at} on has a corner under the plane. */
+    /** Returns true if the box at {@code at} in {@code boxes} has a corner below the plane. */
     private static boolean mayReachBelow(double[] boxes, int at, Plane plane) {
         double x = boxes[plane.nx() > 0 ? at : at + 3];
         double y = boxes[plane.ny() > 0 ? at + 1 : at + 4];
@@ -129,7 +129,7 @@ public final class ShadowCasters {
         return plane.nx() * x + plane.ny() * y + plane.nz() * z < plane.distance();
     }
 
-    /** Looks for a shape other than one solid that reaches below a plane. */
+    /** Tests if a shape other than a given solid has a point below a plane. */
     private static final class OtherBelow implements StaticShape.Cases {
         private final int solid;
         private final Plane plane;
@@ -160,7 +160,7 @@ public final class ShadowCasters {
 
         @Override
         public void heightGrid(StaticShape.HeightGrid grid) {
-            // Ground neither throws nor takes shadows yet.
+            // Height grids neither cast nor receive shadows yet.
         }
 
         private boolean isBelow(Vec3 p) {

@@ -3,13 +3,13 @@ package nephele.engine.scene.light;
 import nephele.engine.math.Vec3;
 
 /**
- * The lit share of a 2 × 2 texel footprint of a depth map for a plane receiver; the twin of {@code shadow-filter.glsl}.
- * Comparing each texel with the plane's depth at that texel, instead of at the receiver's point with a bias, is Isidoro's
- * receiver plane ("Shadow Mapping: GPU-based Tips and Techniques", GDC 2006), here from the exact normal. Depth grows
- * away from the light.
+ * The lit share of a 2 × 2 texel footprint of a depth map for a planar receiver; the twin of
+ * {@code shadow-filter.glsl}. Comparing each texel with the plane's depth at that texel, instead of at the receiver's
+ * point with a bias, is Isidoro's receiver plane ("Shadow Mapping: GPU-based Tips and Techniques", GDC 2006), here from
+ * the exact normal. Depth grows away from the light.
  */
 public final class ShadowFilter {
-    /** Bits of a stored depth that tell which way a face looks. */
+    /** The bits of a stored depth that contain the octant of the face's normal. */
     private static final int OCTANT = 7;
 
     private ShadowFilter() {}
@@ -19,9 +19,15 @@ public final class ShadowFilter {
      *
      * @param dx from the position to their centres, texels, in the order of {@code textureGather}: upper left, upper
      *     right, lower right, lower left
+     * @param dy likewise
+     * @param weight bilinear weights
      */
     public record Footprint(double[] dx, double[] dy, double[] weight) {
-        /** @param x texels, centre of the first column at ½ */
+        /**
+         * Returns the footprint of a position.
+         *
+         * @param x texels, centre of the first column at ½
+         */
         public static Footprint at(double x, double y) {
             double fx = x - 0.5 - Math.floor(x - 0.5);
             double fy = y - 0.5 - Math.floor(y - 0.5);
@@ -36,9 +42,9 @@ public final class ShadowFilter {
     }
 
     /**
-     * Depth by which each texel is nearer to the light than a plane; beyond depth 1 nothing is farther.
+     * Returns the depth by which each texel is nearer to the light than a plane; the plane's depth is clamped to 1.
      *
-     * @param gradientX change of the plane's depth from column to column
+     * @param gradientX change of the plane's depth per column
      */
     public static double[] nearerThanPlane(
             double[] depths, double planeDepth, double gradientX, double gradientY, Footprint four) {
@@ -51,9 +57,9 @@ public final class ShadowFilter {
     }
 
     /**
-     * The same where depth is distance over range: over the picture of a plane 1 / distance is linear.
+     * Same for depth as distance over range; in the picture of a plane 1 / distance is linear.
      *
-     * @param gradientX change of that from column to column
+     * @param gradientX change of 1 / distance per column
      */
     public static double[] nearerThanPlaneOfLamp(
             double[] depths, double distance, double gradientX, double gradientY, double range, Footprint four) {
@@ -66,9 +72,11 @@ public final class ShadowFilter {
     }
 
     /**
+     * Returns the lit share, 0 to 1.
+     *
      * @param nearerBy depth by which each texel is nearer to the light than the receiver's plane
      * @param halfTexelDepth half a texel's side in units of depth
-     * @param slope change of the plane's depth from texel to texel, both axes together
+     * @param slope change of the plane's depth per texel, both axes together
      */
     public static double litShare(double[] nearerBy, double[] weight, double halfTexelDepth, double slope) {
         double tolerance = halfTexelDepth + Math.min(slope, 4 * halfTexelDepth);
@@ -80,9 +88,9 @@ public final class ShadowFilter {
     }
 
     /**
-     * As {@link #litShare}, for a receiver that is in the map itself.
+     * Same as {@link #litShare}, for a receiver that is itself in the map.
      *
-     * @param isLike which texels may show the receiver
+     * @param isLike true for the texels that may show the receiver
      */
     public static double litShareOfMapped(
             double[] nearerBy, boolean[] isLike, double[] weight, double halfTexelDepth, double slope) {
@@ -102,7 +110,7 @@ public final class ShadowFilter {
         return nearer > 0 ? 0 : 1;
     }
 
-    /** Which way a face looks, 0–7; the six faces of an upright box differ. */
+    /** Returns a code for the direction of a face, 0–7; it differs for the six faces of an axis-aligned box. */
     public static int octantOf(Vec3 normal) {
         double first = 0.8971 * normal.x() + 0.8113 * normal.y() + 0.7019 * normal.z();
         double second = 0.7907 * normal.x() - 0.9043 * normal.y() + 0.6133 * normal.z();
@@ -110,12 +118,12 @@ public final class ShadowFilter {
         return (first > 0 ? 1 : 0) | (second > 0 ? 2 : 0) | (third > 0 ? 4 : 0);
     }
 
-    /** What a map of what never moves holds. */
+    /** Returns the value stored in a map of static geometry. */
     public static float depthWithOctant(float depth, int octant) {
         return Float.intBitsToFloat(Float.floatToRawIntBits(depth) & ~OCTANT | octant);
     }
 
-    /** Whether a texel of such a map may show a face that looks this way. */
+    /** Returns true if a texel of such a map may show a face with this octant. */
     public static boolean looksLike(float depth, int octant) {
         return (Float.floatToRawIntBits(depth) & OCTANT) == octant || depth >= 1;
     }

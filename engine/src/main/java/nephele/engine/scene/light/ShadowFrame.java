@@ -6,13 +6,15 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
 /**
- * The parallel projection of a sun's depth map, fitted to what casts shadows.
+ * The parallel projection of a sun's depth map, fitted to the shadow casters.
  *
  * @param anchor world position that float coordinates in shaders are relative to
- * @param mapFromAnchor metres relative to the anchor → texture coordinates and depth, all 0–1; depth grows away from the sun
+ * @param mapFromAnchor metres relative to the anchor → texture coordinates and depth, all 0–1; depth grows away from
+ *     the sun
  * @param right unit axis along the map's rows, {@code up} along its columns
+ * @param width texels, {@code height} likewise
  * @param texelMetres side of a texel, the same along both axes
- * @param depthMetres what depth 0–1 spans
+ * @param depthMetres distance spanned by depth 0–1
  */
 public record ShadowFrame(
         Vec3 anchor,
@@ -23,14 +25,16 @@ public record ShadowFrame(
         int height,
         double texelMetres,
         double depthMetres) {
-    /** Finer texels cannot be told apart from three metres away at 1280 × 720. */
+    /** Smaller texels are indistinguishable from a distance of 3 m at 1280 × 720. */
     public static final double FINEST_TEXEL_METRES = 0.01;
 
-    /** Empty texels around the casters: a filter at the border reads what is lit. */
+    /** Empty texels around the casters: a filter at the border reads lit ones. */
     private static final int MARGIN_TEXELS = 3;
 
     /**
-     * @param casters corners of everything that casts
+     * Fits a projection.
+     *
+     * @param casters corners of all shadow casters
      * @param towardsSun any length but zero
      * @param maxSide texels; a map never has fewer than its margins and one
      */
@@ -78,7 +82,7 @@ public record ShadowFrame(
         return new Matrix4d(x.x, y.x, z.x, 0, x.y, y.y, z.y, 0, x.z, y.z, z.z, 0, x3, y3, z3, 1);
     }
 
-    /** The projection for drawing the map: coordinates and depth −1 to 1. */
+    /** Returns the projection for drawing the map: coordinates and depth −1 to 1. */
     public Matrix4d clipFromAnchor() {
         return new Matrix4d().translation(-1, -1, -1).scale(2).mul(mapFromAnchor);
     }

@@ -4,11 +4,11 @@ import nephele.engine.level.appearance.SkyRadiance;
 import org.joml.Vector3d;
 
 /**
- * The sky's light on a surface by its normal, as nine coefficients (Ramamoorthi and Hanrahan 2001, "An Efficient
- * Representation for Irradiance Environment Maps", equations 8 to 11); the twin of {@code sky-ambient.glsl}. Divided by
- * π: a white Lambert surface under it has this radiance, and a constant sky gives its own radiance.
+ * The sky's irradiance by surface normal, as nine coefficients (Ramamoorthi and Hanrahan 2001, "An Efficient
+ * Representation for Irradiance Environment Maps", equations 8 to 11); the twin of {@code sky-ambient.glsl}. It is
+ * divided by π: a white Lambert surface has this radiance, and a constant sky results in its own radiance.
  *
- * @param coefficients RGB for each of 1, y, z, x, xy, yz, 3z² − 1, xz, x² − y², all constants folded in
+ * @param coefficients RGB for each of 1, y, z, x, xy, yz, 3z² − 1, xz, x² − y², including all constants
  */
 public record SkyIrradiance(double[] coefficients) {
     public static final int TERMS = 9;
@@ -20,7 +20,7 @@ public record SkyIrradiance(double[] coefficients) {
         0.282095, 0.488603, 0.488603, 0.488603, 1.092548, 1.092548, 0.315392, 1.092548, 0.546274
     };
 
-    /** What a cosine lobe keeps of the bands 0, 1 and 2, divided by π. */
+    /** The factors of a cosine lobe on the bands 0, 1 and 2, divided by π. */
     private static final double[] COSINE_LOBE = {1, 2.0 / 3, 1.0 / 4};
 
     public static SkyIrradiance black() {
@@ -70,7 +70,7 @@ public record SkyIrradiance(double[] coefficients) {
         return new double[] {1, y, z, x, x * y, y * z, 3 * z * z - 1, x * z, x * x - y * y};
     }
 
-    /** Irradiance / π at a unit normal, never negative. */
+    /** Returns irradiance / π at a unit normal, never negative. */
     public Vector3d ambient(double x, double y, double z) {
         double[] shape = shape(x, y, z);
         Vector3d sum = new Vector3d();

@@ -6,23 +6,24 @@ import nephele.engine.math.ItemRayTest;
 import nephele.engine.math.Ray;
 
 /**
- * How much of the sky a thing sees in each direction, wherever it goes: the light map's counterpart for what moves. The
- * visible share of the cosine-weighted hemisphere around each axis is found at points of a lattice when a thing first
- * comes near, and mixed between those points that the place can see. A function of the place alone.
+ * The sky visibility of dynamic objects by direction; the counterpart of the light map. The visible shares of the
+ * directions around each axis, weighted by the cosine, are computed at points of a lattice on first use and
+ * interpolated between those lattice points that are visible from the position. The result depends on the position
+ * only.
  */
 public final class SkyProbes {
-    /** Values of a place: +x, +y, +z, −x, −y, −z. */
+    /** Values at a position: +x, +y, +z, −x, −y, −z. */
     public static final int VALUES = 6;
 
     private static final double SPACING_METRES = 0.5;
-    /** Levels lie on whole and half metres; no point of the lattice should lie in their faces. */
+    /** Faces of levels are at whole and half metres; no lattice point should be in them. */
     private static final double OFFSET_METRES = 0.137;
 
     private static final int DIRECTIONS = 96;
     private static final float INSIDE = -1;
 
     private final StaticShapes statics;
-    /** Made when a thing is first seen. */
+    /** Made on the first lookup. */
     private Occluders occluders;
 
     private final double[][] directions = new double[DIRECTIONS][];
@@ -49,10 +50,10 @@ public final class SkyProbes {
         Arrays.fill(keys, Long.MIN_VALUE);
     }
 
-    /** Writes the shares of the sky around a place, each 0 to 1, from {@code out[at]} on. */
+    /** Writes the visible shares of the sky at a position, each 0 to 1, from {@code out[at]} on. */
     public void at(double x, double y, double z, float[] out, int at) {
         occluders = occluders == null ? new Occluders(statics) : occluders;
-        // A place in a solid sees no point of the lattice; the nearest that are free have to do.
+        // No lattice point is visible from inside a solid; then all free ones nearby are used.
         if (!mix(x, y, z, Sight.CLEAR, out, at)) {
             mix(x, y, z, Sight.ANY, out, at);
         }
@@ -63,7 +64,11 @@ public final class SkyProbes {
         ANY
     }
 
-    /** @return whether any point of the lattice around the place counts */
+    /**
+     * Interpolates the values.
+     *
+     * @return true if any lattice point around the position was used
+     */
     private boolean mix(double x, double y, double z, Sight sight, float[] out, int at) {
         double weights = 0;
         double cellX = (x - OFFSET_METRES) / SPACING_METRES;
@@ -103,7 +108,7 @@ public final class SkyProbes {
         return !occluders.anyHit(ray.aim(x, y, z, way[0], way[1], way[2]), 1, meets);
     }
 
-    /** Where the values of a lattice point begin in {@link #known}; finds them when they are asked for first. */
+    /** Returns the index in {@link #known} of a lattice point's values; computes them on first use. */
     private int slot(int i, int j, int k) {
         long key = (i & 0x1fffffL) << 42 | (j & 0x1fffffL) << 21 | k & 0x1fffffL;
         int place = place(key);

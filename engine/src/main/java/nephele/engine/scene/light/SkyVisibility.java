@@ -11,21 +11,21 @@ import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Kept;
 
 /**
- * How much of the sky each place on what never moves sees: the cosine-weighted fraction of the hemisphere over it that
- * meets nothing. 1 on an open plane, ½ at the foot of an endless wall, 0 in a closed room.
+ * The sky visibility of the static geometry: at each point the cosine-weighted fraction of unoccluded directions in the
+ * hemisphere above it. 1 on an open plane, ½ at the foot of an infinite wall, 0 in a closed room.
  *
- * @param statics what it was baked for, models split
+ * @param statics the baked static geometry, models split
  * @param texels of the solids' faces, row by row from the lowest, 0–65535 for 0–1
- * @param ofModels likewise for every vertex of every model in turn
+ * @param ofModels likewise for every vertex of every model in order
  */
 public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[] texels, short[] ofModels) {
-    /** How far vertices of flat models may be apart for it: a texel of 0.25 m costs less than a vertex. */
+    /** The greatest edge of flat models, which are split; a texel of 0.25 m costs less than a vertex. */
     public static final double MODEL_EDGE_METRES = 0.5;
 
     /** The value 1. */
     private static final short ALL = (short) 0xffff;
 
-    /** Before any bake: everything sees all of the sky. */
+    /** Returns the visibility before any bake: 1 everywhere. */
     public static SkyVisibility open() {
         LightMapLayout layout = LightMapLayout.of(List.of());
         short[] texels = new short[layout.width() * layout.height()];
@@ -33,7 +33,11 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
         return new SkyVisibility(layout, StaticShapes.of(List.of()), texels, new short[0]);
     }
 
-    /** @param progress receives the done fraction, 0–1, from any thread */
+    /**
+     * Bakes with the full ray budget.
+     *
+     * @param progress receives the completed fraction, 0–1, from any thread
+     */
     public static SkyVisibility bake(StaticShapes statics, DoubleConsumer progress) {
         return bake(LightMapLayout.of(statics.solids()), statics, BakeEffort.FULL, progress);
     }
@@ -47,7 +51,7 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
         return new SkyVisibility(layout, statics, texels, values);
     }
 
-    /** Whether it was baked for solids of these shapes, so that each has its own charts at its place in the list. */
+    /** Returns true if it was baked for solids of these shapes, so that the charts belong to the same indices. */
     boolean isOf(List<Brush> solids) {
         List<Brush> baked = statics.solids();
         return solids == baked
@@ -57,7 +61,7 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
                                 .equals(baked.get(i).shape()));
     }
 
-    /** The values of models for a level edited since: a mesh keeps its own, another one sees all of the sky. */
+    /** Returns the values for an edited level: models with the same id and vertex count keep theirs, others get 1. */
     public short[] ofModels(PlacedModels models) {
         List<PlacedModel> baked = statics.models().all();
         if (Kept.list(baked, models.all()) == baked) {
@@ -83,7 +87,7 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
         return values;
     }
 
-    /** The column and the row of the texel that sees most of the sky. */
+    /** Returns the column and the row of the texel with the greatest visibility. */
     int[] brightest() {
         int best = 0;
         for (int i = 1; i < texels.length; i++) {
@@ -92,7 +96,7 @@ public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[]
         return new int[] {best % layout.width(), best / layout.width()};
     }
 
-    /** As the shader sees it: bilinear between the four nearest texels; texels from the map's lower left corner. */
+    /** Interpolates bilinearly as the shader does; coordinates are texels from the map's lower left corner. */
     public double at(double column, double rowFromBelow) {
         double x = Math.min(Math.max(column - 0.5, 0), layout.width() - 1);
         double y = Math.min(Math.max(rowFromBelow - 0.5, 0), layout.height() - 1);

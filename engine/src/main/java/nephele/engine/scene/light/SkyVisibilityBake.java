@@ -10,22 +10,22 @@ import org.joml.Vector3d;
 
 /** Casts the rays of the sky visibility. The result does not depend on the number of threads. */
 public final class SkyVisibilityBake {
-    /** Rays of a texel; the spiral's error is below 0.005 where the visible sky has one straight border. */
+    /** Rays of a texel; the spiral's error is below 0.005 if the visible sky has one straight border. */
     static final int RAYS = 512;
 
-    /** Rays of a texel where they are rationed. */
+    /** The least number of rays of a texel under a limited budget. */
     private static final int LEAST_RAYS = 16;
 
-    /** Rays start this far above their face: under the thickness of anything, over the rounding of the cut. */
+    /** The height of rays' origins above their face: below the thickness of any object, above the cut's rounding. */
     private static final double LIFT_METRES = 1e-3;
 
-    /** How much brighter or darker it must be close by before a texel is a mean; all of a mean at twice that. */
+    /** The difference to the vicinity above which a texel becomes a blend with a mean; at twice that it is the mean. */
     private static final double LEAST_RELIEF = 0.03;
 
-    /** Close by, in texels along each side. */
+    /** The vicinity, in texels along each side. */
     private static final double[] NEAR_TEXELS = {-0.18, 0.18};
 
-    /** Middles of six parts of equal weight under a texel's tent. */
+    /** The centres of six parts of equal weight under a texel's tent function. */
     private static final double[] AROUND_TEXELS = tent(6);
 
     private final LightMapLayout layout;
@@ -41,7 +41,7 @@ public final class SkyVisibilityBake {
         this.stride = stride;
     }
 
-    /** With all rays, or with as many as end soon. */
+    /** Uses all rays, or fewer if the budget is limited. */
     private static SkyVisibilityBake of(LightMapLayout layout, StaticShapes statics, BakeEffort effort) {
         Occluders solids = new Occluders(statics);
         int stride = effort == BakeEffort.RATIONED ? stride(layout, solids) : 1;
@@ -62,12 +62,16 @@ public final class SkyVisibilityBake {
             SkyVisibilityBake sample = new SkyVisibilityBake(layout, solids, ration, stride);
             return ration.divisor(total, total, texel -> sample.texelOfAll(texel, end));
         };
-        // Half of the rays go without the means, which may be most of the work.
+        // With half of the rays the means are omitted, which may be most of the work.
         int stride = divisor.applyAsInt(1) == 1 ? 1 : 2 * divisor.applyAsInt(2);
         return Math.min(stride, RAYS / LEAST_RAYS);
     }
 
-    /** @param end of each chart, among the texels of all */
+    /**
+     * Computes a texel by its index among the texels of all charts.
+     *
+     * @param end index after each chart's last texel
+     */
     private void texelOfAll(int texel, int[] end) {
         int found = Arrays.binarySearch(end, texel + 1);
         int index = found < 0 ? -found - 1 : found;
@@ -115,9 +119,9 @@ public final class SkyVisibilityBake {
     }
 
     /**
-     * What is seen at the texel's centre, where that is how it is around. Beside a low kerb it is not: there it is the mean
-     * over what the texel is interpolated to, weighted like it, so that a face is as bright as its places are together.
-     * Where rays are rationed there are no means. NaN inside a solid.
+     * Returns the visibility at the texel's centre if it varies little nearby. Beside a low kerb it varies: there the
+     * result is the mean over the tent of the bilinear interpolation, so that the mean brightness of the face is right.
+     * A limited budget has no means. NaN inside a solid.
      */
     private double texel(LightMapChart chart, int column, int row, int brush) {
         double here = visibility(chart, chart.inside(column, row), brush, 0, stride);
@@ -133,12 +137,12 @@ public final class SkyVisibilityBake {
         return here + Math.min(relief, 1) * (around - here);
     }
 
-    /** NaN where all of the places are inside a solid. */
+    /** Returns the mean of several points, NaN if all of them are inside a solid. */
     private double mean(LightMapChart chart, int column, int row, int brush, double[] offsets) {
         double sum = 0;
         double weights = 0;
         int count = offsets.length * offsets.length;
-        // Each place casts a share of the rays only: together they are more than leave the centre.
+        // Each point casts a share of the rays only; together they cast more than the centre.
         int step = count < 16 ? 4 : 16;
         for (int i = 0; i < count; i++) {
             double x = column + offsets[i % offsets.length];
@@ -152,9 +156,7 @@ public final class SkyVisibilityBake {
         return sum / weights;
     }
 
-    /**
-     * Cast are every {@code step}-th ray from {@code first} on. NaN inside a solid.
-     */
+    /** Casts every {@code step}-th ray from {@code first} on. NaN inside a solid. */
     private double visibility(LightMapChart chart, Vector3d p, int brush, int first, int step) {
         p.fma(LIFT_METRES, chart.normal());
         double[] origin = {p.x, p.y, p.z};
@@ -176,8 +178,8 @@ public final class SkyVisibilityBake {
     }
 
     /**
-     * Directions of equal cosine weight: a sunflower spiral on the unit disc (Vogel 1979), lifted to the hemisphere
-     * (Malley's method). Every texel uses the same ones, so neighbours differ smoothly and not by noise.
+     * Returns directions of equal cosine weight: a sunflower spiral on the unit disc (Vogel 1979), lifted to the
+     * hemisphere (Malley's method). Every texel uses the same ones, so the error varies smoothly and is not noise.
      */
     static double[] spiral(int rays) {
         double goldenAngle = Math.PI * (3 - Math.sqrt(5));

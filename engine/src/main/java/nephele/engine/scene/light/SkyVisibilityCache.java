@@ -11,21 +11,22 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.placed.StaticShapes;
 
 /**
- * Finds a baked sky visibility or bakes it. Levels that come with the game carry theirs in {@code baked/} beside them,
- * in the checkout and in the jar; for others it is looked for in {@code cache/} beside the level and in the user's own
- * cache folder, and a new bake is written to the first of these that takes it, which drops the longest unused ones above
- * its limit. A cache that cannot be written costs time, nothing else.
+ * Finds a baked sky visibility or bakes it. Levels shipped with the game have theirs in {@code baked/} beside them, in
+ * the checkout and in the jar; for others {@code cache/} beside the level and the user's own cache folder are searched.
+ * A new bake is written to the first of these that is writable, which then deletes the least recently used files above
+ * its limit. A cache that cannot be written only costs time.
  *
- * @param writable in order of preference
+ * @param assets the level's assets, read for {@code baked/} and {@code cache/}
+ * @param writable folders in order of preference
  */
 public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
-    /** Beside a level that comes with the game. */
+    /** The folder beside a level that is shipped with the game. */
     public static final String SHIPPED = "baked/";
 
-    /** Some thousand levels. */
+    /** Suffices for some thousand levels. */
     private static final long MOST_BYTES = 64 << 20;
 
-    /** Beside a level where there is a folder, else in the user's cache. */
+    /** Returns the cache in a folder beside the level if there is one, and in the user's cache folder. */
     public static SkyVisibilityCache of(AssetSource assets) {
         Path own = userFolder();
         return new SkyVisibilityCache(
@@ -40,7 +41,11 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
         return base.resolve("nephele");
     }
 
-    /** @param progress of a bake, 0–1; not called when nothing has to be baked */
+    /**
+     * Returns the stored or newly baked visibility.
+     *
+     * @param progress of a bake, 0–1; not called without a bake
+     */
     public SkyVisibility of(StaticShapes statics, DoubleConsumer progress) {
         LightMapLayout layout = LightMapLayout.of(statics.solids());
         String name = SkyVisibilityFile.nameFor(statics);

@@ -21,7 +21,7 @@ import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 
-/** A baked sky visibility as bytes, and the name that its geometry gives it. */
+/** The encoding of a baked sky visibility, and its file name, which depends on the geometry. */
 public final class SkyVisibilityFile {
     /** Part of every name: raise it whenever the same solids would bake to other texels. */
     private static final int VERSION = 3;
@@ -30,10 +30,10 @@ public final class SkyVisibilityFile {
 
     private SkyVisibilityFile() {}
 
-    /** Glob of the names that {@link #nameFor} gives. */
+    /** The glob of the names that {@link #nameFor} returns. */
     static final String NAMES = "sky-visibility-*.bin";
 
-    /** The same for the same shapes in the same order, whatever their materials. */
+    /** Returns the file name; it is the same for the same shapes in the same order, independent of materials. */
     public static String nameFor(StaticShapes statics) {
         MessageDigest digest = sha256();
         ByteBuffer buffer = ByteBuffer.allocate(4 * Double.BYTES);
@@ -78,7 +78,7 @@ public final class SkyVisibilityFile {
         }
     }
 
-    /** Rows as differences from texel to texel, deflated: smooth light packs to a quarter. */
+    /** Encodes the values as differences between consecutive values, deflated: smooth light shrinks to a quarter. */
     public static byte[] encode(SkyVisibility visibility) {
         LightMapLayout layout = visibility.layout();
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -105,7 +105,7 @@ public final class SkyVisibilityFile {
         }
     }
 
-    /** Where every chart lies: a map of the same size may be packed in another order. */
+    /** Returns a checksum of all charts' positions: a map of the same size may be packed in another order. */
     private static long placement(LightMapLayout layout) {
         CRC32 crc = new CRC32();
         ByteBuffer place = ByteBuffer.allocate(4 * Integer.BYTES);
@@ -120,9 +120,9 @@ public final class SkyVisibilityFile {
     }
 
     /**
-     * Empty when the bytes are no visibility for this layout: it is then baked anew.
+     * Decodes a file; empty if the bytes are no visibility for this layout, which is then baked again.
      *
-     * @param statics what it was baked for
+     * @param statics the baked static geometry
      */
     public static Optional<SkyVisibility> decode(LightMapLayout layout, StaticShapes statics, byte[] bytes) {
         try (DataInputStream head = new DataInputStream(new ByteArrayInputStream(bytes))) {

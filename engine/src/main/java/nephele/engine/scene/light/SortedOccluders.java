@@ -11,7 +11,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 
-/** Sorts static shapes by how light meets them: convex through and through, or triangle by triangle. */
+/** Sorts static shapes for ray tests: convex ones as a whole, others triangle by triangle. */
 final class SortedOccluders implements StaticShape.Cases {
     private final List<ConvexPolyhedron> convex = new ArrayList<>();
     private final Map<Integer, Integer> itemOfModel = new TreeMap<>();
@@ -36,15 +36,15 @@ final class SortedOccluders implements StaticShape.Cases {
 
     @Override
     public void heightGrid(StaticShape.HeightGrid grid) {
-        // Ground shades nothing yet.
+        // Height grids cast no shadows yet.
     }
 
-    /** By index of a model in the level: the place of each that is convex. */
+    /** Returns the item of each convex model, by its index in the level. */
     Map<Integer, Integer> itemOfModel() {
         return itemOfModel;
     }
 
-    /** The convex ones, then the triangles; adds the box of each to {@code boxes}. */
+    /** Returns the convex shapes, then the triangles; appends the box of each to {@code boxes}. */
     List<Occluder> items(List<Aabb> boxes) {
         List<Occluder> items = new ArrayList<>();
         for (ConvexPolyhedron shape : convex) {

@@ -5,16 +5,16 @@ import nephele.engine.scene.thing.ThingMesh.Builder;
 import nephele.engine.scene.thing.ThingMesh.Range;
 
 /**
- * The shapes of bodies at unit size: an instance scales them, so that any number of sizes shares one mesh. Round ones
- * in steps of fineness.
+ * Meshes of the bodies' shapes at unit size: an instance scales them, so that all sizes share one mesh. Round shapes
+ * have several levels of detail.
  */
 final class BodyMeshes {
-    /** Sides of a round shape's equator, from fine to coarse. */
+    /** The number of sides of a round shape's equator, from the finest level of detail to the coarsest. */
     private static final int[] SIDES = {48, 24, 12};
 
     private BodyMeshes() {}
 
-    /** From −1 to 1 along each axis; texture coordinates alike. */
+    /** Adds a box from −1 to 1 along each axis, with texture coordinates in the same range. */
     static Range box(Builder mesh) {
         int first = mesh.indexCount();
         mesh.tag(0, 0);
@@ -23,7 +23,7 @@ final class BodyMeshes {
             double side = face % 2 == 0 ? 1 : -1;
             int[] corners = new int[4];
             for (int corner = 0; corner < 4; corner++) {
-                // Counter-clockwise around +axis; the other way round where the face looks back.
+                // Counter-clockwise around +axis; reversed if the face points towards −axis.
                 double a = (corner == 1 || corner == 2 ? 1 : -1) * side;
                 double b = corner >= 2 ? 1 : -1;
                 double[] p = new double[3];
@@ -40,8 +40,8 @@ final class BodyMeshes {
     }
 
     /**
-     * Spheres of radius 1 in two halves, which an instance may move apart along y to make a capsule. v is below ½ on the
-     * lower half and above it on the upper one.
+     * Adds spheres of radius 1, each in two halves, which an instance may move apart along y to make a capsule. v is
+     * below ½ on the lower half and above it on the upper one.
      */
     static Range[] round(Builder mesh) {
         Range[] steps = new Range[SIDES.length];
@@ -79,7 +79,7 @@ final class BodyMeshes {
         return mesh.since(first);
     }
 
-    /** Between two rings of equally many vertices, the second above the first. */
+    /** Adds the triangles between two rings of equally many vertices, the second above the first. */
     static void band(Builder mesh, int[] below, int[] above) {
         for (int i = 0; i + 1 < below.length; i++) {
             mesh.triangle(below[i], below[i + 1], above[i + 1]);
@@ -87,7 +87,7 @@ final class BodyMeshes {
         }
     }
 
-    /** How far the flat sides of each step lie within the round shape, in radii. */
+    /** Returns for each level of detail the greatest depth of its flat sides below the round surface, in radii. */
     static double[] flatness() {
         return Arrays.stream(SIDES)
                 .mapToDouble(sides -> 1 - Math.cos(Math.PI / sides))

@@ -7,8 +7,8 @@ import nephele.engine.scene.thing.ThingMesh.Builder;
 import nephele.engine.scene.thing.ThingMesh.Range;
 
 /**
- * The explorer: a suit with helmet, pack, gloves and boots, each part about its own origin – the middle of its bone,
- * which runs along y; the figure looks along −z.
+ * The mesh of the player's character: a suit with helmet, pack, gloves and boots. Each part is relative to its own
+ * origin, the middle of its bone, which is along y; the character faces −z.
  */
 final class FigureMesh {
     private static final int CLOTH = 0;
@@ -43,7 +43,11 @@ final class FigureMesh {
         return new Material(name, new Vec3(r, g, b), null, roughness, metallic, null, Vec3.ZERO, 1);
     }
 
-    /** @return all of it, the head last, and all but the head */
+    /**
+     * Adds all parts, the head last.
+     *
+     * @return the range of the whole character and the range without the head
+     */
     static Range[] add(Builder mesh, int fineness) {
         int first = mesh.indexCount();
         FigureMesh figure = new FigureMesh(mesh, fineness);
@@ -196,7 +200,7 @@ final class FigureMesh {
         put(METAL, 8, Rounded.at(0, -0.06, -0.066).size(0.025, 0.016, 0.01).edges(0.4, 0.4));
     }
 
-    /** About the ankle; the sole lies 0.09 m below it. */
+    /** The origin is the ankle; the sole is 0.09 m below it. */
     private void foot() {
         put(PANEL, 12, Rounded.at(0, 0.0, 0.008).size(0.058, 0.07, 0.068).edges(0.6, 0.9));
         put(PANEL, 12, Rounded.at(0, -0.035, -0.05).size(0.055, 0.047, 0.125).edges(0.6, 0.7));

@@ -2,7 +2,10 @@ package nephele.engine.scene.thing;
 
 import nephele.engine.math.Vec3;
 
-/** The rigid parts of the player's figure, with the box about their origin that bounds them; the head is the last. */
+/**
+ * The rigid parts of the player's character, each with the half sides in metres of its bounding box about its origin;
+ * the head is the last.
+ */
 enum FigurePart {
     PELVIS(0.19, 0.31, 0.17),
     CHEST(0.24, 0.28, 0.27),

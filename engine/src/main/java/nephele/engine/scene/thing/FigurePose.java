@@ -7,11 +7,12 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Where each part of the figure is in a posture. The head stays where the eye is; the body hangs below it, and the legs
- * reach the feet (two bones and the law of cosines), which {@link Gait} puts down. One object serves frame after frame.
+ * The position and orientation of each part of the character in a posture. The head is fixed at the eye; the body hangs
+ * below it, and the legs reach the feet (two bones and the law of cosines), which {@link Gait} places. One object
+ * serves all frames.
  */
 final class FigurePose {
-    /** Metres of the standing figure. */
+    /** The dimensions of the standing character, metres. */
     private static final double STATURE = 1.8;
 
     private static final double HEAD_BELOW_CROWN = 0.165;
@@ -23,7 +24,7 @@ final class FigurePose {
     private static final double THIGH = 0.43;
     private static final double SHIN = 0.41;
     private static final double ANKLE = 0.09;
-    /** Ahead of the ankle: what the foot turns about. */
+    /** The distance of the ball from the ankle, about which the foot turns. */
     private static final double BALL = 0.11;
 
     private static final double UPPER_ARM = 0.29;
@@ -57,17 +58,21 @@ final class FigurePose {
         }
     }
 
-    /** In the world, valid until the next {@link #take}. */
+    /** Returns the world position of a part's origin, valid until the next {@link #take}. */
     Vector3d centre(FigurePart part) {
         return centres[part.ordinal()];
     }
 
-    /** World from part. */
+    /** Returns the rotation from a part's frame to the world. */
     Quaterniond orientation(FigurePart part) {
         return turns[part.ordinal()];
     }
 
-    /** @param seconds by which the figure breathes */
+    /**
+     * Computes the pose.
+     *
+     * @param seconds time that drives the breathing
+     */
     void take(Posture posture, double seconds) {
         Posture p = Postures.sane(posture);
         place(p);
@@ -94,12 +99,14 @@ final class FigurePose {
         put(FigurePart.HEAD, joint, turn);
     }
 
-    /** Who looks down has the head before the body, metres: so it sees its legs. */
+    /** Returns the metres by which the head is in front of the body, so that looking down shows the legs. */
     private static double bowed(Posture p) {
         return 0.15 * Math.max(0, -Math.sin(p.pitchRadians()));
     }
 
-    /** Legs never walk more than a quarter turn aside: what is farther is walked backwards. */
+    /**
+     * Returns the direction in which the legs walk, at most a quarter turn aside: greater angles are walked backwards.
+     */
     private static double folded(double travel) {
         return Math.abs(travel) <= Math.PI / 2 ? travel : travel - Math.copySign(Math.PI, travel);
     }
@@ -121,7 +128,7 @@ final class FigurePose {
         sole.fma(-p.heightMetres() / 2, worldFromFigure.getColumn(1, along));
     }
 
-    /** Where both ankles want to be: on the ground, or in the air. */
+    /** Computes the target positions of both ankles, on the ground or in the air. */
     private void feet(Posture p, double footYaw, double moving) {
         double amplitude = Gait.smooth(p.stride() / 0.25) * TALLEST_LIFT * (0.55 + 0.45 * Math.min(1.5, p.stride()));
         double forward = Math.cos(p.travelRadians());
@@ -132,7 +139,7 @@ final class FigurePose {
             double pitch = foot.pitch() * moving * forward * 0.85;
             double wide = HALF_HIPS + 0.02 - 0.035 * moving * Math.abs(forward);
             Vector3d ankle = ankles[side];
-            // The ball stays where it is while the heel rises.
+            // The ball stays in place while the heel rises.
             double back = BALL * Math.cos(pitch) - ANKLE * Math.sin(pitch) - BALL;
             double rise = BALL * Math.sin(pitch) + ANKLE * Math.cos(pitch);
             ankle.set(0, Math.max(rise, ANKLE * Math.cos(pitch)), pitch > 0 ? back : 0);
@@ -156,7 +163,7 @@ final class FigurePose {
         footPitch[side] += air * ((side == 0 ? 0.25 : 0.7) - footPitch[side]);
     }
 
-    /** Lowers the hips as far as the farther foot asks for. */
+    /** Lowers the hips until the farther foot is within reach. */
     private void reachFeet() {
         double longest = THIGH + SHIN - 0.012;
         double lowest = hips.y;
@@ -232,7 +239,7 @@ final class FigurePose {
         return a + (b - a) * share;
     }
 
-    /** Puts a part's middle between two joints, its front away from where the limb bends. */
+    /** Places a part's centre halfway between two joints, with its front on the side opposite to the limb's bend. */
     private void bone(FigurePart part, Vector3d from, Vector3d to) {
         bones.along(from, to, part.ordinal() >= FigurePart.LEFT_THIGH.ordinal(), turn);
         put(part, bones.between(from, to), turn);

@@ -1,6 +1,6 @@
 package nephele.engine.scene.thing;
 
-/** Whether a player's figure may ever be seen: what it needs is only built where it may. */
+/** Tells if a player's character may ever be visible; its resources are built only if it may. */
 public enum FigurePresence {
     NEVER,
     POSSIBLE

@@ -5,16 +5,19 @@ import nephele.engine.scene.Moment;
 import nephele.engine.scene.View;
 
 /**
- * Which copies of a held body a view shows as its holder's eye sees it: before the eye, or along the portals that it is
- * held through. Any other copy that the view shows, as in a portal that looks back, is the body seen from elsewhere. One
- * object serves view after view.
+ * The copies of a held body that a view shows as its holder's eye sees it: in front of the eye, or along the portals
+ * through which the body is held. Any other visible copy, as in a portal that looks back, is the body seen from
+ * elsewhere. One object serves all views.
  */
 public final class HeldSight {
-    /** A tick's motion, at most; what is seen from elsewhere is never so near to where the eye sees it. */
+    /**
+     * The tolerance on the expected position: at least a tick's motion, and less than the distance of any copy that is
+     * seen from elsewhere.
+     */
     private static final double APART_METRES = 0.25;
 
     private final ThingCopies copies;
-    /** Several where a body is cut into pieces that stay together: a portal's back may be its partner's front. */
+    /** Several if a body is cut into adjacent pieces, as where a portal's partner is directly behind it. */
     private final int[] instances = new int[ThingPlaces.MOST_COPIES];
 
     private int size;
@@ -23,10 +26,10 @@ public final class HeldSight {
         this.copies = copies;
     }
 
-    /** Looks from somewhere; the copies have to be those of {@code moment}. */
+    /** Finds the copies for a view; the copies must have been updated to {@code moment}. */
     public void find(View view, Moment moment) {
         size = 0;
-        // In a mirror it is seen from elsewhere, however near to the mirror it is.
+        // A mirror always shows the body from elsewhere, however near it is to the mirror.
         if (moment.held() == Moment.NOTHING || view.isMirrored()) {
             return;
         }

@@ -4,7 +4,7 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.Moment.Posture;
 
-/** Keeps postures within what a figure can do, whatever it is asked: no part ever becomes infinite. */
+/** Clamps postures to valid ranges and replaces NaN and infinities, so that every part's position is finite. */
 final class Postures {
     private static final double LOWEST_METRES = 0.9;
     private static final double HIGHEST_METRES = 2.2;

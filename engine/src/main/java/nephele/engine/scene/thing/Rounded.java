@@ -3,12 +3,12 @@ package nephele.engine.scene.thing;
 import nephele.engine.scene.thing.ThingMesh.Builder;
 
 /**
- * A rounded body: the superellipsoid of Barr 1981, "Superquadrics and Angle-Preserving Transformations", tapered along
- * y. What the player's figure is made of.
+ * A superellipsoid (Barr 1981, "Superquadrics and Angle-Preserving Transformations"), tapered along y. The parts of the
+ * player's character consist of these.
  *
  * @param centre metres
- * @param half sides, metres
- * @param roundness 1 an ellipsoid, near 0 a box: over the height, and around
+ * @param half half sides, metres
+ * @param roundness exponents along the height and around the y axis: 1 an ellipsoid, near 0 a box
  * @param taper share by which the top is wider than the middle, and the bottom narrower
  */
 record Rounded(double[] centre, double[] half, double[] roundness, double taper) {
@@ -22,7 +22,12 @@ record Rounded(double[] centre, double[] half, double[] roundness, double taper)
         return new Rounded(centre, new double[] {halfX, halfY, halfZ}, roundness, taper);
     }
 
-    /** @param upright over the height, {@code around} around the y axis */
+    /**
+     * Sets the exponents of roundness.
+     *
+     * @param upright along the height
+     * @param around around the y axis
+     */
     Rounded edges(double upright, double around) {
         return new Rounded(centre, half, new double[] {upright, around}, taper);
     }
@@ -31,7 +36,11 @@ record Rounded(double[] centre, double[] half, double[] roundness, double taper)
         return new Rounded(centre, half, roundness, share);
     }
 
-    /** @param sides around; half as many rows */
+    /**
+     * Adds the triangles to a mesh.
+     *
+     * @param sides number around the y axis; half as many rows, at least 4
+     */
     void addTo(Builder mesh, int sides) {
         int rows = Math.max(4, sides / 2);
         int[] below = new int[sides + 1];
@@ -61,7 +70,7 @@ record Rounded(double[] centre, double[] half, double[] roundness, double taper)
         };
     }
 
-    /** From neighbouring points; at a pole from the ring next to it. */
+    /** Returns the normal by finite differences; at a pole it uses the ring next to it. */
     private double[] normal(double latitude, double longitude) {
         double steep = Math.max(-Math.PI / 2 + 0.02, Math.min(Math.PI / 2 - 0.02, latitude));
         double[] east = difference(point(steep, longitude + NUDGE), point(steep, longitude - NUDGE));

@@ -8,7 +8,7 @@ import nephele.engine.scene.Moment.Posture;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
-/** Tells whether anything that things are drawn by differs from what it was when last asked. */
+/** Detects whether any input of the dynamic objects' drawing has changed since the previous call. */
 final class ThingChanges {
     private final double[] poses;
     private final boolean[] moved;
@@ -24,7 +24,7 @@ final class ThingChanges {
         Arrays.fill(poses, Double.NaN);
     }
 
-    /** Compares a moment with the one before, and remembers it. */
+    /** Compares a frame state with the previous one and stores it. Returns true if anything has changed. */
     boolean since(Moment moment) {
         boolean changed = isFigureNew(moment) | moment.portals() != portals;
         portals = moment.portals();
@@ -39,7 +39,7 @@ final class ThingChanges {
         return changed;
     }
 
-    /** Whether a body was elsewhere when asked the time before the last. */
+    /** Returns true if a body's position changed between the last two calls of {@link #since}. */
     boolean hasMoved(int body) {
         return moved[body];
     }
@@ -52,7 +52,7 @@ final class ThingChanges {
         return isNew;
     }
 
-    /** Remembers three values and tells whether they are new. */
+    /** Stores three values and returns true if one has changed. */
     private boolean differs(int at, double x, double y, double z) {
         boolean is = poses[at] != x || poses[at + 1] != y || poses[at + 2] != z;
         poses[at] = x;

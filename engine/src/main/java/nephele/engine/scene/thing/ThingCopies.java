@@ -8,21 +8,22 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * All copies of all things at one instant, packed for shaders. An instance is one part of one copy; those of a group
- * follow each other. One object serves frame after frame and only works when something has moved.
+ * All copies of all dynamic objects at one instant, packed for shaders. An instance is one part of one copy; the
+ * instances of a group are contiguous. One object serves all frames and does work only after a change.
  *
- * <p>An instance takes {@link #FLOATS}: orientation x y z w; centre relative to the anchor, rounded, and its material;
- * what rounding left of the centre, and the shape's kind; half sides and half axis; two planes that cut it – unit normal
- * and the centre's distance before it; the shares of the sky that are seen towards +x, +y, +z, and towards −x, −y, −z.
+ * <p>An instance has {@link #FLOATS} floats: orientation x y z w; centre relative to the anchor, rounded, and its
+ * material; the rounding error of the centre, and the shape's kind; half sides and half axis; two planes that clip it,
+ * each a unit normal and the signed distance of the centre; the visible shares of the sky towards +x, +y, +z, and
+ * towards −x, −y, −z.
  */
 public final class ThingCopies {
     public static final int FLOATS = 32;
 
     private static final int BALL = 4;
-    /** Of the ball around the middle of a head that holds all of it, and a near plane more. */
+    /** The radius of a ball about the head's centre that contains the head and the distance of the near plane. */
     private static final double HEAD_METRES = 0.23;
 
-    /** A plane that cuts nothing. */
+    /** The signed distance to a plane that clips nothing. */
     private static final float FAR_METRES = 1e9f;
 
     private static final Vec3 UNIT = new Vec3(1, 1, 1);
@@ -50,8 +51,10 @@ public final class ThingCopies {
     private long version;
 
     /**
-     * @param anchor world position that packed centres are relative to
-     * @param sky {@code null} where no light of the sky has to be found
+     * Makes the copies of a level's dynamic objects.
+     *
+     * @param anchor world position that packed centres are relative to, metres
+     * @param sky {@code null} if sky visibility is not needed
      */
     public ThingCopies(Things things, Vec3 anchor, SkyProbes sky) {
         this.sky = sky;
@@ -66,7 +69,7 @@ public final class ThingCopies {
     }
 
     /**
-     * Brings the copies to {@code moment}.
+     * Updates the copies to {@code moment}.
      *
      * @return a number that changes with every change
      */
@@ -128,7 +131,7 @@ public final class ThingCopies {
         }
     }
 
-    /** What a body sees of the sky changes only with its place. */
+    /** Sets the sky visibility of a body, which is looked up again only after the body has moved. */
     private void seeSkyOf(int body) {
         int at = SkyProbes.VALUES * body;
         if (sky != null && changes.hasMoved(body)) {
@@ -139,7 +142,7 @@ public final class ThingCopies {
         }
     }
 
-    /** From a place before every portal: the copy's centre may lie in a wall. */
+    /** Looks up the sky visibility at a position in front of every portal: the copy's centre may be inside a wall. */
     private void seeSky(int copy) {
         if (sky != null) {
             places.openPlace(copy, centre);
@@ -194,7 +197,7 @@ public final class ThingCopies {
         packed[at + 3] = w;
     }
 
-    /** Valid up to {@link #instances}. */
+    /** Returns the packed instances; valid up to {@link #instances}. */
     public float[] packed() {
         return packed;
     }
@@ -203,22 +206,22 @@ public final class ThingCopies {
         return instances;
     }
 
-    /** The first instance of a group; that of the group after the last is the number of instances. */
+    /** Returns the first instance of a group; for the index after the last group, the number of instances. */
     public int start(int group) {
         return groupStart[group];
     }
 
-    /** The first instance of a body; the others follow it. */
+    /** Returns the first instance of a body; its others follow. */
     int bodyStart(int body) {
         return bodyStart[body];
     }
 
-    /** The instance after a body's last one. */
+    /** Returns the instance after a body's last one. */
     int bodyEnd(int body) {
         return bodyEnd[body];
     }
 
-    /** Whether the last part of the copy that begins with {@code instance} encloses a point. */
+    /** Returns true if the head of the copy that begins with {@code instance} contains a point. */
     boolean headEncloses(int instance, int parts, Vector3d eye) {
         int head = BALL * (instance + parts - 1);
         double x = balls[head] - eye.x;
@@ -227,7 +230,7 @@ public final class ThingCopies {
         return x * x + y * y + z * z < HEAD_METRES * HEAD_METRES;
     }
 
-    /** Component 0–2 of the centre of the ball around an instance, or 3: its radius; world metres. */
+    /** Returns component 0–2 of the centre of an instance's bounding sphere, or 3 for its radius; world metres. */
     double ball(int instance, int component) {
         return balls[BALL * instance + component];
     }

@@ -4,12 +4,12 @@ import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.thing.ThingMesh.Range;
 
 /**
- * Things of one shape and one kind of material: drawn with one program and, where all are seen, with one call.
+ * Dynamic objects of one shape and one kind of material: drawn with one program and, if all are visible, with one call.
  *
- * @param steps index ranges from the finest mesh to the coarsest
- * @param headless the same without the part that may enclose the eye, the last; {@code null} where none does
- * @param flatness for each step how far its flat sides lie within the shape, in radii
- * @param kind of material
- * @param parts of each thing; as many instances follow each other for every copy of it
+ * @param steps index ranges of the levels of detail, from the finest to the coarsest
+ * @param headless the same without the last part, which may enclose the eye; {@code null} if there is no such part
+ * @param flatness for each level of detail the depth of its flat sides below the exact surface, in radii
+ * @param kind kind of material
+ * @param parts number of parts of each object; as many contiguous instances belong to each copy
  */
 public record ThingGroup(Range[] steps, Range[] headless, double[] flatness, SolidBatch.Kind kind, int parts) {}

@@ -6,14 +6,14 @@ import java.nio.IntBuffer;
 import java.util.Arrays;
 
 /**
- * All shapes of one level's things in one vertex and one index buffer. A vertex takes {@link #VERTEX_BYTES}: position,
- * three floats in the part's own frame; outward normal, three 16-bit integers to be normalised, and with them {@code
- * part · PARTS_STRIDE + material}; texture coordinates, two floats.
+ * All shapes of one level's dynamic objects in one vertex and one index buffer. A vertex has {@link #VERTEX_BYTES}
+ * bytes: position, three floats in the part's own frame; outward normal, three 16-bit integers to be normalised,
+ * followed by {@code part · PARTS_STRIDE + material}; texture coordinates, two floats.
  */
 public final class ThingMesh {
     public static final int VERTEX_BYTES = 28;
 
-    /** What a part counts for in a vertex' fourth integer: so many materials a thing may have. */
+    /** The factor on the part's number in a vertex' fourth integer; a dynamic object has at most as many materials. */
     public static final int PARTS_STRIDE = 64;
 
     private final ByteBuffer vertices;
@@ -24,17 +24,17 @@ public final class ThingMesh {
         this.indices = indices;
     }
 
-    /** Direct, native byte order. */
+    /** Returns the vertices, direct and in native byte order. */
     public ByteBuffer vertices() {
         return vertices;
     }
 
-    /** Direct; triangles counter-clockwise seen from outside. */
+    /** Returns the indices, direct; triangles are counter-clockwise seen from outside. */
     public IntBuffer indices() {
         return indices;
     }
 
-    /** Where a shape's triangles lie in the index buffer. */
+    /** The range of a shape's triangles in the index buffer. */
     public record Range(int first, int count) {}
 
     /** Collects vertices and triangles. */
@@ -48,13 +48,17 @@ public final class ThingMesh {
             return ByteBuffer.allocateDirect(bytes).order(ByteOrder.nativeOrder());
         }
 
-        /** Part and material of the vertices to come. */
+        /** Sets the part and the material of the following vertices. */
         Builder tag(int part, int material) {
             tag = part * PARTS_STRIDE + material;
             return this;
         }
 
-        /** @return the vertex' number */
+        /**
+         * Adds a vertex.
+         *
+         * @return the vertex' number
+         */
         int vertex(double[] position, double[] unitNormal, double u, double v) {
             if (vertices.remaining() < VERTEX_BYTES) {
                 vertices = fresh(2 * vertices.capacity()).put(vertices.flip());
@@ -83,7 +87,7 @@ public final class ThingMesh {
             return indexCount;
         }
 
-        /** What was added since {@code first}. */
+        /** Returns the range of indices added since {@code first}. */
         Range since(int first) {
             return new Range(first, indexCount - first);
         }

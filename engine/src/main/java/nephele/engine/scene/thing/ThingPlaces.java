@@ -7,28 +7,35 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Where one thing is: its parts, and a copy of them for every portal that a part reaches through. The part before a
- * portal is cut by the portal's plane, its image by the exit's; together they are the whole part once. One object serves
- * thing after thing without growing.
+ * The poses of one dynamic object: its parts, and a copy of them for every portal that a part reaches through. The part
+ * in front of a portal is clipped at the portal's plane, its image at the exit's; together they make up the whole part
+ * once. One object serves all dynamic objects without growing.
  *
- * <p>A part reaches through where the straight line from its anchor – on this side of the portal – to its deepest point
- * passes the aperture: that point of the plane lies within the part, which is convex.
+ * <p>A part reaches through a portal if the segment from its anchor, in front of the portal, to its deepest point
+ * behind the plane passes through the aperture; the intersection with the plane is inside a body, because a body is
+ * convex and its anchor is its centre.
  */
 final class ThingPlaces {
-    /** A thing between facing portals would go on for ever; the farther copies are small parts of it. */
+    /** Portals that face each other would make infinitely many copies; the omitted ones are small parts. */
     static final int MOST_COPIES = 8;
 
     static final int MOST_PARTS = 24;
 
-    /** Own planes of one part: as many clip distances as the shader has for them. One more portal is not reached through. */
+    /**
+     * The greatest number of clip planes of a part, which is the number of clip distances that the shader provides. A
+     * part reaches through no further portal.
+     */
     static final int MOST_PLANES = 2;
 
-    /** Touching is not reaching through. */
+    /** The least depth behind a portal's plane: a part that only touches it does not reach through. */
     private static final double SLACK_METRES = 1e-6;
 
     private static final double OFF_METRES = 0.2;
 
-    /** Orientation x y z w, centre, anchor, and for each own plane its normal and the centre's distance before it. */
+    /**
+     * Offsets in a slot: orientation x y z w, centre, anchor, and for each clip plane its normal and the signed
+     * distance of the centre.
+     */
     private static final int CENTRE = 4;
 
     private static final int ANCHOR = 7;
@@ -46,14 +53,18 @@ final class ThingPlaces {
     private int copies;
     private int parts;
 
-    /** Begins a thing: {@link #place} its parts, then {@link #spread}. */
+    /** Begins an object: {@link #place} its parts, then {@link #spread}. */
     void begin(int partCount) {
         parts = partCount;
         copies = 1;
         cameThrough[0] = Portals.CLOSED;
     }
 
-    /** @param thingAnchor a point of the thing that decides which side of portals it is on */
+    /**
+     * Sets the pose of a part.
+     *
+     * @param thingAnchor a point of the object that decides on which side of portals it is
+     */
     void place(int part, Vector3d partCentre, Quaterniond worldFromPart, Vector3d thingAnchor) {
         write(part, partCentre, worldFromPart, thingAnchor);
         planes[part] = 0;
@@ -112,7 +123,10 @@ final class ThingPlaces {
         return copies++;
     }
 
-    /** Leaves the part's pose in {@link #centre} and {@link #turn}, and where it passes the plane in {@link #anchor}. */
+    /**
+     * Returns true if a part reaches through a portal. Stores the part's pose in {@link #centre} and {@link #turn}, and
+     * its intersection with the plane in {@link #anchor}.
+     */
     private boolean reaches(int slot, Portal portal, ThingShape shape) {
         centre(slot, centre);
         double before = portal.inFront(centre.x, centre.y, centre.z);
@@ -163,7 +177,7 @@ final class ThingPlaces {
         return copy * MOST_PARTS + part;
     }
 
-    /** Whether anything of the part may be seen there. */
+    /** Returns true if any of the part may be visible there. */
     boolean isShown(int slot) {
         return shown[slot];
     }
@@ -178,7 +192,10 @@ final class ThingPlaces {
         return out.set(at[i], at[i + 1], at[i + 2], at[i + 3]);
     }
 
-    /** A place before every portal that the copy reaches through: the anchor of its first part, a little off them. */
+    /**
+     * Computes a position in front of the first portal that the copy reaches through: the anchor of its first shown
+     * part, moved away from the portal's plane by {@link #OFF_METRES}.
+     */
     Vector3d openPlace(int copy, Vector3d out) {
         int part = 0;
         while (part + 1 < parts && !shown[slot(copy, part)]) {
@@ -197,7 +214,7 @@ final class ThingPlaces {
         return planes[slot];
     }
 
-    /** Component 0–2 of a plane's normal, or 3: how far the part's centre lies before it, metres. */
+    /** Returns component 0–2 of a clip plane's normal, or 3 for the signed distance of the part's centre, metres. */
     double plane(int slot, int plane, int component) {
         return at[slot * STRIDE + PLANES + 4 * plane + component];
     }

@@ -9,15 +9,15 @@ import org.joml.Vector3d;
  * The exact shape of one rigid part: half sides of a box about the part's origin, the radius of a sphere, or radius and
  * half the axis of a capsule along y.
  *
- * @param kind as shaders read it
- * @param half what the unit mesh is scaled by
- * @param halfAxisMetres half the distance between a capsule's round ends, else 0
+ * @param kind one of the constants; shaders read it
+ * @param half scale of the unit mesh, metres
+ * @param halfAxisMetres half the distance between the centres of a capsule's round ends, otherwise 0
  */
 public record ThingShape(int kind, Vec3 half, double halfAxisMetres) {
     public static final int BOX = 0;
     public static final int SPHERE = 1;
     public static final int CAPSULE = 2;
-    /** A mesh with details of its own, not scaled; {@code half} bounds it. */
+    /** A mesh of its own that is not scaled; {@code half} bounds it. */
     public static final int PART = 3;
 
     static ThingShape of(Body body) {
@@ -37,14 +37,14 @@ public record ThingShape(int kind, Vec3 half, double halfAxisMetres) {
         return new Vec3(x, x, x);
     }
 
-    /** Of the ball about the part's origin that holds it. */
+    /** Returns the radius of the bounding sphere about the part's origin. */
     double reachMetres() {
         return kind == SPHERE || kind == CAPSULE ? half.x() + halfAxisMetres : Math.sqrt(half.dot(half));
     }
 
     /**
-     * The point of the part that lies farthest along a world direction, relative to its origin; the middle of all such
-     * points where an edge or a face does.
+     * Returns the part's support point along a world direction, relative to its origin; the centre of all such points
+     * if they form an edge or a face.
      */
     Vector3d farthest(Vec3 direction, Quaterniondc worldFromPart, Vector3d out) {
         worldFromPart.transformInverse(direction.x(), direction.y(), direction.z(), out);

@@ -5,15 +5,15 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
 /**
- * The parallel projection of the sun's depth map of what moves: around all of it, or around what is near the eye where
- * that would get too coarse. Texels lie on a grid that stays in the world, and their size goes in steps, so that a
- * shadow's edge does not crawl while the thing beside it moves. One object serves frame after frame.
+ * The parallel projection of the sun's depth map for dynamic objects. It contains all of them, or only those near the
+ * eye if its texels would become too large. Texels are aligned to a grid fixed in the world, and their size changes in
+ * steps, so that a shadow's edge does not crawl while another object moves. One object serves all frames.
  */
 public final class ThingSunMap {
     private static final double FINEST_TEXEL_METRES = 0.005;
-    /** Shadows of bodies a portal leads to are seen as well: what is far from the eye must stay in for long. */
+    /** Large, because portals also show shadows far from the eye; objects there have to remain in the map for long. */
     private static final double COARSEST_TEXEL_METRES = 0.06;
-    /** Empty texels around the casters, as the filter may ask for them. */
+    /** Empty texels around the casters, which the filter may read. */
     private static final int MARGIN_TEXELS = 3;
 
     private final int side;
@@ -26,17 +26,25 @@ public final class ThingSunMap {
     private double texel = FINEST_TEXEL_METRES;
     private int width;
     private int height;
-    /** Whether something was left out, for being far from {@link #fittedTo}. */
+    /** True if objects far from {@link #fittedTo} were left out. */
     private boolean isLimited;
 
     private Vec3 fittedTo = Vec3.ZERO;
 
-    /** @param side texels that the map has along each side */
+    /**
+     * Makes the projection.
+     *
+     * @param side texels along each side of the map
+     */
     public ThingSunMap(int side) {
         this.side = side;
     }
 
-    /** The map of a sun elsewhere. @param newTowardsSun any length but zero */
+    /**
+     * Sets the sun's direction.
+     *
+     * @param newTowardsSun any length but zero
+     */
     public void turn(Vec3 newTowardsSun) {
         towardsSun = newTowardsSun;
         back.set(towardsSun.toVector().normalize());
@@ -45,12 +53,12 @@ public final class ThingSunMap {
         back.cross(right, up);
     }
 
-    /** As it was last told; {@code null} before. */
+    /** Returns the direction last set; {@code null} before. */
     public Vec3 towardsSun() {
         return towardsSun;
     }
 
-    /** Fits the map to all instances, or to those that a map of the coarsest texels around {@code eye} may hold. */
+    /** Fits the map to all instances, or to those that fit into a map of the coarsest texels around {@code eye}. */
     public void fit(ThingCopies copies, Vec3 eye) {
         bound(copies, eye, Double.POSITIVE_INFINITY);
         double widest = Math.max(high[0] - low[0], high[1] - low[1]);
@@ -70,13 +78,13 @@ public final class ThingSunMap {
         high[2] += 0.05;
     }
 
-    /** Whether the eye has gone so far that other things are near it now. */
+    /** Returns true if the map is limited and the eye has moved so far that other objects are near it now. */
     public boolean isOutgrown(Vec3 eye) {
         double metres = side * COARSEST_TEXEL_METRES / 16;
         return isLimited && eye.toVector().distanceSquared(fittedTo.x(), fittedTo.y(), fittedTo.z()) > metres * metres;
     }
 
-    /** What casts, along the map's axes; nothing leaves an empty range. */
+    /** Bounds the casters along the map's axes; without casters the ranges are empty. */
     private void bound(ThingCopies copies, Vec3 eye, double within) {
         for (int axis = 0; axis < 3; axis++) {
             low[axis] = Double.POSITIVE_INFINITY;
@@ -102,7 +110,11 @@ public final class ThingSunMap {
         high[axis] = Math.max(high[axis], middle + radius);
     }
 
-    /** Moves a range out to the grid. @return its texels */
+    /**
+     * Extends a range to the grid.
+     *
+     * @return its length in texels, at most {@link #side}
+     */
     private int snap(int axis) {
         if (low[axis] > high[axis]) {
             return 0;
@@ -114,7 +126,7 @@ public final class ThingSunMap {
         return (int) Math.min(side, last - first);
     }
 
-    /** Texels along the rows that are in use; 0 where nothing casts. */
+    /** Returns the number of texels in use along a row; 0 without casters. */
     public int width() {
         return width;
     }
@@ -127,7 +139,7 @@ public final class ThingSunMap {
         return texel;
     }
 
-    /** What depth 0 to 1 spans; it grows away from the sun. */
+    /** Returns the distance spanned by depth 0 to 1, metres; depth increases away from the sun. */
     public double depthMetres() {
         return high[2] - low[2];
     }
@@ -140,7 +152,7 @@ public final class ThingSunMap {
         return up;
     }
 
-    /** Metres relative to {@code anchor} to texture coordinates and depth, all 0 to 1. */
+    /** Returns the matrix from metres relative to {@code anchor} to texture coordinates and depth, all 0 to 1. */
     public Matrix4d mapFromAnchor(Vec3 anchor, Matrix4d out) {
         double across = 1 / (side * texel);
         double deep = 1 / depthMetres();

@@ -15,10 +15,10 @@ import nephele.engine.scene.thing.ThingMesh.Builder;
 import nephele.engine.scene.thing.ThingMesh.Range;
 
 /**
- * Everything of a level that moves, as it never changes: shapes, meshes, materials, and who is drawn with whom.
+ * The constant data of a level's dynamic objects: shapes, meshes, materials and groups.
  *
- * @param materials of all things; a kind's material block counts in these
- * @param members for each group the bodies in it; {@link #FIGURE} for the player's figure
+ * @param materials materials of all dynamic objects; a kind's material block is an index into these
+ * @param members for each group the bodies in it; {@link #FIGURE} for the player's character
  * @param shapes for each body
  * @param materialOf for each body its index in its block of {@code materials}
  */
@@ -29,14 +29,14 @@ public record Things(
         List<int[]> members,
         List<ThingShape> shapes,
         int[] materialOf) {
-    /** In place of a body's number. */
+    /** Stands for the character instead of a body's index. */
     static final int FIGURE = -1;
 
-    /** Sides of the figure's rounded parts, doubled where they are large. */
+    /** Fineness of the character's meshes: 2 for the full number of sides of its rounded shapes, 1 for half. */
     private static final int FINE = 2;
 
     private static final int COARSE = 1;
-    /** Of a figure's reach: half a centimetre. */
+    /** The flatness of the coarse mesh, in radii of the character's first part. */
     private static final double COARSE_FLATNESS = 0.005;
 
     private record Key(boolean round, SolidBatch.Kind kind) {}
@@ -74,7 +74,7 @@ public record Things(
                 mesh.finished(), List.copyOf(groups), List.copyOf(materials), List.copyOf(members), shapes, materialOf);
     }
 
-    /** Appends the figure's materials, all in one block. */
+    /** Appends the character's materials, all in one block. */
     private static ThingGroup figureGroup(Builder mesh, List<Surface> materials) {
         int perBlock = SolidGeometry.MATERIALS_PER_BLOCK;
         while (materials.size() % perBlock + FigureMesh.MATERIALS.size() > perBlock) {
@@ -92,7 +92,7 @@ public record Things(
                 FigurePart.ALL.length);
     }
 
-    /** The figure's materials in its block begin here. */
+    /** Returns the index in their block of the character's first material. */
     int figureMaterial() {
         return (materials.size() - FigureMesh.MATERIALS.size()) % SolidGeometry.MATERIALS_PER_BLOCK;
     }

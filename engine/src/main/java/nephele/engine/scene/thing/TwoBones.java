@@ -3,13 +3,16 @@ package nephele.engine.scene.thing;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
 
-/** A limb of two bones: where it bends, by the law of cosines, and how its bones are turned. One object serves all limbs. */
+/**
+ * A limb of two bones: the position of its joint, by the law of cosines, and the orientations of its bones. One object
+ * serves all limbs.
+ */
 final class TwoBones {
     /** The joint between the bones. */
     final Vector3d middle = new Vector3d();
-    /** Where the limb ends: as near to where it is to reach as it can. */
+    /** The end of the limb: the reachable point nearest to the target. */
     final Vector3d end = new Vector3d();
-    /** Towards where the limb bends, in front of it. */
+    /** The direction towards which the limb bends; set it before {@link #bend(Vector3d, Vector3d, double, double)}. */
     final Vector3d bend = new Vector3d();
 
     private final Vector3d along = new Vector3d();
@@ -17,7 +20,7 @@ final class TwoBones {
     private final Vector3d back = new Vector3d();
     private final Vector3d between = new Vector3d();
 
-    /** Puts {@link #middle} where two bones from {@code from} to {@code to} bend, and {@link #end} where they end. */
+    /** Computes {@link #middle} and {@link #end} for a limb from {@code from} towards {@code to}; lengths in metres. */
     void bend(Vector3d from, Vector3d to, double upper, double lower) {
         along.set(to).sub(from);
         double distance = Math.max(Math.abs(upper - lower) + 0.05, Math.min(upper + lower - 0.002, along.length()));
@@ -36,7 +39,7 @@ final class TwoBones {
         middle.set(from).fma(before, along).fma(aside, bend);
     }
 
-    /** Writes how a bone is turned that hangs from one joint to the other, a leg's front where it bends. */
+    /** Computes the rotation of a bone from one joint down to the other; a leg's front is on the side of the bend. */
     void along(Vector3d from, Vector3d to, boolean isLeg, Matrix3d turn) {
         Vector3d y = along.set(from).sub(to).normalize();
         Vector3d z = back.set(bend).mul(isLeg ? -1 : 1);
@@ -49,7 +52,7 @@ final class TwoBones {
         turn.set(x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z);
     }
 
-    /** A bone's middle, valid until the next call. */
+    /** Returns a bone's middle, valid until the next call. */
     Vector3d between(Vector3d from, Vector3d to) {
         return between.set(from).lerp(to, 0.5);
     }

@@ -8,11 +8,11 @@ import nephele.engine.scene.thing.ThingMesh.Range;
 import org.joml.Vector3d;
 
 /**
- * Which instances a view may see and with which mesh: runs of instances that one call draws. Conservative: what is left
- * out covers no pixel. One object serves view after view.
+ * The instances that a view may see and their levels of detail, as runs of instances that one call draws. Conservative:
+ * omitted instances cover no pixel. One object serves all views.
  */
 public final class VisibleThings {
-    /** A coarser mesh is taken as long as nobody can see the difference. */
+    /** The greatest error of a level of detail in pixels, too small to be visible. */
     private static final double FLATNESS_PIXELS = 0.3;
 
     private final Things things;
@@ -31,7 +31,7 @@ public final class VisibleThings {
         this.copies = copies;
     }
 
-    /** In the whole of a view's picture; {@code pictureHeight} in pixels. Leaves out what is held. */
+    /** Finds the instances in a view's whole picture, without the held body; {@code pictureHeight} is in pixels. */
     public void find(View view, int pictureHeight, HeldSight held) {
         double right = view.projection().tanHalfWidth();
         double up = view.projection().tanHalfHeight();
@@ -47,13 +47,21 @@ public final class VisibleThings {
         whole.keep(inwards.x, inwards.y, inwards.z, 0);
     }
 
-    /** @param pictureHeight pixels */
+    /**
+     * Finds the instances in a frustum.
+     *
+     * @param pictureHeight pixels
+     */
     public void find(View view, Frustum frustum, int pictureHeight, HeldSight held) {
         eye.set(view.eyeX(), view.eyeY(), view.eyeZ());
         find(frustum, pictureHeight / (2 * view.projection().tanHalfHeight()), held);
     }
 
-    /** @param pixelsPerTangent how large a metre is at distance 1 */
+    /**
+     * Finds the instances in a frustum from any position.
+     *
+     * @param pixelsPerTangent size in pixels of a metre at a distance of 1 m
+     */
     public void find(Frustum frustum, Vec3 from, double pixelsPerTangent) {
         eye.set(from.x(), from.y(), from.z());
         find(frustum, pixelsPerTangent, null);
@@ -81,7 +89,7 @@ public final class VisibleThings {
         return false;
     }
 
-    /** What is held and nothing else, with its finest mesh. */
+    /** Selects the held body only, with its finest mesh. */
     public void take(HeldSight held) {
         runs = 0;
         for (int i = 0; i < held.size(); i++) {
@@ -136,7 +144,7 @@ public final class VisibleThings {
         return groups[run];
     }
 
-    /** The first instance of a run. */
+    /** Returns the first instance of a run. */
     public int first(int run) {
         return firsts[run];
     }

@@ -1,5 +1,5 @@
 /**
- * What moves, still without OpenGL: bodies and the player's figure as meshes made by code, how the figure stands, and
+ * Dynamic objects without OpenGL: generated meshes of bodies and of the player's character, the character's pose, and
  * the copies of everything that reaches through portals.
  */
 package nephele.engine.scene.thing;
