@@ -1,6 +1,6 @@
 package nephele.lab.trade.run;
 
-/** What the running thread has taken so far; differences of two readings are costs. */
+/** A clock of the resources that the running thread has used so far; a cost is the difference of two readings. */
 interface CostClock {
     long cpuNanos();
 
