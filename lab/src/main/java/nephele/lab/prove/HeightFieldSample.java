@@ -100,8 +100,8 @@ final class HeightFieldSample {
     }
 
     /**
-     * Returns a random, vertical or grazing ray, or one along edges or the diagonal. It starts at a point on or near the
-     * surface, or passes through it.
+     * Returns a random, vertical or grazing ray, or one along edges or the diagonal. It starts at a point on or near
+     * the surface, or passes through it.
      *
      * @param reachMetres the greatest distance from the ray's origin to that point
      */

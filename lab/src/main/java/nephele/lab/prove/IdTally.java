@@ -19,7 +19,7 @@ final class IdTally {
     enum Views {
         /** All visible views: none may be missing. */
         ALL,
-        /** As many as a player's preset has: missing ones are counted, not judged. */
+        /** At most as many as a player's preset allows: missing ones are counted, not judged. */
         BUDGETED
     }
 

@@ -93,7 +93,7 @@ public final class ScriptedPlayer {
         return Math.max(-most, Math.min(most, wholeMillidegrees));
     }
 
-    /** Walks to a place, looking in the direction of movement. No portal may lie on the way. */
+    /** Walks to a place without passing a portal, looking in the direction of movement. */
     public ScriptedPlayer walkTo(double x, double z) {
         return until(
                 () -> {
