@@ -1,6 +1,6 @@
 package nephele.lab.trade.run;
 
-/** A clock of the resources that the running thread has used so far; a cost is the difference of two readings. */
+/** Readings of CPU time, wall time and bytes allocated by the running thread; a cost is the difference of two readings. */
 interface CostClock {
     long cpuNanos();
 
