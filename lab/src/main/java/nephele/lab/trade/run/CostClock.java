@@ -1,6 +1,6 @@
 package nephele.lab.trade.run;
 
-/** Readings of CPU time, wall time and bytes allocated by the running thread; a cost is the difference of two readings. */
+/** A clock of CPU time, wall time and bytes allocated by the running thread; differences of readings are costs. */
 interface CostClock {
     long cpuNanos();
 
