@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The pictures in the checkout are those that the code paints, pixel for pixel, on every JVM. */
+/** The pictures in the checkout equal those that the code paints, pixel for pixel, on every JVM. */
 class ArtFilesTest {
     static Stream<String> recipes() {
         return Textures.ALL.stream().map(TextureRecipe::name);
@@ -63,7 +63,7 @@ class ArtFilesTest {
         }
     }
 
-    /** The step across the tile's seam is no larger than steps inside it: no seam shows. */
+    /** The step across the tile's seam is no larger than steps inside the tile, so that no seam is visible. */
     @ParameterizedTest
     @MethodSource("recipes")
     void textureTilesWithoutASeam(String name) {

@@ -9,7 +9,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class BakedLightTest {
-    /** A level that has to bake at its first start takes seconds instead of the two that it may. */
+    /**
+     * Every level ships with its baked light: a bake at the first start takes longer than the two seconds that are
+     * allowed.
+     */
     @Test
     void levelsOfTheGameCarryTheirLight() throws IOException {
         for (String folder : List.of("levels", "levels/samples")) {

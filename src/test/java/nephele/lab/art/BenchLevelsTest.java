@@ -24,7 +24,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The committed bench levels against their generator, and against the peers' formulas written down once more. */
+/**
+ * The committed benchmark levels equal those of their generator and match the compared engines' formulas, which are
+ * repeated here.
+ */
 class BenchLevelsTest {
     @ParameterizedTest
     @ValueSource(
@@ -85,7 +88,10 @@ class BenchLevelsTest {
         }
     }
 
-    /** As the peers' quad of their first nested view: 8 x 4.5 m, 12 m ahead of the first camera and 0.3 m above its eye. */
+    /**
+     * The portals equal the compared engines' quad of their first nested view: 8 x 4.5 m, 12 m ahead of the first
+     * camera and 0.3 m above its eye.
+     */
     @Test
     void portalsFaceEachOtherTwelveMetresAheadAndBehind() {
         Level level = BenchLevels.all().get("boxes-1000-portals.json");
@@ -101,7 +107,10 @@ class BenchLevelsTest {
         return new double[] {centre.x(), centre.y(), centre.z(), portal.widthMetres(), portal.heightMetres()};
     }
 
-    /** The level's limit, each in its wall, and every aperture within the picture in every frame. */
+    /**
+     * The portals are as many as a level may have, each is in its wall, and every aperture is within the picture in
+     * every frame.
+     */
     @Test
     void sixtyFourPortalsAreInSight() {
         Level level = BenchLevels.all().get("portals-64.json");

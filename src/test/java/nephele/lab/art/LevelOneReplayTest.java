@@ -13,7 +13,7 @@ import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 import org.junit.jupiter.api.Test;
 
-/** The recorded walk of level 01 still leads from the hall to the board over the court. */
+/** The recorded walk of level 01 still leads from the hall to the board above the court. */
 class LevelOneReplayTest {
     @Test
     void walkEndsOnTheGallery() throws IOException {

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The samples of portals, left alone for a few seconds: what they show stays what they show. */
+/** The sample levels of portals keep their state when they run without input for a few seconds. */
 class PortalSamplesReplayTest {
     private static final int TICKS = 360;
 
@@ -57,7 +57,7 @@ class PortalSamplesReplayTest {
         assertEquals(level.player().feet().y(), end.player().feet().y(), 0.01);
     }
 
-    /** They lie half in one alcove and half in the other, and neither sinks, slides nor is pushed out. */
+    /** The cubes are half in one alcove and half in the other, and neither sinks, slides nor is pushed out. */
     @Test
     void straddlingCubesLieStill() {
         Level level = level("straddling-cube");
@@ -69,7 +69,7 @@ class PortalSamplesReplayTest {
         }
     }
 
-    /** The ball and the crate never arrive anywhere: after three seconds they fall faster than one room is high. */
+    /** The ball and the crate never land: after three seconds their speed is that of a free fall. */
     @Test
     void whatFallsFromFloorToCeilingFallsForEver() {
         SimState end = left(level("floor-to-ceiling"));

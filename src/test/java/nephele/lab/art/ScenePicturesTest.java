@@ -14,7 +14,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The scenes' pictures are those that the code paints, on every JVM, and worlds have neither a seam nor pinched poles. */
+/**
+ * The scenes' pictures equal those that the code paints, on every JVM, and globes have neither a seam nor distorted
+ * poles.
+ */
 class ScenePicturesTest {
     private static final Path ASSETS = Path.of("assets");
     private static final String GLOBE =
@@ -49,7 +52,7 @@ class ScenePicturesTest {
         assertTrue(across <= inside * 1.05 + 0.5, recipe.file() + ": seam " + across + " > " + inside);
     }
 
-    /** All of the first row is one point of the globe, but for the half row between it and the pole. */
+    /** The first row is nearly one point of the globe; it is half a row from the pole. */
     @ParameterizedTest
     @MethodSource("globes")
     void aWorldIsOfOneColourAtEachPole(PictureRecipe recipe) throws IOException {

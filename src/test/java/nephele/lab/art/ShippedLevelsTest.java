@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What every level in the checkout promises. */
+/** The rules that every level in the checkout keeps. */
 class ShippedLevelsTest {
     private static final Path LEVEL_ONE = Path.of("levels/01-courtyard.json");
 
@@ -51,7 +51,10 @@ class ShippedLevelsTest {
         assertEquals("main", level.cameras().get(0).id());
     }
 
-    /** A level that changes takes its replay along: it is recorded again, or the new hash is written into it. */
+    /**
+     * A replay holds its level's current hash: when a level changes, its replay is recorded again or the new hash is
+     * written into it.
+     */
     @ParameterizedTest
     @ValueSource(strings = {"levels", "levels/samples"})
     void replaysNameTheirLevelAsItIs(String folder) throws IOException {
@@ -77,7 +80,10 @@ class ShippedLevelsTest {
         assertTrue(level.solids().stream().anyMatch(solid -> solid.portalable()));
     }
 
-    /** Two faces of different look in one plane that face the same way would flicker where they overlap in sight. */
+    /**
+     * No two faces of different materials are coplanar with the same orientation where they overlap in a visible place;
+     * they would flicker.
+     */
     @ParameterizedTest
     @MethodSource("levels")
     void noTwoFacesFightForTheSamePixels(Path file) {
@@ -100,7 +106,7 @@ class ShippedLevelsTest {
         assertEquals(List.of(), fights);
     }
 
-    /** Whether the space just before the middle of the overlap is empty. */
+    /** Returns true if the space just in front of the overlap's middle is empty. */
     private static boolean inSight(List<Brush> brushes, List<Vector3d> overlap, BrushFace face) {
         Vector3d before = middle(overlap).fma(1e-3, face.plane().normal().toVector());
         return brushes.stream().noneMatch(brush -> brush.faces().stream()

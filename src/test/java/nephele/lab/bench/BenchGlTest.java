@@ -8,7 +8,7 @@ import nephele.engine.render.gl.GlContext;
 import org.junit.jupiter.api.Test;
 
 class BenchGlTest {
-    /** Does nothing but count: three frames a round, 10 draws in the first of them. */
+    /** A drawing that only counts: three frames a round, 10 draws in the first of them. */
     private static final class Counting implements Drawing {
         private int frame;
         private byte[] rubbish;

@@ -25,13 +25,19 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** The render path makes at most 2 KiB of garbage a frame: with portals, with bodies and a figure that move, plain too. */
+/**
+ * The render path allocates at most 2 KiB a frame, with portals, with moving bodies and a moving character, and without
+ * them.
+ */
 class FrameAllocationGlTest {
     private static final int MOST_BYTES_A_FRAME = 2048;
     private static final int WARM_FRAMES = 40;
     private static final int FRAMES = 40;
 
-    /** What a frame of {@code level} makes while the eye moves and every body and the figure do, which holds one. */
+    /**
+     * Returns the bytes allocated by a frame of {@code level} while the eye, every body and the character move, which
+     * holds a body.
+     */
     private static long bytesPerFrame(String level, Output output, Quality quality) {
         OpenedLevel opened = new LevelName("levels/" + level).open();
         RenderSettings settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
@@ -61,7 +67,7 @@ class FrameAllocationGlTest {
         }
     }
 
-    /** Half a metre there and back again. */
+    /** Returns views that move 0.25 m forward and back from the start. */
     private static List<View> views(OpenedLevel opened) {
         View start =
                 Viewpoints.standard(opened.level(), opened.file(), 16.0 / 9).view(0);
@@ -75,7 +81,7 @@ class FrameAllocationGlTest {
         return views;
     }
 
-    /** Where the first body is from each eye; what it moves is less than makes a difference. */
+    /** Returns the first body's place relative to each eye; its small motion is neglected. */
     private static List<Vec3> fromEyes(Moment moment, List<View> views) {
         List<Vec3> places = new ArrayList<>();
         for (View view : moment.bodies() == 0 ? List.<View>of() : views) {

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The code of the proof {@code bodies} over a reduced count; what it costs is only printed, bytes are bounded. */
+/** The proof {@code bodies} holds at a reduced count. CPU time is only printed; the bytes are limited. */
 class BodiesProofTest {
     @Test
     void towerAndStackStand() {

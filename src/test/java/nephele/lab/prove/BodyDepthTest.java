@@ -43,7 +43,7 @@ class BodyDepthTest {
         assertEquals(0, depth.inSolids(bodies, 1));
     }
 
-    /** The ball reaches through the portal into what the aperture's rim leaves of the floor. */
+    /** The ball reaches through the portal into the floor beside the aperture's rim. */
     @Test
     void inTheRimOfAPortal() {
         Bodies bodies = at(new Vec3(0, 2, 0), new Vec3(3.4, .1, 0));

@@ -13,7 +13,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Kinetic energy against the sum of m v² / 2 over small cells of the body. */
+/** The kinetic energy equals the sum of m v² / 2 over small cells of the body. */
 class BodyEnergyTest {
     private static final int CELLS = 60;
     private static final Vec3 VELOCITY = new Vec3(1, -2, 3);

@@ -7,7 +7,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** The piles are those that other engines were measured on, draw by draw. */
+/** The piles equal those with which other engines were measured, draw by draw. */
 class BoxPileTest {
     private static Body.Box box(BoxPile.Family family, int number, int index) {
         return BoxPile.of(family, number).bodies().get(index);

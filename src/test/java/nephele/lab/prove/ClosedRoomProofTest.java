@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
-/** 0 escapes at 10 to 10 000 m/s through walls of 1 cm. {@code prove closed-room} runs 10⁶ starts. */
+/** No player escapes at up to 10 000 m/s through walls of about 1 cm. {@code prove closed-room} runs 10⁶ starts. */
 class ClosedRoomProofTest {
     private final ClosedRoomProof proof = new ClosedRoomProof();
 

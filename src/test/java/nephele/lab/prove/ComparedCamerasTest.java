@@ -47,7 +47,7 @@ class ComparedCamerasTest {
                 assertThrows(CommandFailure.class, nowhere::all).exitCode());
     }
 
-    /** Else there would be no units at all, of which none fails. */
+    /** Without levels there would be no units, of which none fails. */
     @Test
     void withoutLevelsAProofOfPicturesCannotEvenBegin() {
         for (Proof proof : List.of(

@@ -12,7 +12,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import org.junit.jupiter.api.Test;
 
-/** The proof at a reduced count. */
+/** The proof holds at a reduced count. */
 final class CrossingsProofTest {
     @Test
     void nobodyFallsThroughOrStaysInASolid() {
@@ -21,7 +21,7 @@ final class CrossingsProofTest {
         assertEquals(300, result.figures().get(0).value(), "crossings");
     }
 
-    /** Every wall, floor, ceiling and slanted block gets its portals. */
+    /** Portals occur on every wall, floor, ceiling and slanted block. */
     @Test
     void roomsHavePortalsOnEveryFace() {
         Set<Vec3> normals = new HashSet<>();

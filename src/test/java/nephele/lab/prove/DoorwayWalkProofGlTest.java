@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The same code as `prove doorway-walk`, small pictures. */
+/** The proof {@code doorway-walk} holds with small pictures. */
 class DoorwayWalkProofGlTest {
     private static ProofResult walks(long from, long count) {
         return new DoorwayWalkProof(160, 90).run(from, count, Proof.Progress.NONE);
@@ -29,7 +29,7 @@ class DoorwayWalkProofGlTest {
         assertTrue(result.figures().stream().anyMatch(figure -> figure.name().equals("frames") && figure.value() > 60));
     }
 
-    /** The measure sees what it is to see: one white row of 54 in a black picture. */
+    /** A pop would be detected: one white row of 54 in a black picture. */
     @Test
     void aPopWouldBeMeasured() {
         byte[] black = new byte[4 * 96 * 54];

@@ -17,18 +17,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What follows from an edited level is, to the last bit, what follows from it when it is loaded. */
+/** The data derived from an edited level equal those of the freshly loaded level, bit for bit. */
 class EditedTownTest {
     private static final AssetSource ASSETS = LevelAssets.beside(Path.of("levels", "town.json"));
 
-    /** Of the first few solids alone, which is enough of a light that is an earlier level's. */
+    /** Bakes the first few solids only, which is enough to represent the light of an earlier level. */
     static SkyVisibility bakedInPart(PlacedLevel placed) {
         Level level = placed.level();
         Level part = level.with(level.materials(), level.solids().subList(1, 5), List.of(), List.of());
         return EditedTown.baked(PlacedLevel.of(part, ASSETS));
     }
 
-    /** Edits of every kind, also those that change what a level needs; each is compared. */
+    /**
+     * The derived data are compared after edits of every kind, including those that change which features a level
+     * needs.
+     */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3})
     void randomEditsGiveWhatAFreshLoadGives(long seed) {
@@ -46,7 +49,7 @@ class EditedTownTest {
         }
     }
 
-    /** A comparison that finds nothing would prove nothing. */
+    /** The comparison detects a difference; otherwise the other tests would prove nothing. */
     @Test
     void anotherTownDiffers() {
         Level level = Town.of(1, 1, 1);

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The same code as `prove edits`, for a smaller town and fewer edits. */
+/** The proof {@code edits} holds for a smaller town and fewer edits. */
 class EditsProofGlTest {
     @Test
     void anEditedTownIsDrawnAsAFreshOne() {

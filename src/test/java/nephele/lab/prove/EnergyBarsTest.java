@@ -11,7 +11,7 @@ import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
 class EnergyBarsTest {
-    /** Two kilograms: a centimetre is 0.1962 J, a millimetre a tenth of it. */
+    /** The bodies have a mass of two kilograms: a centimetre is 0.1962 J, a millimetre a tenth of it. */
     private final EnergyBars bars = new EnergyBars(new BodyTable(List.of(ball("a"), ball("b"))));
 
     private static Body ball(String id) {

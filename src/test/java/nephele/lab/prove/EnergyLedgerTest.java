@@ -23,7 +23,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 class EnergyLedgerTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
-    /** From the floor out of a wall 2.5 m up: the height is won by the passage, not by the body. */
+    /**
+     * A ball falls into the floor and leaves a wall 2.5 m higher: the gain of height is due to the passage, not to the
+     * body.
+     */
     @ParameterizedTest
     @ValueSource(ints = {7, 20, 120, 1000})
     void aFlightThroughPortalsKeepsTheBookedEnergy(int rate) {

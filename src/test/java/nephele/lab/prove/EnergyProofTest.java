@@ -24,7 +24,10 @@ class EnergyProofTest {
         return new ProofResult(3000, 0, sums, List.of());
     }
 
-    /** One in a thousand may gain a millimetre's energy, and one in a thousand of the plain ones may stay awake. */
+    /**
+     * One in a thousand piles may exceed the limit of 1 mm, and one in a thousand of those without portals may remain
+     * awake.
+     */
     @Test
     void sharesAreJudgedOverAllBatches() {
         assertTrue(new EnergyProof().judged(shares(3, 2)).holds());

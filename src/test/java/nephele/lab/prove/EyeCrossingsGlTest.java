@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import nephele.engine.render.frame.PortalTechnique;
 import org.junit.jupiter.api.Test;
 
-/** Eyes that pass a portal never see its wall, at a reduced count; `prove eye-crossings` lets 10⁴ eyes pass. */
+/**
+ * Eyes that pass through a portal never see its wall, at a reduced count; {@code prove eye-crossings} moves 10⁴ eyes.
+ */
 class EyeCrossingsGlTest {
     @Test
     void noFrameShowsTheWallOnTheWayThrough() {

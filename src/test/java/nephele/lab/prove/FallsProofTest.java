@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Falls from floor portal to floor portal at a reduced count; an arch, turned by a quarter. */
+/** Falls between two arches in the floor, one rotated by a quarter turn, keep their height, at a reduced count. */
 final class FallsProofTest {
     @Test
     void everyFallComesUpAgain() {

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
 
-/** Two batches become one, in either order. */
+/** The figures of two batches are joined alike in either order. */
 class FigureTest {
     private static void assertJoined(double expected, Figure one, Figure other) {
         assertEquals(expected, one.joined(other).value());

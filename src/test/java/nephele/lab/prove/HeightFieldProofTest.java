@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** A small part of the full count, on a smaller large field. */
+/** The proof holds at a small part of the full count, on a smaller large field. */
 class HeightFieldProofTest {
     @Test
     void raysAndSweepsMeetWhatATestOfEveryTriangleFinds() {

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Hashes equal in other processes, interpreted and compiled, on Java 17 and 25 where present. */
+/** Hashes are equal in other processes, interpreted and compiled, on Java 17 and 25 where present. */
 class JitMatrixReplayTest {
     private static final int EVERY = 10;
 
@@ -33,13 +33,13 @@ class JitMatrixReplayTest {
         assertEquals(60, assertSame(variant, JitMatrixProof.LEVEL, replay));
     }
 
-    /** The two that differ most; {@code prove replay-hashes} plays it in all. */
+    /** The two variants that differ most; {@code prove replay-hashes} plays the replay in all. */
     static Stream<JvmVariant> interpretedAndCompiled() {
         return variants()
                 .filter(variant -> variant.flags().isEmpty() || variant.flags().contains("-Xint"));
     }
 
-    /** A replay through 100 crossings and a re-fired portal. */
+    /** A replay through 100 crossings and a portal that is shot again has equal hashes. */
     @ParameterizedTest
     @MethodSource("interpretedAndCompiled")
     void anotherProcessGoesThroughTheSamePortals(JvmVariant variant) throws Exception {

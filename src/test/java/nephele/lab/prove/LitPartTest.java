@@ -7,7 +7,7 @@ import nephele.engine.math.Vec3;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A face of 1 m by 1 m that looks along x, and a wall 30 cm before its right half. */
+/** The lit width of a face of 1 m by 1 m with the normal +x, with a wall 30 cm in front of its right half. */
 class LitPartTest {
     @ParameterizedTest
     @CsvSource({

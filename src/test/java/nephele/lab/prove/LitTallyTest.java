@@ -8,7 +8,7 @@ import java.util.List;
 import nephele.engine.measure.LinearPicture;
 import org.junit.jupiter.api.Test;
 
-/** Pictures of one grey: a level is judged by all of its pictures, in whichever batches they were. */
+/** A level is judged by all of its pictures together, regardless of their batches; the pictures are of one grey. */
 class LitTallyTest {
     private static final LinearPicture RIGHT = grey(0.2f);
     private static final List<String> LEVELS = List.of("a", "b");

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The same code as `prove mirrors`, for one camera and smaller lit pictures. */
+/** The proof {@code mirrors} holds for one camera and smaller lit pictures. */
 class MirrorsProofGlTest {
     @TempDir
     Path kept;

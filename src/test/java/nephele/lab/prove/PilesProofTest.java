@@ -26,7 +26,7 @@ class PilesProofTest {
         return new ProofResult(piles, 0, sums, List.of());
     }
 
-    /** Sums over batches become the columns: shares, and microseconds a step. */
+    /** Sums over batches become fractions of the piles, and microseconds a step. */
     @Test
     void figuresAreSharesOfTheFamily() {
         ProofResult judged = proof.judged(towers(100, 99));

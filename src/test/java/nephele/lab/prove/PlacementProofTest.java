@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Nearest places on walls against brute force, at a hundredth of the full count. */
+/** Nearest places on walls are no worse than those of brute force, at a hundredth of the full count. */
 class PlacementProofTest {
     @Test
     void noBetterAnswerIsFound() {
@@ -19,7 +19,7 @@ class PlacementProofTest {
         assertTrue(slid > 100 && slid < placed, slid + " slid");
     }
 
-    /** Beside the tips of holes of 5.6°, which were taken for cracks of noise. */
+    /** Shots beside the tips of holes of 5.6° are right; these tips were once mistaken for cracks of noise. */
     @Test
     void tipsOfSharpHolesCount() {
         for (long shot : new long[] {65_519, 89_653}) {

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The same code as `prove portal-ids`, for two cameras of each level: one at a portal, one along a wall. */
+/** The proof {@code portal-ids} holds for two cameras of each level: one at a portal, one along a wall. */
 class PortalIdsProofGlTest {
     static List<String> levels() {
         return SeenLevels.all();
@@ -30,7 +30,7 @@ class PortalIdsProofGlTest {
         assertEquals(List.of(), result.examples());
     }
 
-    /** What once was drawn wrong: a view five portals deep was missing; the inside of a wall was seen from a portal in it. */
+    /** Former errors do not recur: a view five portals deep was missing; a portal showed the inside of its wall. */
     @ParameterizedTest
     @CsvSource({"edge-to-edge, 26", "portal-on-soup, 0", "portal-on-soup, 17"})
     void noPixelShowsAnotherSurfaceAgain(String sample, int camera) throws Exception {
@@ -38,7 +38,10 @@ class PortalIdsProofGlTest {
         assertEquals(List.of(), proof.run(camera, 1, Proof.Progress.NONE).examples());
     }
 
-    /** A view that is missing is no edge: with every view to be drawn it is a failure, else a share of the picture. */
+    /**
+     * A missing view is not an edge: if every view was to be drawn it is a failure, else it counts as a fraction of the
+     * picture.
+     */
     @Test
     void aMissingViewIsAFailureUnlessTheBudgetLeftIt() {
         var opened = new LevelName("levels/samples/solid-box.json").open();
@@ -66,7 +69,9 @@ class PortalIdsProofGlTest {
                         .value());
     }
 
-    /** The sill of an opening: floor in front of it and floor behind it, and for single pixels the wall between. */
+    /**
+     * An opening's sill is an edge although floor is in front of it and behind it; single pixels show the wall between.
+     */
     @Test
     void anOpeningsEdgeIsOneThoughTheSameFloorGoesOnBehindIt() {
         var opened = new LevelName("levels/samples/hall-of-mirrors.json").open();

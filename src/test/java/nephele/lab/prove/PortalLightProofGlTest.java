@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The same code as `prove portal-light`, for one camera of small pictures: the bounds hold where little is approximated. */
+/** The proof {@code portal-light} holds for one camera of small pictures, in levels with little approximation. */
 class PortalLightProofGlTest {
     private static final String FOG = "levels/samples/fog.json";
     private static final String PRISM = "levels/samples/solid-prism.json";
@@ -38,8 +38,8 @@ class PortalLightProofGlTest {
     }
 
     /**
-     * Openings fill 6 % and 57 % of these pictures; both techniques, each with a renderer of its own; the full proof's
-     * bounds at a ninth of its pixels.
+     * Pictures with openings over 6 % to 57 % of their area are within the full proof's limits at a ninth of its
+     * pixels, by both techniques, each with a renderer of its own.
      */
     @ParameterizedTest
     @CsvSource({
@@ -53,10 +53,13 @@ class PortalLightProofGlTest {
         assertEquals(2, result.figure("pictures").orElseThrow().value());
     }
 
-    /** Twice the light in each file that an earlier run left: what is drawn is then too dark by half. */
+    /**
+     * Traced pictures are reused: after the light in each kept file is doubled, the drawn pictures are too dark by
+     * half.
+     */
     @Test
     void aTracedPictureIsKept() throws Exception {
-        // The fifth camera of the one level is followed by the first of the other.
+        // The fifth camera of one level is followed by the first of the other.
         var levels = List.of(FOG, PRISM);
         judged(levels, 32, 4, 2);
         for (Path file : files()) {

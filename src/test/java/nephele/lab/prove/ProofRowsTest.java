@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 
-/** docs/proofs.md speaks of the proofs there are: a row that has grown stale says so. */
+/** Every row of docs/proofs.md belongs to an existing proof and states its current claim and the count. */
 class ProofRowsTest {
     @Test
     void everyRowHasItsProofsClaimAndSaysOfHowMany() throws IOException {

@@ -21,7 +21,7 @@ class ProofRunTest {
 
     private final List<Long> ran = new ArrayList<>();
 
-    /** Refuted by every unit that is a multiple of seven; breaks down once at unit 20. */
+    /** A proof that every multiple of seven refutes and that throws once at unit 20. */
     private final class Sevens implements Proof {
         private boolean breaksDown = true;
 

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Rays against boxes, planes and seams at a hundredth of their full count. */
+/** Rays against boxes, planes and seams are right, at a hundredth of the full count. */
 class RayProofTest {
     @Test
     void noRayGoesWhereItShouldNot() {

@@ -18,7 +18,7 @@ import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
 
-/** Awake bodies that may be so, and such that may not. */
+/** Awake bodies are accepted only if they roll, spin or are moved by one that does. */
 class RestJudgeTest {
     private static final CollisionWorld WORLD = BoxPile.closedRoom(6, 6, 1);
     private static final Vec3 ROLL = new Vec3(1, 0, 0);
@@ -42,7 +42,7 @@ class RestJudgeTest {
         return this;
     }
 
-    /** 2 m by 1 m along x, its western end on the floor. */
+    /** Adds a capsule of 2 m by 1 m along x, with its western end on the floor. */
     private RestJudgeTest capsule(double risingRadians, Vec3 velocity, Vec3 spin) {
         bodies.add(new Body.Capsule("capsule", Vec3.ZERO, .5, 2, 1, null, .6, 0));
         var turn = Rotations.aroundAxis(new Vec3(0, 0, 1), risingRadians - Math.PI / 2);
@@ -50,7 +50,7 @@ class RestJudgeTest {
         return this;
     }
 
-    /** Sees these states one after the other and judges the last. */
+    /** Observes these states in turn and judges the last. */
     private boolean isAtRest(Bodies... seen) {
         RestJudge judge = new RestJudge(new BodyTable(bodies), WORLD);
         for (Bodies one : seen) {
@@ -59,7 +59,7 @@ class RestJudgeTest {
         return judge.isAtRest(seen[seen.length - 1]);
     }
 
-    /** All of them after a second, asleep. */
+    /** Returns the bodies after a second, asleep. */
     private Bodies asleep() {
         RigidStep step = new RigidStep(new BodyTable(bodies), new Vec3(0, -9.81, 0));
         Bodies now = new BodyTable(bodies).start();
@@ -91,7 +91,7 @@ class RestJudgeTest {
         ball(new Vec3(0, .506, 0), Vec3.ZERO, Vec3.ZERO).rests(false);
     }
 
-    /** It slips on the lower one, which moves it. */
+    /** The upper ball slips on the lower one, which moves it. */
     @Test
     void aBallMovesOneOnTop() {
         rollingBall().ball(new Vec3(0, 1.5, 0), ROLL, Vec3.ZERO).rests(true);
@@ -112,7 +112,7 @@ class RestJudgeTest {
         rollingBall().cube(2.003).cube(1.002).rests(true);
     }
 
-    /** What sleeps passes no motion on. */
+    /** A sleeping body transmits no motion. */
     @Test
     void aBallMovesNoCubeByASleepingOne() {
         rollingBall().cube(2.003).cube(1.002);
@@ -134,7 +134,7 @@ class RestJudgeTest {
         ball(new Vec3(0, .5, 0), Vec3.ZERO, Vec3.ZERO).cube(1.002).rests(false);
     }
 
-    /** The cube needs half a second to fall asleep. */
+    /** The cube falls asleep half a second after the ball has gone. */
     @Test
     void aBallHasMovedACubeAndGoneOn() {
         rollingBall().cube(1.002);
@@ -160,7 +160,7 @@ class RestJudgeTest {
         capsule(0, Vec3.ZERO, new Vec3(3, 0, 0)).rests(false);
     }
 
-    /** Its lower end rolls, however the other goes up and down. */
+    /** Its lower end rolls, regardless of the other end's motion. */
     @Test
     void aCapsuleRocksOnItsEnd() {
         Vec3 spin = new Vec3(0, 0, 2);

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** A surface cut up otherwise gives the same place, at a hundredth of the full count. */
+/** A surface cut into other triangles gives the same place, at a hundredth of the full count. */
 class RetriangulationProofTest {
     @Test
     void thePortalComesToTheSamePlace() {
@@ -19,7 +19,7 @@ class RetriangulationProofTest {
                 compared > 150 && placed > 50 && placed < compared - 50, compared + " shots, " + placed + " portals");
     }
 
-    /** The longest piece of its upper edge leans enough to have been taken for an edge of its own. */
+    /** The longest piece of the upper edge is inclined enough to have been mistaken for an edge of its own. */
     @Test
     void aLeaningLongestPieceMakesNoStep() {
         ProofResult result = new RetriangulationProof().run(6552, 1, Proof.Progress.NONE);

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Headings and rotations are as asked, at a tenth of the full count. */
+/** View angles and rotations are right, at a tenth of the full count. */
 class RotationProofTest {
     @Test
     void turnsAreAsAsked() {

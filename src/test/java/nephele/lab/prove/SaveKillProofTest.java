@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The proof at a small part of its full count. */
+/** The proof holds at a small part of its full count. */
 class SaveKillProofTest {
     @Test
     void fiveKillsLeaveReadableLevels() throws Exception {
@@ -17,7 +17,7 @@ class SaveKillProofTest {
         assertEquals(0, result.failures());
     }
 
-    /** Only what was killed after a save had begun and before it ended counts. */
+    /** Only a kill after a save has begun and before it has ended counts. */
     @Test
     void aKillBetweenTwoSavesIsNoneWithinOne() {
         assertTrue(SaveKillProof.isWithinASave("()()("));

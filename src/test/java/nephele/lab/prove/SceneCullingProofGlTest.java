@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The same code as `prove scene-culling`, for 250 of its 10⁴ models. */
+/** The proof {@code scene-culling} holds for 250 of its 10⁴ models. */
 class SceneCullingProofGlTest {
     @Test
     void picturesWithCullingAreThoseWithout() {

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Shapes and solids meet as brute force says, at a hundredth of the full count. */
+/** The separation of shapes and solids equals that of brute force, at a hundredth of the full count. */
 class SeparationProofTest {
     @Test
     void shapesMeetAsBruteForceSays() {

@@ -11,9 +11,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The same code as `prove shadow-edges`, for a few pictures under sun, lamp and spot. */
+/** The proof {@code shadow-edges} holds for a few pictures under sun, point light and spot light. */
 class ShadowEdgesProofGlTest {
-    /** Sun and lamps; the later ones graze a wall, or come from so far that a texel is as wide as a wall is thick. */
+    /**
+     * Rooms with sun and lights; in the later ones the light grazes a wall, or is so far away that a texel is as wide
+     * as a wall is thick.
+     */
     private static final int[] ROOMS = {0, 1, 2, 6, 8, 10, 13, 18, 23, 104, 321, 361};
 
     @ParameterizedTest
@@ -24,7 +27,7 @@ class ShadowEdgesProofGlTest {
         assertTrue(result.figures().get(1).value() > 0, "edges are in the picture, and pixels beside them differ");
     }
 
-    /** Seen from within, a closed room is dark; with 20 cm between ceiling and walls the same eye sees light. */
+    /** A closed room is dark inside; with a gap of 20 cm between ceiling and walls the same eye sees light. */
     @Test
     void onlyAGapLetsLightIn() {
         try (var gl = GlContext.offscreen();

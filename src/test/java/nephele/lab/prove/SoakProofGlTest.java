@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 
-/** The same code as `prove soak`, for one second on a small picture; the pause is left to the full run. */
+/**
+ * Allocations are within their limits in one second of {@code prove soak} on a small picture; only the full run judges
+ * pauses.
+ */
 class SoakProofGlTest {
     @Test
     void framesAndTicksStayWithinTheirBytes() {

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** A tenth of the traversals. */
+/** The proof holds at a tenth of the traversals. */
 final class TraversalsProofTest {
     @Test
     void traversalsAddNothing() {

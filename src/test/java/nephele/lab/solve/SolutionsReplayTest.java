@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The levels after the first are solved by their recordings, and not by the same walk without a shot. */
+/** The levels after the first are solved by their recordings, and not by the same input without shots. */
 class SolutionsReplayTest {
     private static final Path LEVELS = Path.of("levels");
     private static final Path REPLAYS = LEVELS.resolve("replays");
@@ -46,7 +46,7 @@ class SolutionsReplayTest {
         return replay.play(new Simulation(level, replay.settings()), state -> {});
     }
 
-    /** The inputs of a replay without some actions. */
+    /** Returns the inputs of a replay without some actions. */
     private static Replay without(Set<Action> actions, Replay replay) {
         List<Replay.Run> rest = replay.inputs().stream()
                 .map(run -> new Replay.Run(
@@ -81,14 +81,14 @@ class SolutionsReplayTest {
                 state -> assertFalse(solution.isSolvedBy(state.player()), "tick " + state.tick()));
     }
 
-    /** The file is what the code plays; {@code gradle solutions} writes it anew. */
+    /** The file equals what the code plays; {@code gradle solutions} writes it again. */
     @ParameterizedTest
     @MethodSource("solutions")
     void recordingIsWhatTheCodePlays(Solution solution) throws IOException {
         assertEquals(solution.playIn(level(solution)).write(), Files.readString(REPLAYS.resolve(solution.levelFile())));
     }
 
-    /** A golden hash changes only when the level, its solution or the rules of motion are meant to change. */
+    /** A golden hash may change only when the level, its solution or the rules of motion change intentionally. */
     @ParameterizedTest
     @CsvSource({"0, c71550e7371c02ca", "1, e75dac9eb2760562", "2, 1fa845d4124eb4bc"})
     void recordingEndsInItsGoldenState(int index, String hash) throws IOException {
@@ -97,7 +97,7 @@ class SolutionsReplayTest {
                 hash, Long.toHexString(play(recorded(solution), level(solution)).hash()));
     }
 
-    /** What level 04 asks for is the crate in the garden, before the terrace, and not only a way in. */
+    /** Level 04 needs the crate in the garden, in front of the terrace, and not only a way in. */
     @Test
     void withoutTheCrateTheTerraceIsTooHigh() throws IOException {
         Solution solution = Solutions.ALL.get(2);

@@ -19,7 +19,7 @@ import nephele.lab.oracle.LevelState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The oracle's pictures are kept: under which names, and what makes others of them. */
+/** The oracle's pictures are kept under keys that change with everything that the pictures depend on. */
 class TradeSiteTest {
     private static final OpenedLevel CAMERAS = new LevelName("levels/samples/cameras.json").open();
     private static final TradeSite.Extent SMALL = new TradeSite.Extent(4, 2, 1);
@@ -83,7 +83,7 @@ class TradeSiteTest {
         return new OpenedLevel(new LevelFile.Opened(opened.file(), opened.level(), changed, Optional.empty()));
     }
 
-    /** A class in a folder of a folder, of the same size: neither folder's time nor any length tells of it. */
+    /** The key changes with the content of a class in a nested folder, although times and sizes are equal. */
     @Test
     void otherCodeHasAnotherKey() throws IOException {
         Path nested = Files.createDirectories(folder.resolve("a/b")).resolve("C.class");

@@ -15,7 +15,7 @@ import javax.imageio.stream.ImageOutputStream;
 import nephele.engine.level.Level;
 import nephele.engine.level.LevelJson;
 
-/** Regenerates the pictures and meshes below {@code assets/} and the bench levels: {@code gradle textures}. */
+/** Regenerates the pictures and meshes below {@code assets/} and the benchmark levels: {@code gradle textures}. */
 public final class ArtFiles {
     private ArtFiles() {}
 
@@ -48,7 +48,7 @@ public final class ArtFiles {
         }
     }
 
-    /** By asset id. */
+    /** Returns the pictures of the benchmark levels by asset id. */
     static Map<String, BufferedImage> benchPictures() {
         Map<String, BufferedImage> pictures = new LinkedHashMap<>();
         pictures.put("textures/bench/box.png", BenchPixels.box());

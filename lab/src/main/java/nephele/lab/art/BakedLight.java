@@ -17,7 +17,7 @@ import nephele.engine.scene.light.SkyVisibility;
 import nephele.engine.scene.light.SkyVisibilityCache;
 import nephele.engine.scene.light.SkyVisibilityFile;
 
-/** Bakes the sky visibility of the levels that come with the game into {@code baked/} beside them. */
+/** Bakes the sky visibility of the levels that ship with the game into {@code baked/} beside them. */
 public final class BakedLight {
     private BakedLight() {}
 
@@ -27,7 +27,7 @@ public final class BakedLight {
         }
     }
 
-    /** Bakes what is missing, deletes what no level of the folder asks for. */
+    /** Bakes the files that are missing and deletes those that no level of the folder needs. */
     private static void bakeFolder(Path folder) throws IOException {
         Path baked = folder.resolve(SkyVisibilityCache.SHIPPED);
         Files.createDirectories(baked);
@@ -53,7 +53,7 @@ public final class BakedLight {
         System.out.println(levelFile + ": " + bytes.length + " bytes");
     }
 
-    /** The baked file that a level asks for; empty when no sky lights it. */
+    /** Returns the name of the baked file of a level; empty if no sky lights the level. */
     public static Optional<String> fileNameFor(Path levelFile) throws IOException {
         return LightNeeds.skyVisibility(read(levelFile))
                 ? Optional.of(SkyVisibilityFile.nameFor(statics(levelFile)))

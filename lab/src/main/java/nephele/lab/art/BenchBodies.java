@@ -14,7 +14,10 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
 
-/** The benchmark scenes of bodies: case H of {@code bench/README.md} without its jitter, and bodies that never rest. */
+/**
+ * The benchmark levels of bodies: a stack of boxes at rest, without the jitter of the other engines' scene, and a shaft
+ * of bodies that never come to rest.
+ */
 public final class BenchBodies {
     static final int STACKED = 500;
     static final int RESTLESS = 200;
@@ -24,7 +27,7 @@ public final class BenchBodies {
 
     private BenchBodies() {}
 
-    /** Twenty layers of five by five unit boxes, a centimetre apart in all directions, over a plane. */
+    /** Returns 20 layers of 5 × 5 unit boxes, 1 cm apart in all directions, above a plane. */
     public static Level stack(Environment environment) {
         List<Body> bodies = new ArrayList<>(STACKED);
         for (int i = 0; i < STACKED; i++) {
@@ -44,8 +47,8 @@ public final class BenchBodies {
     }
 
     /**
-     * A shaft whose floor leads to its ceiling, with two slopes in it: whatever is in it slides, falls and comes again
-     * for ever, and the slopes keep it from growing fast.
+     * Returns a shaft with a portal from the floor to the ceiling and with two slopes. Its bodies slide and fall
+     * forever, and the slopes limit their speed.
      */
     public static Level shaft(Environment environment) {
         List<Solid> solids = List.of(
@@ -83,7 +86,7 @@ public final class BenchBodies {
         return bodies;
     }
 
-    /** Two boxes, a ball and a capsule in turn; slippery, so that none stays on a slope. */
+    /** Returns two boxes, a ball and a capsule in turn, with a low friction so that none rests on a slope. */
     private static Body body(int i, Vec3 centre) {
         String id = "b" + i;
         return switch (i % 4) {

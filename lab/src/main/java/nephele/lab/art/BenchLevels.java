@@ -18,7 +18,10 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
-/** The benchmark scenes A (clear), B (skybox), C (boxes), G (portals) and H (bodies) of {@code bench/README.md} as levels. */
+/**
+ * The benchmark scenes as levels: clear, skybox, boxes, portals and bodies. The engines that Nephele is compared with
+ * draw the same scenes.
+ */
 final class BenchLevels {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -27,7 +30,7 @@ final class BenchLevels {
 
     private BenchLevels() {}
 
-    /** Every bench level by its file name under {@code levels/bench/}. */
+    /** Returns every benchmark level by its file name under {@code levels/bench/}. */
     static Map<String, Level> all() {
         Map<String, Level> levels = new LinkedHashMap<>();
         levels.put("clear.json", clear());
@@ -57,7 +60,7 @@ final class BenchLevels {
         return level("Bench: skybox", "case B: six 512² faces, once round", environment, path(BenchPath::skybox));
     }
 
-    /** The peers' light: texture · (0.3 + 0.8 max(0, n · l)). */
+    /** Returns the lighting of the compared engines: texture · (0.3 + 0.8 max(0, n · l)). */
     private static Environment sunlit() {
         double irradiance = 0.8 * Math.PI;
         Sun sun = new Sun(new Vec3(0.5, 1, 0.3), new Vec3(irradiance, irradiance, irradiance), false);
@@ -95,7 +98,7 @@ final class BenchLevels {
         return Level.of(name, description, environment, List.of(camera));
     }
 
-    /** One round. */
+    /** Returns one round of a camera path. */
     static List<Camera.Waypoint> path(IntFunction<Camera.Waypoint> track) {
         return IntStream.range(0, BenchPath.FRAMES).mapToObj(track).toList();
     }

@@ -5,14 +5,14 @@ import nephele.engine.math.Vec3;
 
 /**
  * Camera paths of the benchmark scenes, one round in {@value #FRAMES} frames. Positions and directions are rounded to
- * float where the peers round them, so that all engines see the same views.
+ * float where the compared engines round them, so that all engines draw the same views.
  */
 final class BenchPath {
     static final int FRAMES = 60;
 
     private BenchPath() {}
 
-    /** Side of the square grid that holds {@code count} things. */
+    /** Returns the side of the square grid that holds {@code count} boxes. */
     static int side(int count) {
         return (int) Math.ceil(Math.sqrt(count));
     }
@@ -21,12 +21,12 @@ final class BenchPath {
         return waypoint(Vec3.ZERO, swayRadians(frame), 0);
     }
 
-    /** Once round, looking up and down. */
+    /** Returns a camera that rotates once and looks up and down. */
     static Camera.Waypoint skybox(int frame) {
         return waypoint(Vec3.ZERO, phase(frame), (float) (0.35 * StrictMath.sin(phase(frame))));
     }
 
-    /** A quarter in from the near edge of the grid, sliding sideways. */
+    /** Returns a camera above the grid, a quarter of its extent behind the centre, that moves sideways. */
     static Camera.Waypoint boxes(int count, int frame) {
         float extent = side(count) * 2f;
         float x = (float) (0.05 * extent * StrictMath.sin(phase(frame)));

@@ -2,7 +2,7 @@ package nephele.lab.art;
 
 import java.awt.image.BufferedImage;
 
-/** The pictures of the benchmark scenes, pixel for pixel those of the peers ({@code bench/peers}, {@code Content}). */
+/** The pictures of the benchmark scenes, equal in every pixel to those of the compared engines. */
 final class BenchPixels {
     static final int BOX_SIDE = 256;
     static final int SKY_SIDE = 512;
@@ -14,7 +14,7 @@ final class BenchPixels {
 
     private BenchPixels() {}
 
-    /** A dark frame around a two-tone chequer, with a little noise. */
+    /** Paints a dark frame around a two-tone chequer, with a little noise. */
     static BufferedImage box() {
         return Pixels.picture(BOX_SIDE, BOX_SIDE, BenchPixels::boxPixel);
     }
@@ -29,7 +29,7 @@ final class BenchPixels {
         return rgb(red + grain, green + grain, blue + grain);
     }
 
-    /** Face {@code face} of the skybox in the order +x, −x, +y, −y, +z, −z: tinted noise under a grid. */
+    /** Paints face {@code face} of the skybox in the order +x, −x, +y, −y, +z, −z: tinted noise under a grid. */
     static BufferedImage sky(int face) {
         int[] base = SKY_BASE[face];
         return Pixels.picture(SKY_SIDE, SKY_SIDE, (x, y) -> {

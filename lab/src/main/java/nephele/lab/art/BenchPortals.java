@@ -13,13 +13,16 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
 
-/** The benchmark scenes of portals: case G of {@code bench/README.md} as far as one pair can show it, and a hall full. */
+/** The benchmark scenes of portals: a single pair that repeats the boxes, and a hall of 64 portals. */
 final class BenchPortals {
-    /** Portals of the hall. */
+    /** The number of portals in the hall. */
     static final int MANY = 64;
 
     private static final Vec3 UP = new Vec3(0, 1, 0);
-    /** The peers' quad: as wide to its height as their picture, 12 m ahead of the camera and 0.3 m above its eye. */
+    /**
+     * The quad of the compared engines has the aspect of their picture; it is 12 m ahead of the camera and 0.3 m above
+     * its eye.
+     */
     private static final double WIDTH_METRES = 8;
 
     private static final double HEIGHT_METRES = 4.5;
@@ -36,8 +39,8 @@ final class BenchPortals {
     private BenchPortals() {}
 
     /**
-     * A level of boxes with two rectangles that face each other over the camera's head: each view through one is the
-     * boxes and the rectangle again. As many views are drawn as the view budget allows.
+     * Adds to a level of boxes two rectangles that face each other above the camera. Each view through one shows the
+     * boxes and the rectangle again, so that the view budget limits the number of views.
      */
     static Level facing(Level boxes) {
         Camera main = boxes.cameras().get(0);
@@ -64,7 +67,7 @@ final class BenchPortals {
         return new PortalSpec(id, to, centre, normal, UP, WIDTH_METRES, HEIGHT_METRES, PortalShape.RECTANGLE);
     }
 
-    /** A hall with four rows of arches on three walls: all of them are in sight, and most see many others. */
+    /** Returns a hall with four rows of arches on three walls. All arches are visible, and most show many others. */
     static Level hall(Environment environment) {
         Material box = new Material("box", new Vec3(1, 1, 1), "textures/bench/box.png", null, null, null, Vec3.ZERO, 1);
         return Level.of(
@@ -86,7 +89,7 @@ final class BenchPortals {
                 .withPortals(hallPortals());
     }
 
-    /** Swings a little from side to side; no arch leaves the picture. */
+    /** Returns a camera that moves a little from side to side, with every arch in the picture. */
     private static Camera.Waypoint hallPoint(int frame) {
         double phase = 2 * StrictMath.PI * frame / BenchPath.FRAMES;
         Vec3 eye = new Vec3(0.8 * StrictMath.sin(phase), ROWS * ROW_METRES / 2, 14);
@@ -113,7 +116,10 @@ final class BenchPortals {
         return new Solid.Box(id, "box", false, mapping, centre, size, Map.of());
     }
 
-    /** Left leads to right one row higher, and the left half of the back wall to its right half. */
+    /**
+     * Links each arch of the left wall to the right wall one row higher, and the left half of the back wall to its
+     * right half.
+     */
     private static List<PortalSpec> hallPortals() {
         List<PortalSpec> portals = new ArrayList<>(MANY);
         double wall = HALL_METRES / 2;

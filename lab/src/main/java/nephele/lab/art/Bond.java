@@ -1,10 +1,10 @@
 package nephele.lab.art;
 
 /**
- * Rectangular pieces in rows over a tile: bricks, slabs, planks, panels.
+ * A pattern of rectangular pieces in rows over a tile: bricks, slabs, planks, panels.
  *
- * @param tileMetres side of the square tile; whole pieces fit in it
- * @param shift share of a piece by which each following row is moved
+ * @param tileMetres side of the square tile; an integer number of pieces fits in it
+ * @param shift offset of each row from the row below, as a fraction of a piece's width
  */
 record Bond(double tileMetres, int columns, int rows, double shift) {
     /**
@@ -15,7 +15,7 @@ record Bond(double tileMetres, int columns, int rows, double shift) {
      * @param edge distance to the nearest side in metres
      */
     record Piece(int column, int row, double x, double y, double edge) {
-        /** A number 0–1 that belongs to this piece. */
+        /** Returns a random number 0–1 that is constant over the piece. */
         double random(int seed) {
             return TileNoise.random(column, row, seed);
         }

@@ -2,13 +2,13 @@ package nephele.lab.art;
 
 import nephele.lab.art.Surface.Texel;
 
-/** Fired and glazed: brick, terracotta tile, mosaic and the water over it. */
+/** Painters of ceramics: brick, terracotta tile, mosaic, and the mosaic under water. */
 final class CeramicPainters {
     private static final int TESSERAE = 32;
 
     private CeramicPainters() {}
 
-    /** Thin sand-coloured bricks in running bond with flush pale mortar. */
+    /** Paints thin sand-coloured bricks in running bond with flush pale mortar. */
     static void brick(Surface surface) {
         Bond bricks = new Bond(surface.metres(), 8, 24, 0.5);
         TileNoise noise = new TileNoise(71);
@@ -29,7 +29,7 @@ final class CeramicPainters {
         });
     }
 
-    /** Hand-made square tiles, a quarter of a metre wide. */
+    /** Paints hand-made square tiles, 0.25 m wide. */
     static void terracotta(Surface surface) {
         Bond tiles = new Bond(surface.metres(), 8, 8, 0);
         TileNoise noise = new TileNoise(83);
@@ -50,7 +50,7 @@ final class CeramicPainters {
         });
     }
 
-    /** Glazed tesserae in sea colours. */
+    /** Paints glazed tesserae in sea colours. */
     static void mosaic(Surface surface) {
         surface.each((x, y, texel) -> tessera(surface.metres(), x, y, texel));
     }
@@ -73,7 +73,7 @@ final class CeramicPainters {
         texel.roughness = 1 - 0.75 * body;
     }
 
-    /** The mosaic through a hand's breadth of rippled water, with the bright net that the ripples throw on it. */
+    /** Paints the mosaic under about 0.1 m of rippled water, with the caustics of the ripples. */
     static void water(Surface surface) {
         TileNoise noise = new TileNoise(97);
         surface.each((x, y, texel) -> {

@@ -3,7 +3,7 @@ package nephele.lab.art;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Worlds of which one sees only the air: bands, sheared by winds, and storms. */
+/** Painters of planets that show only their atmosphere: bands, sheared by winds, and storms. */
 final class CloudyGlobes {
     private CloudyGlobes() {}
 
@@ -69,19 +69,19 @@ final class CloudyGlobes {
         };
     }
 
-    /** Stretched along the parallels. */
+    /** Scales the latitude coordinate, so that noise is stretched along the parallels. */
     private static Vector3d sheared(Vector3dc p, double times) {
         return new Vector3d(p.x(), times * p.y(), p.z());
     }
 
-    /** How far the winds have carried a band's edge, as a share of pole to pole. */
+    /** Returns the displacement of a band's edge by winds, as a fraction of the height from pole to pole. */
     private static double shear(SphereNoise noise, Vector3dc p, double most) {
         Vector3d curled = noise.warped(sheared(p, 2.5), 3, 4, 0.22);
         double meander = noise.cloud(new Vector3d(2.6 * p.x(), 9 * p.y(), 2.6 * p.z()), 1, 2);
         return most * (0.45 * meander + 0.55 * noise.cloud(curled, 3.4, 5)) * (1 - p.y() * p.y());
     }
 
-    /** An oval storm: 1 in its middle, 0 on its edge and outside. */
+    /** Returns the weight of an oval storm: 1 in its middle, 0 on its edge and outside. */
     private static double storm(Vector3dc p, Vector3d centre, double halfWidth, double halfHeight) {
         if (p.dot(centre) < 0.5) {
             return 0;

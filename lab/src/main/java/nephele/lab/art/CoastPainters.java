@@ -3,14 +3,14 @@ package nephele.lab.art;
 import java.awt.image.BufferedImage;
 import nephele.lab.art.Surface.Texel;
 
-/** A lighthouse, the rock it stands on and the sea around. */
+/** Painters of a lighthouse, its rock and the sea around it. */
 final class CoastPainters {
     private static final int TOWER_SIDE = 256;
     private static final Colour WHITE = Colour.of(0xF1EDE4);
 
     private CoastPainters() {}
 
-    /** Whitewashed brick with rain marks; what tints it paints the bands of a tower. */
+    /** Paints whitewashed brick with rain marks; a material's tint colours the bands of a tower. */
     static BufferedImage whitewash() {
         TileNoise noise = new TileNoise(961);
         return Pixels.picture(TOWER_SIDE, TOWER_SIDE, (column, row) -> brick(
@@ -27,7 +27,7 @@ final class CoastPainters {
         return WHITE.times(1 + 0.05 * noise.cloud(u, v, 6, 5) - 0.12 * rain - 0.14 * joint);
     }
 
-    /** Dark stone in folded layers, with cracks. */
+    /** Paints dark stone in folded layers, with cracks. */
     static void rock(Surface surface) {
         TileNoise noise = new TileNoise(967);
         surface.each((x, y, texel) -> {
@@ -50,7 +50,7 @@ final class CoastPainters {
         texel.blend(Colour.of(0x9A9450), 0.5 * Shapes.ramp(0.3, 0.5, patch));
     }
 
-    /** Open water seen from above: swell, ripples and a little foam. */
+    /** Paints open water seen from above: swell, ripples and a little foam. */
     static void sea(Surface surface) {
         TileNoise noise = new TileNoise(971);
         surface.each((x, y, texel) -> {

@@ -1,8 +1,8 @@
 package nephele.lab.art;
 
-/** A display colour, sRGB components 0–1: what a painter picks by eye. */
+/** A display colour, sRGB components 0–1. */
 record Colour(double red, double green, double blue) {
-    /** From {@code 0xRRGGBB}. */
+    /** Returns the colour {@code 0xRRGGBB}. */
     static Colour of(int hex) {
         return new Colour((hex >> 16 & 255) / 255.0, (hex >> 8 & 255) / 255.0, (hex & 255) / 255.0);
     }

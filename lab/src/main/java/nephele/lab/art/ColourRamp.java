@@ -1,6 +1,6 @@
 package nephele.lab.art;
 
-/** Colours along a line, blended between neighbours. */
+/** A piecewise linear colour gradient. */
 final class ColourRamp {
     private final double[] places;
     private final Colour[] colours;
@@ -21,7 +21,7 @@ final class ColourRamp {
         return new ColourRamp(places, colours);
     }
 
-    /** Below 0 and above 1 the ends go on. */
+    /** Returns the colour at a place, clamped to 0–1. */
     Colour at(double place) {
         for (int i = 1; i < places.length; i++) {
             if (place < places[i]) {

@@ -4,13 +4,13 @@ import nephele.engine.math.SeededNoise;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Bowls strewn over a globe, few large and many small, the youngest with bright rays. */
+/** Craters on a globe, few large and many small, the youngest with bright rays. */
 final class Craters {
     private static final double YOUNG_SHARE = 0.06;
 
     private final Vector3d[] centres;
     private final double[] radii;
-    /** Of the relief, 1 where nothing has worn it. */
+    /** The depth of each crater relative to a fresh one, 0.3–1. */
     private final double[] depths;
 
     private final boolean[] young;
@@ -33,7 +33,7 @@ final class Craters {
         }
     }
 
-    /** How much brighter the ground is: negative in the bowls, positive on rims and rays; about −1…1. */
+    /** Returns the change of the ground's brightness: negative in the bowls, positive on rims and rays; −1…1. */
     double relief(Vector3dc p) {
         double sum = 0;
         double ragged = 1 + 0.12 * rough.cloud(p, 14, 2);

@@ -3,7 +3,9 @@ package nephele.lab.art;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** A world like ours, with continents of its own: seas, plains, deserts, forests, mountains, ice and weather. */
+/**
+ * Painter of an Earth-like planet with invented continents: seas, plains, deserts, forests, mountains, ice and clouds.
+ */
 final class EarthPainter implements Globe.Brush {
     private static final double SEA_LEVEL = 0.04;
     private static final ColourRamp SEA = ColourRamp.of(0x0A1F4A, 0x0F316B, 0x15478A, 0x2C77A8, 0x4FA3B8);
@@ -28,7 +30,7 @@ final class EarthPainter implements Globe.Brush {
         return ground.mix(SNOW, ice).mix(SNOW, 0.92 * clouds(p));
     }
 
-    /** Above the sea, in no unit. */
+    /** Returns the height above the sea, without a unit. */
     private double height(Vector3dc p) {
         Vector3d moved = land.warped(p, 1.8, 5, 0.3);
         return land.cloud(moved, 1.1, 7) - SEA_LEVEL;

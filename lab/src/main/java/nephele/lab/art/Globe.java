@@ -4,16 +4,16 @@ import java.awt.image.BufferedImage;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Pictures that a sphere wears: longitude to the right, latitude upwards. */
+/** Paints equirectangular pictures for spheres: longitude to the right, latitude upwards. */
 final class Globe {
     private Globe() {}
 
-    /** The colour in a direction from the centre; y is north. */
+    /** Returns the colour in a direction from the centre; y is north. */
     interface Brush {
         Colour at(Vector3dc direction);
     }
 
-    /** Twice as wide as high. */
+    /** Paints a picture that is twice as wide as high. */
     static BufferedImage paint(int height, Brush brush) {
         int width = 2 * height;
         Vector3d direction = new Vector3d();
@@ -24,7 +24,7 @@ final class Globe {
         });
     }
 
-    /** From longitude and latitude in degrees. */
+    /** Returns the unit vector of a longitude and a latitude. */
     static Vector3d direction(double longitudeDegrees, double latitudeDegrees) {
         double longitude = StrictMath.toRadians(longitudeDegrees);
         return towards(longitude, StrictMath.toRadians(latitudeDegrees), new Vector3d());

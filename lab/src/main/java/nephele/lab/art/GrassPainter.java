@@ -2,7 +2,7 @@ package nephele.lab.art;
 
 import nephele.lab.art.Surface.Texel;
 
-/** A short lawn: thousands of blades laid over each other, later ones higher. */
+/** Painter of a short lawn: thousands of overlapping blades, later ones on top. */
 final class GrassPainter {
     private static final int BLADES = 26000;
 

@@ -2,7 +2,7 @@ package nephele.lab.art;
 
 import java.awt.image.BufferedImage;
 
-/** The plating of a small ship: pale panels of several sizes, seams, hatches, a signal stripe and the wear of flight. */
+/** Painter of a small ship's hull: pale panels of several sizes, seams, hatches, a signal stripe and wear. */
 final class HullPainter {
     private static final int SIDE = 512;
     private static final Colour PLATE = Colour.of(0xD9DCE0);

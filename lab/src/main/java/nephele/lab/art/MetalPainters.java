@@ -2,11 +2,11 @@ package nephele.lab.art;
 
 import nephele.lab.art.Surface.Texel;
 
-/** Dark coated steel and the stripes that warn of an edge. */
+/** Painters of dark coated steel and of warning stripes. */
 final class MetalPainters {
     private MetalPainters() {}
 
-    /** Plates of 1 × 0.5 m with rows of rivets and edges rubbed bright. */
+    /** Paints plates of 1 × 0.5 m with rows of rivets and with edges rubbed bright. */
     static void plates(Surface surface) {
         Bond plates = new Bond(surface.metres(), 2, 4, 0.5);
         TileNoise noise = new TileNoise(181);
@@ -44,13 +44,13 @@ final class MetalPainters {
         texel.height += 0.003 * head;
     }
 
-    /** Seamless coated steel for frames, rails and trims. */
+    /** Paints seamless coated steel for frames, rails and trims. */
     static void frame(Surface surface) {
         TileNoise noise = new TileNoise(191);
         surface.each((x, y, texel) -> coat(noise, x / surface.metres(), y / surface.metres(), texel));
     }
 
-    /** Signal and charcoal stripes at 45°, each 125 mm along the edge, worn by boots. */
+    /** Paints signal and charcoal stripes at 45°, each 125 mm along the edge, with scuffs. */
     static void hazard(Surface surface) {
         TileNoise noise = new TileNoise(199);
         surface.each((x, y, texel) -> {

@@ -3,8 +3,9 @@ package nephele.lab.art;
 import java.awt.image.BufferedImage;
 
 /**
- * What shows how texture coordinates run: 8 × 8 cells, numbered 1–64 from the lower left corner to the right and upwards,
- * each with an arrow that points up. The picture's left edge is red, its right one green, the bottom yellow, the top blue.
+ * A test picture that shows the orientation of texture coordinates: 8 × 8 cells, numbered 1–64 from the lower left
+ * corner to the right and upwards, each with an arrow that points up. The left edge is red, the right green, the bottom
+ * yellow, the top blue.
  */
 final class NumberedGrid {
     static final String FILE = "textures/test/numbered-grid.png";
@@ -41,7 +42,7 @@ final class NumberedGrid {
         return inked ? INK : ground(column, row);
     }
 
-    /** Warmer to the right, brighter upwards; neighbours differ. */
+    /** Returns a cell's background: warmer to the right, brighter upwards, with a chequer that separates neighbours. */
     private static Colour ground(int column, int row) {
         Colour cold = Colour.of(0x9CC3E6);
         Colour warm = Colour.of(0xF2B48A);

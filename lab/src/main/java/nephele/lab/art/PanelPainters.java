@@ -2,11 +2,14 @@ package nephele.lab.art;
 
 import nephele.lab.art.Surface.Texel;
 
-/** The laboratory's panels: portalable white, ceiling, lamp and dark glass. */
+/** Painters of the laboratory's panels: portalable white, ceiling, lamp and dark glass. */
 final class PanelPainters {
     private PanelPainters() {}
 
-    /** White plates of 1 m with soft edges, an inlaid line and four flush screws: what a portal sticks to. */
+    /**
+     * Paints white plates of 1 m with soft edges, an inlaid line and four flush screws, the material that admits
+     * portals.
+     */
     static void white(Surface surface) {
         Bond plates = new Bond(surface.metres(), 2, 2, 0);
         TileNoise noise = new TileNoise(151);
@@ -50,7 +53,7 @@ final class PanelPainters {
         texel.roughness = Math.max(texel.roughness, gap);
     }
 
-    /** Ceiling coffers of 1 m, perforated for sound inside a plain margin. */
+    /** Paints ceiling coffers of 1 m with acoustic perforation inside a plain margin. */
     static void ceiling(Surface surface) {
         Bond coffers = new Bond(surface.metres(), 2, 2, 0);
         Bond holes = new Bond(surface.metres(), 40, 40, 0);
@@ -67,7 +70,7 @@ final class PanelPainters {
         });
     }
 
-    /** A lamp's diffuser, 1 m wide, behind a thin grid; it shines through the material's emission. */
+    /** Paints a lamp's diffuser, 1 m wide, behind a thin grid. The material's emission makes it shine. */
     static void lamp(Surface surface) {
         Bond cells = new Bond(surface.metres(), 4, 4, 0);
         surface.each((x, y, texel) -> {
@@ -79,7 +82,7 @@ final class PanelPainters {
         });
     }
 
-    /** Tinted glass, opaque until blended surfaces arrive: dark, with the memory of rain. */
+    /** Paints dark tinted glass with traces of rain. It is opaque. */
     static void glass(Surface surface) {
         TileNoise noise = new TileNoise(171);
         surface.each((x, y, texel) -> {

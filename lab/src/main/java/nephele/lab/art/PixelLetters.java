@@ -1,6 +1,6 @@
 package nephele.lab.art;
 
-/** Digits in five by seven dots: the same on every machine, which fonts are not. */
+/** Digits of 5 × 7 dots. Unlike fonts they are the same on every machine. */
 final class PixelLetters {
     static final int WIDTH = 5;
     static final int HEIGHT = 7;
@@ -20,7 +20,7 @@ final class PixelLetters {
 
     private PixelLetters() {}
 
-    /** Whether the digit has a dot there; x and y count from its upper left corner, and outside there are none. */
+    /** Returns true if the digit has a dot at x and y, which count from its upper left corner; false outside. */
     static boolean hasDot(int digit, int x, int y) {
         boolean inside = x >= 0 && x < WIDTH && y >= 0 && y < HEIGHT;
         return inside && DIGITS[digit].charAt(y * (WIDTH + 1) + x) == '1';

@@ -2,10 +2,10 @@ package nephele.lab.art;
 
 import java.awt.image.BufferedImage;
 
-/** What each pixel of a picture is. */
+/** A function from the position of a pixel to its colour. */
 @FunctionalInterface
 interface Pixels {
-    /** {@code 0xRRGGBB}; rows count from the top. */
+    /** Returns {@code 0xRRGGBB}; rows count from the top. */
     int rgb(int column, int row);
 
     static BufferedImage picture(int width, int height, Pixels pixels) {

@@ -3,8 +3,8 @@ package nephele.lab.art;
 import java.awt.image.BufferedImage;
 
 /**
- * Saturn's rings for a flattened torus: once around to the right, once around the tube upwards, so that the rows are
- * distances from the planet, out and in again.
+ * Painter of Saturn's rings for a flattened torus. The picture goes once around the planet to the right and once around
+ * the tube upwards, so that the rows run outwards from the planet and back.
  */
 final class RingPainter {
     private static final int SIDE = 256;

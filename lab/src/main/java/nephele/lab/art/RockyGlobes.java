@@ -2,7 +2,7 @@ package nephele.lab.art;
 
 import org.joml.Vector3dc;
 
-/** Worlds without much air: their ground is what one sees. */
+/** Painters of planets and moons with a visible ground. */
 final class RockyGlobes {
     private RockyGlobes() {}
 
@@ -42,7 +42,7 @@ final class RockyGlobes {
         };
     }
 
-    /** A long scar a little south of the equator. */
+    /** Returns the weight of a long canyon a little south of the equator. */
     private static double canyon(Vector3dc p, SphereNoise noise) {
         double across = p.y() + 0.13 + 0.05 * noise.cloud(p, 4, 4) + 0.03 * p.x();
         double along = Shapes.ramp(0.25, 0.6, p.z()) * (1 - Shapes.ramp(0.55, 0.75, Math.abs(p.x())));
@@ -50,7 +50,7 @@ final class RockyGlobes {
         return along * Shapes.line(across, branch, 0.02);
     }
 
-    /** Cracked ice over an ocean. */
+    /** Paints cracked ice over an ocean. */
     static Globe.Brush europa() {
         ColourRamp ice = ColourRamp.of(0xA78F77, 0xD0C3B2, 0xE9E4DA, 0xF7F5F0);
         SphereNoise noise = new SphereNoise(751);
@@ -63,7 +63,7 @@ final class RockyGlobes {
         };
     }
 
-    /** Sulphur with the dark halls of volcanoes. */
+    /** Paints sulphur with dark volcanic vents. */
     static Globe.Brush io() {
         ColourRamp sulphur = ColourRamp.of(0x8F6A2A, 0xC9A03C, 0xE6C95C, 0xF2E59A, 0xF6F0D0);
         Craters vents = new Craters(761, 46, 0.16);

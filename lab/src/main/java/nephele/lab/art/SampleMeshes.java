@@ -17,7 +17,7 @@ final class SampleMeshes {
 
     private static final int VASE_SLICES = 32;
 
-    /** Height and radius of a vase, from the middle of its foot to the inside of its neck. */
+    /** Height and radius of the vase in metres, from the middle of its foot to the inside of its neck. */
     private static final double[][] VASE = {
         {0, 0},
         {0, 0.16},
@@ -39,7 +39,7 @@ final class SampleMeshes {
 
     private SampleMeshes() {}
 
-    /** By asset id. */
+    /** Returns the files by asset id. */
     static Map<String, byte[]> all() {
         Map<String, byte[]> files = new LinkedHashMap<>();
         files.put("models/vase.obj", vase().getBytes(StandardCharsets.UTF_8));
@@ -47,7 +47,7 @@ final class SampleMeshes {
         return files;
     }
 
-    /** Without normals: the reader makes smooth ones. */
+    /** Returns an OBJ file without normals; the reader generates smooth ones. */
     private static String vase() {
         StringBuilder obj = new StringBuilder("# A vase, turned from its profile; 0.9 m high.\n");
         int rows = VASE.length;
@@ -93,7 +93,7 @@ final class SampleMeshes {
         obj.append(' ').append(position).append('/').append(texture);
     }
 
-    /** A trefoil around the y axis. */
+    /** Returns a point of a trefoil knot around the y axis. */
     private static Vector3d trefoil(double turn) {
         double radius = 0.42 + 0.2 * StrictMath.cos(3 * turn);
         return new Vector3d(
@@ -135,7 +135,7 @@ final class SampleMeshes {
         return 2 * Math.PI * (vertex / (KNOT_SIDES + 1) % KNOT_STEPS) / KNOT_STEPS;
     }
 
-    /** Out of the tube, in the plane across it. */
+    /** Returns the outward normal of the tube, in the plane of its cross section. */
     private static Vector3d knotNormal(int vertex) {
         double turn = turn(vertex);
         Vector3d along = trefoil(turn + 1e-4).sub(trefoil(turn - 1e-4)).normalize();

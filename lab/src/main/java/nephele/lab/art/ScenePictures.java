@@ -4,7 +4,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** Every picture of the XML sample scenes, and the one that tests texture coordinates. */
+/** The recipes of the XML sample scenes' pictures and of the texture-coordinate test picture. */
 final class ScenePictures {
     private static final double TILE_METRES = 2;
 

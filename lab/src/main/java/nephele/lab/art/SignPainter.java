@@ -2,7 +2,10 @@ package nephele.lab.art;
 
 import java.awt.image.BufferedImage;
 
-/** The plate beside the first door: number 01 over a row of clouds, in the signal colour. Shown once over a face. */
+/**
+ * Painter of the plate beside the first door: number 01 over a row of clouds, in the signal colour. It is shown once
+ * over a face.
+ */
 final class SignPainter {
     static final String FILE = "textures/sign-01.png";
     private static final int SIDE = 512;
@@ -15,7 +18,7 @@ final class SignPainter {
                 .rgb());
     }
 
-    /** x and y run 0–1 from the lower left corner. */
+    /** Returns the colour at x and y, which run 0–1 from the lower left corner. */
     private static Colour colour(double x, double y) {
         double border = Shapes.line(Shapes.roundedBox(x - 0.5, y - 0.5, 0.46, 0.46, 0.05), 0.006, 2 * PIXEL);
         double digits = inside(Math.min(zero(x - 0.31, y - 0.6), one(x - 0.69, y - 0.6)));
@@ -45,7 +48,7 @@ final class SignPainter {
         return Math.min(stem, Math.max(flag, y - 0.255));
     }
 
-    /** Three discs on a flat base. */
+    /** Returns the signed distance to three discs on a flat base. */
     private static double cloud(double x, double y) {
         double left = Math.sqrt((x + 0.05) * (x + 0.05) + y * y) - 0.04;
         double middle = Math.sqrt(x * x + (y - 0.025) * (y - 0.025)) - 0.055;

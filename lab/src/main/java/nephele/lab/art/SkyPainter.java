@@ -5,10 +5,15 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** A mild forenoon over a bay: haze at the horizon, fair-weather clouds, hills on three sides and the sea. */
+/**
+ * Painter of a sky on a mild forenoon over a bay: haze at the horizon, fair-weather clouds, hills on three sides and
+ * the sea.
+ */
 final class SkyPainter {
     static final int SIDE = 512;
-    /** Where the sun stands in this sky; a level that uses it gives its sun the same direction. */
+    /**
+     * The direction to the sun in this sky, not of unit length; a level with this sky gives its sun the same direction.
+     */
     static final Vec3 SUN_DIRECTION = new Vec3(0.62, 0.66, 0.42);
 
     static final String CROSS_FILE = "textures/sky-bay-cross.png";
@@ -22,7 +27,7 @@ final class SkyPainter {
     private static final Colour BRIGHT = Colour.of(0xFFFFFF);
     private static final Colour CLOUD_SHADE = Colour.of(0xB4C2D3);
     private static final Colour SEA_NEAR = Colour.of(0x2C5F7C);
-    /** Dry sunlit land below the eye, away from the bay: it lights from below as a bright floor would. */
+    /** Dry sunlit land below the eye, away from the bay, which lights the scene from below like a bright floor. */
     private static final Colour SAND = Colour.of(0xD8C7A6);
 
     private static final Colour SEA_FAR = Colour.of(0x9FBCCB);
@@ -39,7 +44,7 @@ final class SkyPainter {
         return Pixels.picture(SIDE, SIDE, (column, row) -> rgb(face, column, row, SIDE));
     }
 
-    /** The whole sky unfolded: four columns and three rows, −x −z +x +z in the middle row. */
+    /** Paints the whole sky as a cross of four columns and three rows; the middle row is −x −z +x +z. */
     BufferedImage cross() {
         int side = SIDE / 2;
         int[][] faces = {{-1, 2, -1, -1}, {1, 5, 0, 4}, {-1, 3, -1, -1}};
@@ -55,7 +60,10 @@ final class SkyPainter {
         return colour(direction(face, right, up).normalize()).rgb();
     }
 
-    /** Each face as an eye in the middle sees it; +y has its bottom edge and −y its top edge at −z. */
+    /**
+     * Returns the direction of a face's point as seen from the middle; +y has its bottom edge and −y its top edge at
+     * −z.
+     */
     private static Vector3d direction(int face, double right, double up) {
         return switch (face) {
             case 0 -> new Vector3d(1, up, right);
@@ -90,7 +98,7 @@ final class SkyPainter {
         return air.mix(SUNLIT, Math.min(1, 0.75 * glow));
     }
 
-    /** {@code base} squared {@code doublings} times. */
+    /** Returns {@code base} squared {@code doublings} times. */
     private static double power(double base, int doublings) {
         double result = base;
         for (int i = 0; i < doublings; i++) {
@@ -99,7 +107,7 @@ final class SkyPainter {
         return result;
     }
 
-    /** Fair-weather clouds on a flat layer, thinner towards the sun's side of each heap. */
+    /** Paints fair-weather clouds on a flat layer, brighter on the side towards the sun. */
     private Colour clouds(Vector3d direction, Colour air) {
         double reach = 1 / (direction.y + 0.09);
         double x = direction.x * reach / 48 + 0.5;
@@ -134,7 +142,7 @@ final class SkyPainter {
         return water.mix(SAND, Math.max(land, Shapes.ramp(0.45, 0.8, down)));
     }
 
-    /** Sine of the altitude of a ridge; negative where there is only sea. */
+    /** Returns the sine of the altitude of a ridge; negative where there is only sea. */
     private static double crest(Vector3d direction, int layer) {
         double turn = turn(direction);
         TileNoise noise = new TileNoise(331 + 7 * layer);
@@ -143,7 +151,7 @@ final class SkyPainter {
         return bay * ridge * (0.27 - 0.075 * layer) - 0.004;
     }
 
-    /** Azimuth as a share of a whole turn, 0.5 at −z. */
+    /** Returns the azimuth as a fraction of a turn, 0.5 at −z. */
     private static double turn(Vector3d direction) {
         return StrictMath.atan2(direction.x, -direction.z) / (2 * Math.PI) + 0.5;
     }

@@ -4,7 +4,7 @@ import nephele.engine.math.SeededNoise;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Gradient noise in space, read on the unit sphere: there is no seam and nothing pinches at the poles. */
+/** Gradient noise in space, evaluated on the unit sphere, so that it has no seam and no distortion at the poles. */
 final class SphereNoise {
     private static final double OCTAVE_STEP = 2.03;
 
@@ -16,7 +16,7 @@ final class SphereNoise {
         hash = new SeededNoise(seed);
     }
 
-    /** After Perlin (2002), about −1…1. */
+    /** Returns gradient noise after Perlin (2002), about −1…1. */
     double smooth(double x, double y, double z) {
         int i = (int) Math.floor(x);
         int j = (int) Math.floor(y);
@@ -37,7 +37,7 @@ final class SphereNoise {
         return mix(near, far, fade(c));
     }
 
-    /** Octaves, each about half the size and half the weight; about −1…1. */
+    /** Returns the sum of octaves, each about half the size and half the weight; about −1…1. */
     double cloud(Vector3dc p, double frequency, int octaves) {
         double sum = 0;
         double weight = 0.6;
@@ -51,7 +51,7 @@ final class SphereNoise {
         return 1.3 * sum;
     }
 
-    /** Sharp crests, 0 in the valleys to about 1 on them. */
+    /** Returns ridged noise: 0 in the valleys to about 1 on sharp crests. */
     double ridges(Vector3dc p, double frequency, int octaves) {
         double sum = 0;
         double weight = 0.55;
@@ -65,7 +65,7 @@ final class SphereNoise {
         return sum;
     }
 
-    /** The point moved by noise, for what has flowed. */
+    /** Returns the point displaced by noise, for flow patterns. */
     Vector3d warped(Vector3dc p, double frequency, int octaves, double amount) {
         Vector3d away = new Vector3d(p).add(5.2, 1.3, 7.7);
         double x = new SphereNoise(seed + 1).cloud(away, frequency, octaves);
@@ -74,7 +74,7 @@ final class SphereNoise {
         return new Vector3d(p).add(amount * x, amount * y, amount * z);
     }
 
-    /** Towards one of the twelve edges of a cube. */
+    /** Returns the dot product with a gradient towards one of the twelve edges of a cube. */
     private double slope(int i, int j, int k, double x, double y, double z) {
         int bits = hash.bits(i, j, k) >>> 20;
         double first = (bits & 1) == 0 ? 1 : -1;

@@ -4,7 +4,10 @@ import java.awt.image.BufferedImage;
 import nephele.engine.math.SeededNoise;
 import org.joml.Vector3d;
 
-/** The night between the planets: a band of far stars with dark lanes, dim clouds of gas, and near stars in their colours. */
+/**
+ * Painter of a night sky between the planets: a band of distant stars with dark lanes, dim clouds of gas, and near
+ * stars in their colours.
+ */
 final class StarPainter {
     private static final int WIDTH = 1024;
     private static final int HEIGHT = 768;
@@ -40,7 +43,10 @@ final class StarPainter {
         return Pixels.picture(WIDTH, HEIGHT, (column, row) -> pixels[row * WIDTH + column].rgb());
     }
 
-    /** Across the band, 0 on its middle, as a share of the picture's height; the band climbs to the right. */
+    /**
+     * Returns the distance from the band's middle line as a fraction of the picture's height; the band rises to the
+     * right.
+     */
     private static double across(double x, double y) {
         return (y / HEIGHT - 0.62) + 0.42 * (x / WIDTH - 0.5);
     }
@@ -60,7 +66,7 @@ final class StarPainter {
         return sky.mix(NIGHT, 0.75 * lane);
     }
 
-    /** The band is where most stars are; brightness 1 fills a pixel of white. */
+    /** Draws a star, dimmer if it is away from the band; brightness 1 fills a pixel with white. */
     private void star(int i, double brightness, double radius) {
         double x = WIDTH * chance.unit(i, 0, 0);
         double y = HEIGHT * chance.unit(i, 1, 0);

@@ -2,11 +2,11 @@ package nephele.lab.art;
 
 import nephele.lab.art.Surface.Texel;
 
-/** Concrete, plaster, limestone, terrazzo and gravel. */
+/** Painters of concrete, plaster, limestone, terrazzo and gravel. */
 final class StonePainters {
     private StonePainters() {}
 
-    /** Cast panels of 2 × 1 m with V-joints and the holes of the formwork ties. */
+    /** Paints cast panels of 2 × 1 m with V-joints and the holes of the formwork ties. */
     static void concrete(Surface surface) {
         Bond panels = new Bond(surface.metres(), 1, 2, 0);
         TileNoise noise = new TileNoise(11);
@@ -46,14 +46,14 @@ final class StonePainters {
         texel.height -= 0.006 * hole + 0.001 * rim;
     }
 
-    /** A joint whose sides slope down over {@code halfWidth} metres. */
+    /** Cuts a joint with sides that slope down over {@code halfWidth} metres. */
     static void groove(Texel texel, double edge, double halfWidth) {
         double depth = 1 - Shapes.ramp(0, halfWidth, edge);
         texel.shade(1 - 0.5 * depth);
         texel.height -= 0.6 * halfWidth * depth;
     }
 
-    /** Warm lime plaster with broad, barely visible strokes of the trowel. */
+    /** Paints warm lime plaster with broad, barely visible trowel strokes. */
     static void plaster(Surface surface) {
         TileNoise noise = new TileNoise(23);
         surface.each((x, y, texel) -> {
@@ -70,7 +70,7 @@ final class StonePainters {
         });
     }
 
-    /** Slabs of limestone, 1 × 0.5 m in running bond, with worn edges. */
+    /** Paints slabs of limestone, 1 × 0.5 m in running bond, with worn edges. */
     static void paver(Surface surface) {
         Bond slabs = new Bond(surface.metres(), 2, 4, 0.5);
         TileNoise noise = new TileNoise(37);
@@ -92,7 +92,7 @@ final class StonePainters {
         });
     }
 
-    /** Polished slabs of 1 m with chips of stone, joined by thin dark strips. */
+    /** Paints polished slabs of 1 m with chips of stone, separated by thin dark strips. */
     static void terrazzo(Surface surface) {
         Bond slabs = new Bond(surface.metres(), 2, 2, 0);
         TileNoise noise = new TileNoise(41);
@@ -124,7 +124,7 @@ final class StonePainters {
         texel.roughness = Math.min(texel.roughness, 1 - 0.25 * cover);
     }
 
-    /** Pale pebbles in two sizes. */
+    /** Paints pale pebbles in two sizes. */
     static void gravel(Surface surface) {
         TileNoise large = new TileNoise(61);
         TileNoise small = new TileNoise(67);

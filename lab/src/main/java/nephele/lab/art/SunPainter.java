@@ -2,7 +2,7 @@ package nephele.lab.art;
 
 import org.joml.Vector3dc;
 
-/** A star's face: grains of rising gas, bright veins around them and a few groups of spots. */
+/** Painter of a star: granules of rising gas, bright veins around them and a few groups of spots. */
 final class SunPainter implements Globe.Brush {
     private static final ColourRamp FIRE =
             ColourRamp.of(0x8A2A06, 0xC64A0A, 0xEB7B14, 0xF9A828, 0xFFCB4E, 0xFFE58A, 0xFFF6CF);

@@ -2,9 +2,7 @@ package nephele.lab.art;
 
 import java.awt.image.BufferedImage;
 
-/**
- * A square of material as painted: colour, relief and roughness of every texel. It tiles, so neighbours wrap.
- */
+/** A square of painted material: colour, height and roughness of every texel. It tiles, so neighbours wrap. */
 final class Surface {
     static final int SIDE = 512;
 
@@ -18,10 +16,10 @@ final class Surface {
         }
     }
 
-    /** One texel while it is painted. */
+    /** A texel. */
     static final class Texel {
         Colour colour = Palette.CONCRETE;
-        /** Relief in metres. */
+        /** Height in metres. */
         double height;
         /** Factor on the material's roughness, 0–1. */
         double roughness = 1;
@@ -44,7 +42,7 @@ final class Surface {
         return metres;
     }
 
-    /** One texel in metres. */
+    /** Returns the width of a texel in metres. */
     double texelMetres() {
         return metres / SIDE;
     }
@@ -58,7 +56,7 @@ final class Surface {
         }
     }
 
-    /** The texel at a point anywhere; the tile repeats. */
+    /** Returns the texel at any point; the tile repeats. */
     Texel at(double x, double y) {
         int column = Math.floorMod((int) Math.floor(x / texelMetres()), SIDE);
         int row = Math.floorMod(SIDE - 1 - (int) Math.floor(y / texelMetres()), SIDE);
@@ -69,7 +67,7 @@ final class Surface {
         return Pixels.picture(SIDE, SIDE, (column, row) -> texels[row * SIDE + column].colour.rgb());
     }
 
-    /** Tangent-space normals, red to the right and green upwards, with the roughness factor in alpha. */
+    /** Returns tangent-space normals, red to the right and green upwards, with the roughness factor in alpha. */
     BufferedImage normalPicture() {
         BufferedImage picture = new BufferedImage(SIDE, SIDE, BufferedImage.TYPE_INT_ARGB);
         for (int i = 0; i < texels.length; i++) {

@@ -3,7 +3,7 @@ package nephele.lab.art;
 import java.util.function.Consumer;
 
 /**
- * How a tileable material is painted.
+ * The painter of a tileable material.
  *
  * @param name of the files: {@code textures/NAME.png} and {@code textures/NAME-normal.png}
  * @param metres side of the square that the picture covers, a material's {@code textureMetres}

@@ -2,7 +2,7 @@ package nephele.lab.art;
 
 import java.util.List;
 
-/** Every tileable material of the game; levels name the files. */
+/** The recipes of every tileable material of the game; levels name the files. */
 final class Textures {
     static final List<TextureRecipe> ALL = List.of(
             new TextureRecipe("concrete", 2, StonePainters::concrete),

@@ -1,8 +1,8 @@
 package nephele.lab.art;
 
 /**
- * Noise that repeats with the picture. Coordinates run 0–1 over the tile in both directions and wrap; the lattice comes
- * from an integer hash, so every JVM gets the same bits.
+ * Noise that repeats with the picture. Coordinates run 0–1 over the tile in both directions and wrap. The lattice comes
+ * from an integer hash, so every JVM computes the same bits.
  */
 final class TileNoise {
     private final int seed;
@@ -11,10 +11,14 @@ final class TileNoise {
         this.seed = seed;
     }
 
-    /** What lies nearest among one jittered point a cell; distances in cells. */
+    /**
+     * The two smallest distances, in cells, to points of which each cell has one, jittered.
+     *
+     * @param identity random number 0–1 of the nearest point
+     */
     record Cell(double nearest, double second, double identity) {}
 
-    /** Uniform 0–1 for one lattice point. */
+    /** Returns a uniform random number 0–1 for a lattice point. */
     static double random(int i, int j, int seed) {
         int h = i * 0x1B873593 + j * 0x2545F491 + seed * 0x61C88647;
         h = (h ^ h >>> 16) * 0x7FEB352D;
@@ -23,7 +27,9 @@ final class TileNoise {
         return (h >>> 8) / (double) (1 << 24);
     }
 
-    /** Gradient noise after Perlin (2002), about −1…1, with {@code cellsX} × {@code cellsY} cells over the tile. */
+    /**
+     * Returns gradient noise after Perlin (2002), about −1…1, with {@code cellsX} × {@code cellsY} cells over the tile.
+     */
     double smooth(double x, double y, int cellsX, int cellsY) {
         double gridX = x * cellsX;
         double gridY = y * cellsY;
@@ -43,12 +49,12 @@ final class TileNoise {
         return 1.5 * mix(mix(a, b, s), mix(c, d, s), fade(up));
     }
 
-    /** Octaves of {@link #smooth}, each of half the size and half the weight; about −1…1. */
+    /** Returns the sum of octaves of {@link #smooth}, each of half the size and half the weight; about −1…1. */
     double cloud(double x, double y, int cells, int octaves) {
         return stretched(x, y, cells, cells, octaves);
     }
 
-    /** {@link #cloud} with different cell counts in x and y. */
+    /** Returns {@link #cloud} with different cell counts in x and y. */
     double stretched(double x, double y, int cellsX, int cellsY, int octaves) {
         double sum = 0;
         double weight = 0.5;
@@ -59,7 +65,7 @@ final class TileNoise {
         return sum * 1.3;
     }
 
-    /** Cellular noise after Worley (1996) with {@code cells} × {@code cells} points over the tile. */
+    /** Returns cellular noise after Worley (1996) with {@code cells} × {@code cells} points over the tile. */
     Cell cell(double x, double y, int cells) {
         double gridX = x * cells;
         double gridY = y * cells;

@@ -2,11 +2,11 @@ package nephele.lab.art;
 
 import nephele.lab.art.Surface.Texel;
 
-/** Warm oak: planks for floors and doors, slats for walls. */
+/** Painters of warm oak: planks for floors and doors, slats for walls. */
 final class WoodPainters {
     private WoodPainters() {}
 
-    /** Planks of 2 × 0.2 m that run to the right, each second row moved. */
+    /** Paints planks of 2 × 0.2 m that run to the right, each row shifted by 0.37 of a plank. */
     static void planks(Surface surface) {
         Bond planks = new Bond(surface.metres(), 1, 10, 0.37);
         surface.each((x, y, texel) -> {
@@ -23,7 +23,7 @@ final class WoodPainters {
         texel.height -= 0.004 * open;
     }
 
-    /** Fibres run along x; every board takes its own part of the tree. */
+    /** Paints fibres along x; the grain of each board is different. */
     private static void grain(double metres, double x, double y, int board, Texel texel) {
         TileNoise noise = new TileNoise(131 + 17 * board);
         double u = x / metres;
@@ -38,7 +38,7 @@ final class WoodPainters {
         texel.roughness = 0.85 + 0.1 * rings;
     }
 
-    /** Upright slats, 75 mm wide every 100 mm, before a dark felt. */
+    /** Paints upright slats, 75 mm wide every 100 mm, in front of dark felt. */
     static void slats(Surface surface) {
         Bond slats = new Bond(surface.metres(), 20, 1, 0);
         surface.each((x, y, texel) -> {

@@ -1,2 +1,2 @@
-/** Everything that is drawn, painted by code: textures, skies, and the levels that are generated. */
+/** Generators of the game's art: textures, skies, meshes and benchmark levels. */
 package nephele.lab.art;

@@ -5,7 +5,7 @@ import nephele.engine.measure.FrameTimes;
 import nephele.engine.measure.Stopwatch;
 import nephele.engine.render.gl.GlContext;
 
-/** Draws round after round: first until the JIT is warm, then until there are seconds enough to measure. */
+/** Measures the time of frames. It draws rounds until the JIT is warm, and then for a given time. */
 public final class Bench {
     private static final double SECONDS = 3;
     private static final int LEAST_WARM_UP_FRAMES = 20;
@@ -19,13 +19,16 @@ public final class Bench {
         this(gl, SECONDS);
     }
 
-    /** @param seconds of warming up, and of CPU and wall time that are measured */
+    /** @param seconds of warming up, and of CPU and wall time to be measured */
     Bench(GlContext gl, double seconds) {
         this.gl = gl;
         this.seconds = seconds;
     }
 
-    /** Whole rounds over at least as many seconds of CPU and of wall time. */
+    /**
+     * Measures whole rounds until {@code seconds} have passed on both the CPU and the wall clock, or ten times as many
+     * on the wall clock.
+     */
     public FrameTimes measure(Drawing drawing) {
         warmUp(drawing);
         int frames = 0;
@@ -68,7 +71,10 @@ public final class Bench {
         return System.nanoTime() - start;
     }
 
-    /** Both clocks: a frame that waits uses no CPU, and one on two cores uses it twice as fast. */
+    /**
+     * Returns true if enough time has passed. Both clocks count, because a waiting frame uses no CPU and a frame on two
+     * cores uses CPU time twice as fast as wall time.
+     */
     private boolean isFull(long cpuStart, long wallStart) {
         return secondsSince(wallStart) >= seconds && (stopwatch.processCpuNanos() - cpuStart) / 1e9 >= seconds
                 || secondsSince(wallStart) >= 10 * seconds;

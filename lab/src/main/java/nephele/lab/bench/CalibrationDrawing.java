@@ -17,7 +17,10 @@ import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.Uniforms;
 import org.lwjgl.system.MemoryUtil;
 
-/** The yardstick of a machine: a clear and one full-screen texture, read bilinearly, 5.8 CPU-ms where bars were set. */
+/**
+ * A fixed workload that measures the speed of a machine: a clear and one full-screen texture, read bilinearly. It takes
+ * 5.8 ms of CPU on the machine on which the performance limits were set.
+ */
 public final class CalibrationDrawing implements Drawing {
     private static final int TEXELS = 512;
     private static final String FOLDER = "/nephele/lab/bench/";

@@ -2,25 +2,28 @@ package nephele.lab.bench;
 
 import nephele.engine.render.gl.GlContext;
 
-/** Frames of a round that can be drawn again and again: the engine's, the bare twin's or the calibration's. */
+/** A round of frames that can be drawn repeatedly, by the engine, by the bare twin or for calibration. */
 public interface Drawing extends AutoCloseable {
-    /** How many frames a round has. */
+    /** Returns the number of frames in a round. */
     int roundLength();
 
     /** Submits one frame of the round. */
     void draw(int frame);
 
-    /** Draw calls of the last frame. */
+    /** Returns the draw calls of the last frame. */
     default long draws(GlContext gl) {
         return gl.state().draws();
     }
 
-    /** Triangles of the last frame. */
+    /** Returns the triangles of the last frame. */
     default long triangles(GlContext gl) {
         return gl.state().triangles();
     }
 
-    /** The same frames by plain OpenGL calls, with the same counts; this drawing has to stay open as long. */
+    /**
+     * Returns a drawing of the same frames by plain OpenGL calls, with the same counts. This drawing must remain open
+     * as long as it is used.
+     */
     default Drawing bareTwin(GlContext gl) {
         return TwinDrawing.of(this, gl);
     }

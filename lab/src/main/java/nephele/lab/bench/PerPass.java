@@ -6,7 +6,7 @@ import java.util.Locale;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.timing.StepTimer;
 
-/** How long each pass of a frame takes. */
+/** Measures the time of each pass of a frame. */
 public final class PerPass {
     private static final int LEAST_FRAMES = 60;
 
@@ -18,7 +18,7 @@ public final class PerPass {
         this.drawing = drawing;
     }
 
-    /** A header that says which clock it was, then a line a pass. */
+    /** Returns CSV lines: a header that names the clock, then one line a pass. */
     public List<String> csv() {
         var names = drawing.renderer().stepNames();
         var lines = new ArrayList<String>();

@@ -8,7 +8,7 @@ import nephele.engine.scene.View;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
-/** An XML scene from its own camera, a sixtieth of a second a frame. Closes scene and picture with itself. */
+/** An XML scene seen by its own camera, 1/60 s later in each frame. Closing it closes the scene and the picture. */
 public record SceneDrawing(GlContext gl, FixedSceneDrawing scene, View view, RenderTarget picture, int roundLength)
         implements Drawing {
     private static final Matrix4dc AT_HOME = new Matrix4d();

@@ -5,7 +5,7 @@ import java.util.List;
 import nephele.engine.render.BareTwin;
 import nephele.engine.render.gl.GlContext;
 
-/** The bare OpenGL twin of a drawing's frames; the counts are the engine's, which it repeats. */
+/** The bare OpenGL twin of a drawing's frames. Its counts are those of the engine's frames, which it replays. */
 final class TwinDrawing implements Drawing {
     private final BareTwin twin;
     private final long[] draws;

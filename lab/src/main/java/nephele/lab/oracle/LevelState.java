@@ -11,17 +11,20 @@ import nephele.engine.level.LevelJson;
 import nephele.engine.math.BitHash;
 import nephele.engine.named.OpenedLevel;
 
-/** What a level is made of: its text and the content of the assets that it names. */
+/** A hash of a level's text and of the content of the assets that it names. */
 public final class LevelState {
     private static final Pattern STRING = Pattern.compile("\"([^\"\\\\]+)\"");
 
     private LevelState() {}
 
-    /** Equal for equal levels with equal assets. An asset that is missing or no file counts as empty. */
+    /**
+     * Returns a hash that is equal for equal levels with equal assets. An asset that is missing or not a file counts as
+     * empty.
+     */
     public static String key(OpenedLevel opened) {
         Level level = opened.level();
         long hash = BitHash.of(LevelJson.write(level));
-        // Solids name materials, never assets, and there may be a hundred thousand of them.
+        // A level may have a hundred thousand solids, and solids name only materials, never assets.
         String naming = LevelJson.write(level.with(level.materials(), List.of()));
         var ids = STRING.matcher(naming)
                 .results()

@@ -4,7 +4,7 @@ import nephele.engine.math.Basis;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.scene.View;
 
-/** A view of the engine as the exact twin takes it. */
+/** Converts a view of the engine to the oracle's pinhole camera. */
 public final class ReferenceEye {
     private ReferenceEye() {}
 

@@ -15,19 +15,19 @@ import nephele.engine.reference.TraceSettings;
 import nephele.engine.render.Capture;
 
 /**
- * The oracle's pictures, kept in a folder as {@link Capture#pfm} writes them: each is traced once, as long as nothing
- * that it depends on changes.
+ * A cache of the oracle's pictures, in a folder, in the format of {@link Capture#pfm}. A picture is traced again only
+ * after a change of something that it depends on.
  *
- * @param code stands for the code that traces
+ * @param code a hash of the code that traces
  */
 public record TracedPictures(Path folder, String code) {
     private static final int HEADER_LINES = 3;
 
     /**
-     * Linear radiance, the bottom row first.
+     * Returns linear radiance, bottom row first.
      *
-     * @param level stands for the level and its assets: {@link nephele.lab.oracle.LevelState#key}
-     * @param trace makes the picture where none is kept
+     * @param level a hash of the level and its assets: {@link nephele.lab.oracle.LevelState#key}
+     * @param trace traces the picture if the folder does not hold it
      */
     public LinearPicture picture(String level, Pinhole eye, TraceSettings settings, Supplier<float[]> trace) {
         String size = settings.width() + "x" + settings.height();

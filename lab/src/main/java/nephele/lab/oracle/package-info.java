@@ -1,2 +1,2 @@
-/** The oracle asked from the engine's views, and its pictures kept until something they depend on changes. */
+/** Traces the oracle's pictures for the engine's views, and caches them until something that they depend on changes. */
 package nephele.lab.oracle;

@@ -14,8 +14,8 @@ import nephele.engine.sim.Simulation;
 import nephele.lab.art.BenchBodies;
 
 /**
- * A tower and a stack of boxes stand, and moving a body allocates no more than 256 B a tick. The time that they and
- * bodies that never rest cost is measured, not claimed.
+ * A tower and a stack of boxes remain standing, and moving a body allocates at most 256 B a tick. The CPU time of these
+ * and of bodies that never rest is measured but not part of the claim.
  */
 public final class BodiesProof implements Proof {
     private static final double TICKS_A_SECOND = 120;
@@ -23,12 +23,12 @@ public final class BodiesProof implements Proof {
     private static final double TOWER_DEGREES = 0.5;
     private static final double STACK_METRES = 0.05;
     private static final double STACK_SECONDS = 10;
-    /** The bars speak of the first 300 steps of 1/60 s. */
+    /** The limits of time refer to the first 300 steps of 1/60 s. */
     private static final int TIMED_TICKS = 600;
 
     private static final double MOST_BYTES = 256;
     private static final Vec3 BESIDE_STACK = new Vec3(8, 0, 0);
-    /** On the floor slab outside the shaft's east wall. */
+    /** A place on the floor slab outside the shaft's east wall. */
     private static final Vec3 BESIDE_SHAFT = new Vec3(6.4, 0, 0);
 
     @Override
@@ -43,7 +43,7 @@ public final class BodiesProof implements Proof {
                 60);
     }
 
-    /** The units from 0 on: the tower stands for {@code count} seconds, the stack for no more than ten. */
+    /** Runs the tower for {@code count} seconds and the stack for at most ten; the units start at 0. */
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         List<String> failures = new ArrayList<>();
@@ -109,7 +109,7 @@ public final class BodiesProof implements Proof {
         return new BodyCost.Course(bodies.size(), () -> bodies.tick(1 / TICKS_A_SECOND));
     }
 
-    /** All that a tick of the game does, with a player who stands by. */
+    /** Returns a run in which a tick is a whole tick of the simulation, with an idle player. */
     private static BodyCost.Course played(Level level, Vec3 feet) {
         var simulation =
                 new Simulation(SimLevel.of(level), new SimSettings((int) TICKS_A_SECOND, List.of()), FaultLog.SILENT);

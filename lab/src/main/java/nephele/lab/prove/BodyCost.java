@@ -5,14 +5,14 @@ import java.lang.management.ManagementFactory;
 import java.util.function.Supplier;
 
 /**
- * What bodies cost the thread that moves them, once the compiler has done its work.
+ * The cost of bodies for the simulating thread, measured after warm-up.
  *
  * @param millisecondsPerTwoTicks mean CPU time of 1/60 s
  */
 record BodyCost(double millisecondsPerTwoTicks, double bytesPerBodyAndTick) {
     private static final int WARM_ROUNDS = 6;
 
-    /** Some bodies and what moves them for a tick. */
+    /** The bodies of a run and the code that advances them by a tick. */
     record Course(int bodies, Runnable tick) {}
 
     static BodyCost measure(Supplier<Course> course, int ticks) {

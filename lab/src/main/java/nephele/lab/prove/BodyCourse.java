@@ -19,7 +19,7 @@ import nephele.lab.art.BenchBodies;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
-/** Bodies of a level on their own, and how far they are from where they belong. */
+/** A run of a level's bodies alone, which measures their distances from the expected places. */
 final class BodyCourse {
     private static final Vec3 GRAVITY = new Vec3(0, -9.81, 0);
     static final Environment DARK =
@@ -41,7 +41,7 @@ final class BodyCourse {
         this.places = places;
     }
 
-    /** Unit boxes on each other. */
+    /** Returns a tower of unit boxes. */
     static BodyCourse tower(int boxes) {
         Level plane = BenchBodies.stack(DARK);
         List<Body> bodies = new ArrayList<>();
@@ -53,7 +53,7 @@ final class BodyCourse {
                 bodies.stream().map(Body::centre).toList());
     }
 
-    /** The 500 boxes; they belong where their gaps are closed downwards. */
+    /** Returns the 500 boxes of the benchmark stack; each is expected where the gaps below it are closed. */
     static BodyCourse stack() {
         Level level = BenchBodies.stack(DARK);
         List<Vec3> places = new ArrayList<>();
@@ -64,7 +64,7 @@ final class BodyCourse {
         return new BodyCourse(level, places);
     }
 
-    /** The 200 bodies of the shaft; they belong nowhere. */
+    /** Returns the 200 bodies of the benchmark shaft, without expected places. */
     static BodyCourse restless() {
         return new BodyCourse(BenchBodies.shaft(DARK), List.of());
     }
@@ -77,7 +77,7 @@ final class BodyCourse {
         bodies = step.step(bodies, surroundings, nobody, seconds);
     }
 
-    /** Metres from a body to its place, the greatest. */
+    /** Returns the greatest distance of a body from its expected place, in metres. */
     double farthestOff() {
         double most = 0;
         for (int i = 0; i < places.size(); i++) {
@@ -87,7 +87,7 @@ final class BodyCourse {
         return most;
     }
 
-    /** Degrees from the orientation at the start, the greatest. */
+    /** Returns the greatest rotation of a body since the start, in degrees. */
     double mostTilted() {
         double most = 0;
         for (int i = 0; i < bodies.size(); i++) {

@@ -9,7 +9,7 @@ import nephele.engine.collision.rigid.BodyTable;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
-/** How deep bodies reach into what is solid in the world that portals open, and into each other. */
+/** Measures the penetration of bodies into the static world opened at the portals, and into each other. */
 final class BodyDepth {
     private static final Vector3d STILL = new Vector3d();
 
@@ -26,14 +26,17 @@ final class BodyDepth {
         this.world = world;
     }
 
-    /** Metres in the solid that the body is deepest in; 0 for none. */
+    /** Returns the body's deepest penetration into a solid, in metres; 0 for none. */
     double inSolids(Bodies bodies, int body) {
         RoundedHull hull = table.hull(body, bodies.orientation(body, turn));
         bodies.centre(body, centre);
         return Math.max(0, recovery.depth(world.around(world.active(hull, centre, STILL)), hull, centre));
     }
 
-    /** Metres in the body that this one is deepest in; 0 for none. What meets through a portal does not count. */
+    /**
+     * Returns the body's deepest penetration into another body, in metres; 0 for none. Contacts through a portal do not
+     * count.
+     */
     double inBodies(Bodies bodies, int body) {
         double deepest = 0;
         for (int i = 0; i < bodies.size(); i++) {
@@ -42,7 +45,7 @@ final class BodyDepth {
         return deepest;
     }
 
-    /** Between the surfaces of two bodies, negative where they overlap. */
+    /** Returns the distance between the surfaces of two bodies, negative where they overlap. */
     double gapMetres(Bodies bodies, int a, int b) {
         bodies.centre(b, other);
         var solid = table.collider(b, other, bodies.orientation(b, turn));

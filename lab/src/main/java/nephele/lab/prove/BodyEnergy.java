@@ -5,12 +5,15 @@ import nephele.engine.level.Body;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
-/** Mechanical energy of bodies by the textbook's moments of inertia, which share no code with the solver's. */
+/**
+ * The mechanical energy of bodies, from the textbook formulas of the moments of inertia. It shares no code with the
+ * solver.
+ */
 final class BodyEnergy {
     private final Vector3d v = new Vector3d();
     private final Quaterniond worldFromBody = new Quaterniond();
 
-    /** Joules of translation and rotation. */
+    /** Returns the energy of translation and rotation, in joules. */
     double kinetic(Body body, Bodies bodies, int index) {
         double joules = body.massKilograms() / 2 * bodies.velocity(index, v).lengthSquared();
         bodies.orientation(index, worldFromBody).transformInverse(bodies.spin(index, v));
@@ -32,7 +35,7 @@ final class BodyEnergy {
         return rotational((Body.Capsule) body, spin);
     }
 
-    /** A cylinder of length h and two half balls of radius r, whose centres of mass are 3 r / 8 beyond its ends. */
+    /** Uses a cylinder of length h and two half balls of radius r with centres of mass 3 r / 8 beyond its ends. */
     private static double rotational(Body.Capsule capsule, Vector3d spin) {
         double r = capsule.radiusMetres();
         double h = Math.max(0, capsule.heightMetres() - 2 * r);

@@ -12,8 +12,8 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 
 /**
- * A closed room of 12 m by 12 m and the boxes in it, none turned, none moving. Family and number give the same boxes as
- * the seeded piles that other engines were measured on.
+ * A closed room of 12 m by 12 m with axis-aligned boxes at rest. A family and a number give the same boxes as the
+ * seeded piles with which other engines were measured.
  *
  * @param heightMetres from the floor, which is at 0, to the ceiling
  * @param bodies from the lowest to the top one
@@ -21,11 +21,11 @@ import nephele.engine.math.Vec3;
 record BoxPile(String name, double heightMetres, List<Body.Box> bodies) {
     /** The ways to make a pile. */
     enum Family {
-        /** One to four boxes of any edges and masses, one above the other with air between. */
+        /** One to four boxes of random edges and masses, one above the other with air between. */
         DROP,
         /** Twelve cubes of 40 cm, each 1, 2 or 3.16 times as heavy as the one below. */
         TOWER,
-        /** A tonne of 1 m on one small cube. */
+        /** A box of 1 t and 1 m on one small cube. */
         BIG;
 
         String word() {
@@ -69,7 +69,7 @@ record BoxPile(String name, double heightMetres, List<Body.Box> bodies) {
         return bodies;
     }
 
-    /** Their masses have 10 kg as the geometric mean. */
+    /** Makes a tower with a geometric mean mass of 10 kg. */
     private static List<Body.Box> tower(Random random, double ratio) {
         List<Body.Box> bodies = new ArrayList<>();
         double y = 0;
@@ -82,7 +82,7 @@ record BoxPile(String name, double heightMetres, List<Body.Box> bodies) {
         return bodies;
     }
 
-    /** The big one's centre of mass is well over the small one's face. */
+    /** Makes a big box with its centre of mass well above the small one's face. */
     private static List<Body.Box> bigOnSmall(Random random) {
         double edge = .05 + .35 * random.nextDouble();
         Body.Box small = box(0, new Vec3(0, edge / 2, 0), cube(edge), pick(SMALL_MASSES_KILOGRAMS, random));
@@ -106,12 +106,12 @@ record BoxPile(String name, double heightMetres, List<Body.Box> bodies) {
         return most * (2 * random.nextDouble() - 1);
     }
 
-    /** The room around the pile. */
+    /** Returns the room around the pile. */
     CollisionWorld room() {
         return closedRoom(HALF_ROOM_METRES, heightMetres, WALL_METRES);
     }
 
-    /** Six slabs around a room whose floor has its middle at the origin. */
+    /** Returns six slabs around a room; the middle of its floor is the origin. */
     static CollisionWorld closedRoom(double half, double height, double wall) {
         double out = half + wall;
         return new CollisionWorld(List.of(

@@ -13,7 +13,7 @@ import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** Ten seconds of a pile of boxes, and what is seen after every step. */
+/** A run of a pile of boxes over ten seconds, with measurements after every step. */
 final class BoxPileCourse {
     static final int STEPS = 1200;
     private static final double SECONDS_A_STEP = 1.0 / 120;
@@ -45,19 +45,19 @@ final class BoxPileCourse {
     }
 
     /**
-     * One pile by the columns of the table.
+     * Runs one pile. The figures are:
      *
      * <ul>
-     *   <li>{@code energy_gain}: the energy was above 1.1 times the first at a step
-     *   <li>{@code max_speed}: greatest of a body at a step; {@code max_spin} likewise
+     *   <li>{@code energy_gain}: the energy exceeded 1.1 times the initial energy at a step
+     *   <li>{@code max_speed}: the greatest speed of a body at a step; {@code max_spin} likewise
      *   <li>{@code fast_any}: a body was faster than 25 m/s at a step
      *   <li>{@code sunk}: a centre was lower than half its smallest edge less 1 cm, at the end
      *   <li>{@code sunk_checks}: the same at the steps 150, 503 and 1200
      *   <li>{@code through}: a centre was more than half the smallest edge and 1 cm under the floor, at the end
      *   <li>{@code escaped}: a centre was 10 cm in a wall or the ceiling or 1 m under the floor, at a step
-     *   <li>{@code at_rest}: all were under .02 m/s and .1 rad/s at the end
-     *   <li>{@code cpu}: of the steps alone, sleeping ones included
-     *   <li>{@code stands}: the top box lost less than 5 cm of height; of piles that can stand
+     *   <li>{@code at_rest}: all bodies were slower than .02 m/s and .1 rad/s at the end
+     *   <li>{@code cpu}: CPU time of the solver's steps only, including steps in which all bodies sleep
+     *   <li>{@code stands}: the top box lost less than 5 cm of height; for the families that can stand
      * </ul>
      */
     static ProofResult run(BoxPile.Family family, int number) {
@@ -140,7 +140,7 @@ final class BoxPileCourse {
                 && centre.y <= pile.heightMetres() + OUTSIDE_METRES;
     }
 
-    /** Whether a centre is more than 1 cm lower than so many halves of its smallest edge. */
+    /** Returns true if a centre is more than 1 cm lower than {@code halves} times half its smallest edge. */
     private boolean isAnyUnder(Bodies bodies, int halves) {
         boolean any = false;
         for (int i = 0; i < bodies.size(); i++) {

@@ -8,11 +8,16 @@ import nephele.engine.sim.PlayerBody;
 import nephele.engine.sim.PlayerState;
 import org.joml.Vector3d;
 
-/** Distances by trying every corner, edge and face: slow, iterating nothing, sharing no code with what it checks. */
+/**
+ * Distances computed from every corner, edge and face, without iteration. Slow; it shares no code with the code under
+ * test.
+ */
 public final class BruteForce {
     private BruteForce() {}
 
-    /** Between the player's capsule and the nearest solid; negative when it reaches into one. */
+    /**
+     * Returns the distance in metres between the player's capsule and the nearest solid; negative if it penetrates one.
+     */
     public static double gap(PlayerState player, CollisionWorld world) {
         Vec3 feet = player.feet();
         double half = player.stance().heightMetres() / 2 - PlayerBody.RADIUS;
@@ -26,7 +31,7 @@ public final class BruteForce {
         return least - PlayerBody.RADIUS;
     }
 
-    /** Between the segment a–b and the solid; 0 when they meet. */
+    /** Returns the distance between the segment a–b and the solid; 0 if they intersect. */
     public static double distance(Vector3d a, Vector3d b, ConvexPolyhedron solid) {
         if (meets(a, b, solid)) {
             return 0;
@@ -76,7 +81,10 @@ public final class BruteForce {
         return Math.abs(height);
     }
 
-    /** The least of a quadratic over a square lies inside or on one of the four sides. */
+    /**
+     * Returns the distance of two segments. The minimum of a quadratic over a square is inside or on one of the four
+     * sides.
+     */
     static double betweenSegments(Vector3d a, Vector3d b, Vector3d c, Vector3d d) {
         double least = Math.min(
                 Math.min(fromSegment(a, c, d), fromSegment(b, c, d)),

@@ -3,13 +3,14 @@ package nephele.lab.prove;
 import java.util.function.LongSupplier;
 
 /**
- * What a proof would refute.
+ * A claim that a proof tries to refute.
  *
- * @param name what is typed after `prove`: lower-case words joined by hyphens
+ * @param name as typed after {@code prove}: lower-case words joined by hyphens
  * @param sentence the claim as docs/proofs.md states it
- * @param unit what is counted, in the plural: "starts", "kills", "seconds"
- * @param needed how many units the claim needs; asked for only when the proof runs, because it may depend on the checkout
- * @param batch how many units run between two saves of the state; a minute's work is a good size
+ * @param unit the counted unit, in the plural: "starts", "kills", "seconds"
+ * @param needed number of units that the claim needs; evaluated only when the proof runs, because it may depend on the
+ *     checkout
+ * @param batch number of units between two saves of the state; about a minute's work
  */
 public record Claim(String name, String sentence, String unit, LongSupplier needed, long batch) {
     public Claim(String name, String sentence, String unit, long needed, long batch) {
@@ -17,9 +18,9 @@ public record Claim(String name, String sentence, String unit, LongSupplier need
     }
 
     /**
-     * How many units the claim needs.
+     * Returns the number of units that the claim needs.
      *
-     * @throws nephele.engine.terminal.CommandFailure when the environment, which says how many, lacks them
+     * @throws nephele.engine.terminal.CommandFailure if the number depends on an environment that is missing
      */
     public long fullCount() {
         return needed.getAsLong();

@@ -3,16 +3,16 @@ package nephele.lab.prove;
 import java.util.List;
 
 /**
- * Whether an aperture is whole, by areas: how much of it lies on none of the surface's pieces or on something in the way.
- * Clips polygon by polygon (Sutherland and Hodgman 1974) and shares nothing with the placement that it judges.
+ * Decides by areas whether an aperture is whole: no part of it is outside the surface's pieces or on an obstacle. It
+ * clips polygons (Sutherland and Hodgman 1974) and shares no code with the placement that it judges.
  */
 final class ClippedAreas {
-    /** Of rounding, in square metres; a corner that reaches 3·10⁻⁷ m over an edge is more. */
+    /** Tolerance for rounding, in square metres. A corner that exceeds an edge by 3·10⁻⁷ m gives more. */
     static final double NOTHING = 1e-13;
 
-    /** Convex, counter-clockwise and disjoint: where portals are allowed. */
+    /** The pieces on which portals are allowed: convex, counter-clockwise and disjoint. */
     private final List<double[]> pieces;
-    /** Convex and counter-clockwise; they may overlap. */
+    /** The obstacles: convex and counter-clockwise; they may overlap. */
     private final List<double[]> inTheWay;
 
     ClippedAreas(List<double[]> pieces, List<double[]> inTheWay) {
@@ -30,7 +30,7 @@ final class ClippedAreas {
         return mayBeWhole(placed, x, y) && missing(placed) <= NOTHING;
     }
 
-    /** What most places fail: the centre and a few corners lie on the surface. */
+    /** Tests the centre and a few corners first, which rejects most places. */
     private boolean mayBeWhole(double[] placed, double x, double y) {
         if (!isOnPiece(x, y)) {
             return false;
@@ -80,7 +80,7 @@ final class ClippedAreas {
         return area(left);
     }
 
-    /** What lies to the left of the line through (x, y) along (dx, dy). */
+    /** Returns the part of the polygon to the left of the line through (x, y) along (dx, dy). */
     private static double[] clipped(double[] polygon, double x, double y, double dx, double dy) {
         double[] kept = new double[2 * polygon.length + 4];
         int size = 0;

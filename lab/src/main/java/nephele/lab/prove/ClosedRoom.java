@@ -14,17 +14,17 @@ import nephele.engine.sim.PlayerBody.Stance;
 import nephele.engine.sim.PlayerState;
 
 /**
- * A convex room around the origin in which a standing player has just room or plenty: boxes, wedges and slanted rooms of
- * any tilt, each wall its own slab of 1 mm to 10 cm, most of them 1 cm, with or without furniture.
+ * A convex room around the origin that just fits a standing player or is larger: boxes, wedges and slanted rooms of any
+ * tilt. Each wall is a slab of its own, 1 mm to 10 cm thick, mostly 1 cm. The room may have furniture.
  */
 final class ClosedRoom {
-    /** Walls reach this far past the edges, so that their slabs overlap. */
+    /** Walls extend this far beyond the edges, so that their slabs overlap. */
     private static final double OVERLAP_METRES = 0.02;
 
     private static final int FURNITURE_TRIES = 3;
 
     private static final int DRAWS = 100;
-    /** Kept free, so that every room has at least one start. */
+    /** A region free of furniture, so that every room has at least one start. */
     private static final Aabb MIDDLE = Aabb.around(Vec3.ZERO, new Vec3(0.61, 1.82, 0.61));
 
     private final List<Plane> inner;
@@ -35,7 +35,7 @@ final class ClosedRoom {
         this.world = world;
     }
 
-    /** Tilted planes may leave a side open, once in some thousand draws: then the next draw counts. */
+    /** Draws a room. Tilted planes leave a side open about once in a thousand draws; the room is then drawn again. */
     static ClosedRoom of(SplittableRandom random) {
         for (int i = 0; i < DRAWS; i++) {
             try {
@@ -89,7 +89,7 @@ final class ClosedRoom {
                 axis.z() + tilt * (2 * random.nextDouble() - 1));
     }
 
-    /** As far out as a player standing in the middle needs, and {@code spare} metres more. */
+    /** Returns a wall as far out as a player standing in the middle needs, plus {@code spare} metres. */
     private static Plane plane(Vec3 normal, double spare) {
         Plane unit = Plane.of(normal, 0);
         double halfAxis = Stance.STANDING.heightMetres() / 2 - PlayerBody.RADIUS;
@@ -111,7 +111,7 @@ final class ClosedRoom {
         }
     }
 
-    /** A plane that the others cut off entirely is no wall. */
+    /** Returns false if the other planes cut the plane off entirely, so that it is no wall. */
     private static boolean touchesRoom(List<Plane> inner, int index) {
         List<Plane> grown = inner.stream()
                 .map(p -> new Plane(p.nx(), p.ny(), p.nz(), p.distance() + OVERLAP_METRES / 2))
@@ -131,7 +131,10 @@ final class ClosedRoom {
         return world;
     }
 
-    /** How far the player's capsule is from the nearest wall, as the planes have it; negative: it reaches into one. */
+    /**
+     * Returns the distance in metres of the player's capsule from the nearest wall plane; negative if it penetrates
+     * one.
+     */
     double clearance(PlayerState player) {
         Vec3 feet = player.feet();
         double low =
@@ -146,7 +149,7 @@ final class ClosedRoom {
         return Double.isNaN(feet.x() + feet.y() + feet.z()) ? Double.NEGATIVE_INFINITY : least;
     }
 
-    /** A random place for feet in a box around the room. */
+    /** Returns a random position of the feet in a box around the room. */
     Vec3 somewhere(SplittableRandom random) {
         Aabb box = world.extent();
         return new Vec3(

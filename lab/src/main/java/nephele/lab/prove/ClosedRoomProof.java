@@ -18,14 +18,14 @@ import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 import org.joml.Vector3d;
 
-/** Throws players about in closed rooms, at up to 10 000 m/s, and looks whether one gets out or into a wall. */
+/** Throws players in closed rooms, at up to 10 000 m/s, and checks that none leaves the room or penetrates a wall. */
 public final class ClosedRoomProof implements Proof {
     private static final long STARTS_PER_ROOM = 50;
     private static final int THROWS_PER_START = 3;
     private static final int TICKS_PER_THROW = 4;
     private static final int PLACES_TRIED = 30;
     private static final double FASTEST = 10_000;
-    /** Whoever falls out of the world begins again here, where it is seen. */
+    /** A player that falls out of the world restarts here, where the check detects it. */
     private static final PlayerStart FAR_AWAY = new PlayerStart(new Vec3(1e5, 1e5, 1e5), 0, 0);
 
     @Override
@@ -54,7 +54,7 @@ public final class ClosedRoomProof implements Proof {
         return findings.result(count);
     }
 
-    /** What has been seen so far. */
+    /** The results so far. */
     private static final class Findings {
         private final List<String> escapes = new ArrayList<>();
         private long ticks;
@@ -62,7 +62,7 @@ public final class ClosedRoomProof implements Proof {
         private double leastClearance = Double.POSITIVE_INFINITY;
         private double skinLost;
 
-        /** @param atStart clearance of the start, which may lie within the skin */
+        /** @param atStart clearance of the start, which may be less than the skin */
         void look(long unit, ClosedRoom room, SimState state, double atStart) {
             double clearance = room.clearance(state.player());
             ticks++;
@@ -85,7 +85,7 @@ public final class ClosedRoomProof implements Proof {
         }
     }
 
-    /** One room and what happens in it. */
+    /** One room and the throws in it. */
     private static final class Tester {
         private final long roomNumber;
         private final ClosedRoom room;
@@ -114,7 +114,7 @@ public final class ClosedRoomProof implements Proof {
             }
         }
 
-        /** A free place, found by trying; the room's middle when there is hardly any other. */
+        /** Returns a random free place; the room's middle if no try is free. */
         private SimState start(SplittableRandom random) {
             Heading heading = Heading.ofDegrees(360 * random.nextDouble(), 0);
             for (int i = 0; i < PLACES_TRIED; i++) {
@@ -136,7 +136,10 @@ public final class ClosedRoomProof implements Proof {
             return room.clearance(player) > 0 && recovery.isFree(room.world(), Stance.STANDING.shape(), place);
         }
 
-        /** Any direction, along an axis now and then; from 0.1 m/s to 10 000 m/s, the latter often. */
+        /**
+         * Returns a velocity in any direction, sometimes with components of 0; from 0.1 m/s to 10 000 m/s, a quarter of
+         * them at 10 000 m/s.
+         */
         private static Vec3 velocity(SplittableRandom random) {
             double speed = random.nextInt(4) == 0 ? FASTEST : FASTEST * StrictMath.pow(10, -5 * random.nextDouble());
             Vec3 d = new Vec3(component(random), component(random), component(random));

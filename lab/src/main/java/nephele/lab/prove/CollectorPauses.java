@@ -11,7 +11,7 @@ import javax.management.NotificationEmitter;
 import javax.management.NotificationListener;
 import javax.management.openmbean.CompositeData;
 
-/** Hears how long the collector stops the world; concurrent work does not count. */
+/** Records how long the garbage collector stops the program; its concurrent work does not count. */
 final class CollectorPauses implements NotificationListener, AutoCloseable {
     private final List<NotificationEmitter> collectors = new ArrayList<>();
     private long longestMs;

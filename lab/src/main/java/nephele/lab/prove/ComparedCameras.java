@@ -8,11 +8,11 @@ import nephele.engine.scene.View;
 import nephele.engine.terminal.CommandFailure;
 
 /**
- * Which levels and cameras the units of a proof are: a few cameras of every level, then the next few of every level, so
- * that a run that is stopped early has seen all levels alike.
+ * The assignment of levels and cameras to the units of a proof: a few cameras of every level, then the next few of
+ * every level, so that an interrupted run has covered all levels evenly.
  *
  * @param files levels by path
- * @param atOnce cameras of a level that follow one another; a divisor of {@link #OF_A_LEVEL}
+ * @param atOnce successive cameras of a level; a divisor of {@link #OF_A_LEVEL}
  */
 record ComparedCameras(List<String> files, int atOnce) {
     static final int OF_A_LEVEL = 50;
@@ -27,13 +27,13 @@ record ComparedCameras(List<String> files, int atOnce) {
     /** Cameras of one level, from {@code first} on. */
     record Visit(String file, int first, int count) {}
 
-    /** @throws CommandFailure without levels */
+    /** @throws CommandFailure if there are no levels */
     long all() {
         requireLevels();
         return (long) OF_A_LEVEL * files.size();
     }
 
-    /** The units [{@code from}, {@code from + count}), in their order. */
+    /** Returns the units [{@code from}, {@code from + count}) in order. */
     List<Visit> visits(long from, long count) {
         requireLevels();
         var visits = new ArrayList<Visit>();
@@ -54,7 +54,7 @@ record ComparedCameras(List<String> files, int atOnce) {
         }
     }
 
-    /** A picture in words, and the options of {@code render} that draw it again. */
+    /** Returns a description of a picture with the options of {@code render} that draw it again. */
     static String again(String file, int camera, View view) {
         Vec3 e = view.eye();
         Vec3 b = view.back();

@@ -19,15 +19,18 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
 
 /**
- * A level ready to be traced and to be drawn in several ways.
+ * A level loaded for tracing and for drawing in several ways.
  *
  * @param <W> a way to draw
  */
 final class ComparedLevel<W> implements AutoCloseable {
-    /** As many as `--set viewBudget` takes. */
+    /** The largest value of {@code --set viewBudget}. */
     static final int UNLIMITED = 9999;
 
-    /** The others of {@link PortalTechnique} are variants of the second, of which the trade report tells. */
+    /**
+     * The compared techniques. The others of {@link PortalTechnique} are variants of the second; the trade report
+     * compares them.
+     */
     static final List<PortalTechnique> TECHNIQUES = List.of(PortalTechnique.STENCIL, PortalTechnique.TEXTURE);
 
     private final GlContext gl;
@@ -58,7 +61,7 @@ final class ComparedLevel<W> implements AutoCloseable {
         return cameras.view(camera);
     }
 
-    /** @param drawn receives each way when it has drawn into {@code picture} */
+    /** @param drawn called after each way has been drawn into {@code picture} */
     void draw(View view, RenderTarget picture, BiConsumer<W, Renderer> drawn) {
         renderers.forEach((way, renderer) -> {
             renderer.draw(view, picture);

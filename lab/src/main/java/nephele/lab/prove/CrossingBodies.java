@@ -18,11 +18,9 @@ import nephele.engine.sim.PlayerBody;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
-/**
- * A box, a ball or a capsule, thrown at up to 100 m/s and spinning through one pair of portals, again and again.
- */
+/** Throws a box, a ball or a capsule through a pair of portals, repeatedly, at up to 100 m/s and with spin. */
 final class CrossingBodies {
-    /** What stands in a solid by less is pressed against it: a solver lets bodies sink in a little. */
+    /** A smaller depth in a solid counts as contact, because the solver allows a little penetration. */
     private static final double PRESSED_METRES = 0.01;
 
     private static final double SECONDS_BEFORE = 0.33;
@@ -53,7 +51,7 @@ final class CrossingBodies {
         step = new RigidStep(table, GRAVITY);
     }
 
-    /** Draws anew until it goes through, and says whether it did. */
+    /** Draws starts until the body goes through, and returns true if it did. */
     boolean cross(SplittableRandom random, String where, CrossingTally tally) {
         for (int i = 0; i < CrossingsProof.MOST_TRIES; i++) {
             BodyState start = start(random);
@@ -81,7 +79,10 @@ final class CrossingBodies {
         return crossed;
     }
 
-    /** A blow may press it in or even through for a moment; a second later it is out again. */
+    /**
+     * Records the end of a crossing. An impact may press the body into or even through a solid for a moment; it has a
+     * second to leave it.
+     */
     private void tallyEnd(String where, Bodies after, BodyState start, CrossingTally tally) {
         Bodies bodies = after;
         for (double waited = 0; !isWell(bodies) && waited < 1; waited += seconds) {
@@ -115,7 +116,7 @@ final class CrossingBodies {
         return clearance.depth(state.centre().toVector(), turned);
     }
 
-    /** Before one of the portals, on its way in; {@code null} where no draw is free. */
+    /** Returns a start in front of one of the portals, moving towards it; {@code null} if no draw is free. */
     private BodyState start(SplittableRandom random) {
         for (int i = 0; i < 20; i++) {
             Portal entry = place.portals().portal(random.nextInt(2));

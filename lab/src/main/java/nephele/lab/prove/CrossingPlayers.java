@@ -19,7 +19,7 @@ import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 import org.joml.Vector3d;
 
-/** Players that walk, run, jump, fall and turn through one pair of portals. */
+/** Moves players that walk, run, jump, fall and turn through a pair of portals. */
 final class CrossingPlayers {
     private static final double SECONDS_AFTER = 0.25;
 
@@ -41,7 +41,7 @@ final class CrossingPlayers {
         simulation = new Simulation(level, new SimSettings(ticksPerSecond, List.of()), FaultLog.SILENT);
     }
 
-    /** Draws anew until somebody goes through, and says whether anybody did. */
+    /** Draws starts until a player goes through, and returns true if one did. */
     boolean cross(SplittableRandom random, String where, CrossingTally tally) {
         for (int i = 0; i < CrossingsProof.MOST_TRIES; i++) {
             PlayerState start = start(random);
@@ -84,7 +84,7 @@ final class CrossingPlayers {
         return depth == 0;
     }
 
-    /** Before one of the portals, on its way in; {@code null} where no draw is free. */
+    /** Returns a start in front of one of the portals, moving towards it; {@code null} if no draw is free. */
     private PlayerState start(SplittableRandom random) {
         for (int i = 0; i < 20; i++) {
             Portal entry = place.portals().portal(random.nextInt(2));

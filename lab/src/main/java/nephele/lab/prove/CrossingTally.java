@@ -3,7 +3,7 @@ package nephele.lab.prove;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What the crossings of a range showed. */
+/** The results of a range of crossings. */
 final class CrossingTally {
     private static final int MOST_EXAMPLES = 10;
 

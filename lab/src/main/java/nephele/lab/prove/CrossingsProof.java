@@ -3,11 +3,11 @@ package nephele.lab.prove;
 import java.util.SplittableRandom;
 
 /**
- * Sends players (even units) and thrown boxes, balls and capsules (odd ones) through random portals, and looks where they
- * get to within a quarter of a second after. A unit is a crossing: its start is drawn anew until it goes through.
+ * Sends players (even units) and thrown boxes, balls and capsules (odd units) through random portals, and checks their
+ * place a quarter of a second later. A unit is a crossing: its start is drawn again until it goes through.
  */
 public final class CrossingsProof implements Proof {
-    /** Who has not gone through by then stands for no crossing; it is counted apart. */
+    /** After so many tries a unit has no crossing; it is counted separately. */
     static final int MOST_TRIES = 200;
 
     private static final long CROSSINGS_PER_ROOM = 500;

@@ -7,7 +7,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.placement.SurfacePolygon;
 import nephele.engine.portal.placement.Surfaces;
 
-/** A wall of rectangles, some of them missing, that can be cut into triangles in any number of ways. */
+/** A wall of rectangles with holes, which can be cut into triangles in any number of ways. */
 final class CutWall {
     private static final double NOISE_METRES = 1e-5;
 
@@ -49,7 +49,7 @@ final class CutWall {
         return rectangles.stream().anyMatch(r -> x > r[0] && x < r[2] && y > r[1] && y < r[3]);
     }
 
-    /** In two triangles a rectangle. */
+    /** Returns two triangles a rectangle. */
     Surfaces plain(WallPlace place) {
         List<double[]> triangles = new ArrayList<>();
         rectangles.forEach(r -> halve(r, triangles));
@@ -61,7 +61,7 @@ final class CutWall {
         triangles.add(new double[] {r[0], r[1], r[2], r[3], r[0], r[3]});
     }
 
-    /** Cut anew at random, with T-junctions and slivers. */
+    /** Returns random triangles, with T-junctions and slivers. */
     List<double[]> cut(SplittableRandom random) {
         List<double[]> triangles = new ArrayList<>();
         rectangles.forEach(r -> halve(r, triangles));
@@ -80,7 +80,7 @@ final class CutWall {
         return triangles;
     }
 
-    /** @param noise {@code null} for none; else each corner of each triangle is moved on its own */
+    /** @param noise moves each corner of each triangle independently; {@code null} for none */
     static Surfaces surfaces(WallPlace place, List<double[]> triangles, SplittableRandom noise) {
         List<SurfacePolygon> sheets = new ArrayList<>();
         for (double[] t : triangles) {

@@ -8,8 +8,8 @@ import nephele.engine.level.Sun;
 import nephele.engine.math.Vec3;
 
 /**
- * A closed room of white walls of 10 cm, with an inner wall, in full sun or beside a lamp outside: from within nothing
- * is lit. By number.
+ * A closed room of white walls of 10 cm, with an inner wall and with the sun or a light outside, determined by its
+ * number. No light reaches its inside.
  */
 final class DarkRoom {
     private static final double THICK = 0.1;
@@ -48,7 +48,7 @@ final class DarkRoom {
         return boxes.lit(sun, lights);
     }
 
-    /** A place within, and what to look at: a corner of the room. */
+    /** Returns an eye inside the room and a corner of the room as its target. */
     Vec3[] camera(int number) {
         var choice = new SplittableRandom(number);
         var eye = new Vec3(-0.3 * width * choice.nextDouble(), height / 2, 0.3 * depth * choice.nextDouble());

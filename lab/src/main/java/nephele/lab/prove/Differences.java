@@ -18,7 +18,7 @@ import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.SolidGeometry;
 import nephele.engine.scene.light.LampTable;
 
-/** In what an edited level differs, bit by bit, from the same level freshly loaded. */
+/** The bitwise differences between an edited level and the same level freshly loaded. */
 final class Differences {
     private static final int QUERIES = 50;
 
@@ -26,7 +26,7 @@ final class Differences {
 
     private Differences() {}
 
-    /** The parts that differ; none where all is the same. */
+    /** Returns the names of the parts that differ; empty if all are the same. */
     static List<String> of(EditedTown edited, EditedTown fresh) {
         Differences differences = new Differences();
         differences.scene(edited.scene(), fresh.scene());

@@ -15,11 +15,12 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
 /**
- * A row of rooms with a doorway from each to the next, twice: once side by side, the doors open; once far apart and each
- * a quarter turn from the one before, a pair of portals in the middle of each door. Whoever is inside sees the same.
+ * A row of rooms with a doorway from each to the next, in two versions. In one the rooms are side by side with open
+ * doors. In the other they are far apart, each rotated by a quarter turn from the one before, with a pair of portals in
+ * the middle of each door. Both look the same from inside.
  */
 public final class DoorwayRooms {
-    /** From a room's door to the next one's. */
+    /** The distance from a room's door to the next one. */
     public static final double PITCH_METRES = 4.2;
 
     private static final double HALF_WIDTH = 2.5;
@@ -28,7 +29,7 @@ public final class DoorwayRooms {
     private static final double HALF_WALL = 0.1;
     private static final double HALF_DOOR = 0.6;
     private static final double DOOR_HEIGHT = 2.1;
-    /** The aperture's edge lies within the wall: what is open is what the wall leaves open. */
+    /** The aperture extends into the wall by so much, so that the wall bounds the visible opening. */
     private static final double HIDDEN_EDGE = 0.05;
 
     private static final double THICKNESS = 0.3;
@@ -38,17 +39,17 @@ public final class DoorwayRooms {
     private static final double BEHIND_DOOR = -1.2;
     private static final double CUBE = 0.5;
 
-    /** How one room leads to the next. */
+    /** The connection from one room to the next. */
     public enum Doors {
         OPEN,
         PORTALS
     }
 
-    /** Where the cube begins. */
+    /** The initial place of the cube. */
     public enum Cube {
         /** On the floor, out of the way. */
         ASIDE(new Vec3(-1.6, CUBE / 2, -1)),
-        /** Before the eye, to be caught. */
+        /** In front of the eye, to be carried. */
         IN_SIGHT(new Vec3(BESIDE_LINE, 1.5, BEHIND_DOOR - 1.2));
 
         private final Vec3 centre;
@@ -71,12 +72,12 @@ public final class DoorwayRooms {
         }
     }
 
-    /** {@code doors} + 1 rooms; the player stands in the first one and looks at its door. */
+    /** Returns a level of {@code doors} + 1 rooms; the player starts in the first one, looking at its door. */
     public static Level level(int doors, Doors kind) {
         return level(doors, kind, Cube.ASIDE);
     }
 
-    /** The same with the cube elsewhere. */
+    /** Returns the same level with the cube in another place. */
     public static Level level(int doors, Doors kind, Cube cubePlace) {
         var rooms = new DoorwayRooms(doors, kind);
         var environment = new Environment(null, null, new Vec3(1, 1, 1), 0, ToneCurve.CLIP, null, List.of());
@@ -160,7 +161,7 @@ public final class DoorwayRooms {
         }
     }
 
-    /** Behind a portal there is wall. */
+    /** Adds a wall behind a portal. */
     private void backing(int room, double from, double to) {
         box(room, 9, new Vec3(-HALF_WIDTH, -THICKNESS, from), new Vec3(HALF_WIDTH, HEIGHT, to));
     }
@@ -187,12 +188,14 @@ public final class DoorwayRooms {
                 PortalShape.RECTANGLE));
     }
 
-    /** Where a point of a room is in the level with portals, by where it is in the one with open doors. */
+    /** Maps a point of the level with open doors to the given room of the level with portals. */
     static Vec3 twin(Vec3 open, int room) {
         return apart(room, new Vec3(open.x(), open.y(), open.z() + PITCH_METRES * room));
     }
 
-    /** From a room's own space, where its back door is at z = 0 and its front door ahead of it, to the level's. */
+    /**
+     * Maps a point of a room's own space to the level. The room's back door is at z = 0 and its front door ahead of it.
+     */
     private Vec3 placed(int room, Vec3 p) {
         return kind == Doors.OPEN ? new Vec3(p.x(), p.y(), p.z() - PITCH_METRES * room) : apart(room, p);
     }

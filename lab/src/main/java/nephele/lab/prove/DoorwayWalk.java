@@ -18,14 +18,14 @@ import nephele.lab.prove.DoorwayRooms.Cube;
 import nephele.lab.prove.DoorwayRooms.Doors;
 import nephele.lab.prove.FrameSteps.Step;
 
-/** One walk through all doors of a row of rooms, drawn frame by frame. */
+/** A walk through all doors of a row of rooms, drawn frame by frame. */
 final class DoorwayWalk implements AutoCloseable {
-    /** To 10° on either side and back, while the way stays within the doors. */
+    /** The view turns to 10° on either side and back, while the path remains within the doors. */
     private static final double TURN_MILLIDEGREES = 600;
 
     private static final double TURNS_PER_TICK = 0.06;
 
-    /** How it is seen. */
+    /** The camera, or the carried cube. */
     enum Manner {
         EYE,
         BOOM,
@@ -51,7 +51,7 @@ final class DoorwayWalk implements AutoCloseable {
         }
     }
 
-    /** Forward, looking to and fro. */
+    /** Walks forward while looking from side to side. */
     private static final class Steps implements TickInput {
         private final Manner manner;
         private int tick;
@@ -76,7 +76,7 @@ final class DoorwayWalk implements AutoCloseable {
         }
     }
 
-    /** Simulates for so long and draws. */
+    /** Simulates for so long and draws a frame. */
     byte[] frame(long nanos) {
         walk.advance(nanos);
         renderer.draw(walk.view((double) picture.width() / picture.height()), walk.moment(), picture);
@@ -88,7 +88,7 @@ final class DoorwayWalk implements AutoCloseable {
         return frame;
     }
 
-    /** The greatest difference of two successive frames. */
+    /** Returns the greatest difference of two successive frames. */
     Step greatestStep() {
         return greatestStep;
     }

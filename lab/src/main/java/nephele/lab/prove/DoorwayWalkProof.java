@@ -12,26 +12,29 @@ import nephele.lab.prove.DoorwayWalk.Manner;
 import nephele.lab.prove.FrameSteps.Step;
 
 /**
- * Walks through 0 to 3 portals and through as many open doorways of the same shape with the same steps, by the eye, on
- * the boom and with a cube in hand, and compares what is seen: each frame with the frame before it, which is how a pop
- * shows, and each frame with its twin.
+ * Walks with the same input through 0 to 3 portals and through as many open doorways of the same shape, in first
+ * person, with the camera boom and with a cube in hand. It compares each frame with the frame before it, which detects
+ * pops, and each frame with its twin.
  */
 public final class DoorwayWalkProof implements Proof {
     private static final int MOST_DOORS = 3;
     private static final int FRAMES_PER_SECOND = 60;
     private static final double METRES_PER_SECOND = 4;
-    /** By this share the step between two frames may be greater: edges beyond a portal fall on the pixel beside. */
+    /**
+     * The relative excess that the mean step between two frames may have over the twin's: edges beyond a portal fall on
+     * neighbouring pixels.
+     */
     private static final double STEP_SHARE = 0.01;
 
-    /** By so many codes the step that 999 of 1000 channels keep to may be greater. */
+    /** The excess, in codes, that the step at the 99.9th percentile of channels may have over the twin's. */
     private static final int STEP_MOST = 2;
 
     /**
-     * Mean codes that a frame may differ from its twin's: the edges, which fall on the pixel beside. At 160 by 90 pixels
-     * they come to 1.0; a single row of 90 that is wrong by half the range comes to 1.4 more.
+     * The mean difference between a frame and its twin, in codes, caused by edges that fall on neighbouring pixels. At
+     * 160 by 90 pixels they come to 1.0; one row of 90 that is wrong by half the range adds 1.4.
      */
     private static final double TWIN_CODES = 2;
-    /** What sums of a few hundred steps round to is 10⁻¹³ m. */
+    /** Tolerance in metres; sums of a few hundred steps round to 10⁻¹³ m. */
     private static final double APART_METRES = 1e-9;
 
     private final int width;
@@ -62,7 +65,7 @@ public final class DoorwayWalkProof implements Proof {
                 MOST_DOORS + 1);
     }
 
-    /** Unit n goes through n modulo 4 doors. */
+    /** Runs units; unit n goes through n modulo 4 doors. */
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         failures.clear();
@@ -131,7 +134,7 @@ public final class DoorwayWalkProof implements Proof {
         }
     }
 
-    /** Metres between both players, each in its room's own space. */
+    /** Returns the distance in metres between both players, in the room's own space in which it is least. */
     private static double apart(DoorwayWalk open, DoorwayWalk through, int doors) {
         double least = Double.POSITIVE_INFINITY;
         Vec3 there = through.walk().state().player().feet();

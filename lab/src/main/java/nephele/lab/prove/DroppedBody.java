@@ -9,9 +9,9 @@ import nephele.engine.math.Vec3;
 import org.joml.Quaterniond;
 
 /**
- * A box, ball or capsule of random size, mass, orientation and motion; its place is the origin.
+ * A box, ball or capsule of random size, mass, orientation and motion, placed at the origin.
  *
- * @param start upright for one body in two, at rest for three in four
+ * @param start upright for half of the bodies, at rest for three quarters
  */
 record DroppedBody(Body body, BodyState start) {
     private static final double LEAST_EDGE_METRES = .001;
@@ -61,7 +61,7 @@ record DroppedBody(Body body, BodyState start) {
         return direction(random).scaled(random.nextDouble(0, most));
     }
 
-    /** Even over the sphere: height and longitude are. */
+    /** Returns a direction, uniform over the sphere: height and longitude are uniform. */
     private static Vec3 direction(SplittableRandom random) {
         double y = random.nextDouble(-1, 1);
         double longitude = random.nextDouble(0, 2 * Math.PI);

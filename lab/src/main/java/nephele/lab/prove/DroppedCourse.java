@@ -11,7 +11,10 @@ import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerBody;
 import org.joml.Vector3d;
 
-/** Ten seconds of a dropped pile, its energy at every tick and its depth in solids at every tenth from 1 s on. */
+/**
+ * A run of a dropped pile over ten seconds. Its energy is checked at every tick, and its depth in solids at every tenth
+ * tick after the first second.
+ */
 final class DroppedCourse {
     static final double DEEP_METRES = .01;
     private static final double SECONDS = 10;
@@ -42,13 +45,14 @@ final class DroppedCourse {
     }
 
     /**
-     * What a pile showed.
+     * The results of a pile.
      *
-     * @param gains above the bar of 1 cm of the pile's height
-     * @param gainsLittle above the bar of 1 mm
-     * @param faults bodies frozen and ways cut short
-     * @param deepestMetres in a solid, or out of the room, after the first second; {@code deepestInBodyMetres} likewise
-     * @param rests only where there are no portals: whether it ended at rest
+     * @param gains energy above the limit of 1 cm of the pile's height
+     * @param gainsLittle energy above the limit of 1 mm
+     * @param faults bodies frozen and advances cut short
+     * @param deepestMetres depth in a solid or out of the room after the first second; {@code deepestInBodyMetres}
+     *     likewise
+     * @param rests whether it ended at rest; judged only without portals, otherwise true
      * @param failures in words, with tick and amount
      */
     record Seen(
@@ -74,7 +78,7 @@ final class DroppedCourse {
         int last = (int) Math.round(SECONDS * pile.ticksPerSecond());
         for (int tick = 1; tick <= last; tick++) {
             Bodies next = step.step(bodies, world, nobody, 1.0 / pile.ticksPerSecond());
-            // The same object again: all sleep, and the step depends on nothing that could change.
+            // The same object is returned if all bodies sleep; the step then depends on nothing that could change.
             boolean isOver = next == bodies || tick == last;
             ledger.book(bodies, next);
             bars.see(tick, ledger.joules(next));

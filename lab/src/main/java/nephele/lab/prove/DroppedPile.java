@@ -15,11 +15,11 @@ import nephele.engine.portal.Portals;
 import org.joml.Vector3dc;
 
 /**
- * One to four bodies over each other in the air of a closed room, clear of each other and of every wall; of three piles,
- * one is over or beside a pair of portals. All of it follows from the pile's number.
+ * One to four bodies above each other in the air of a closed room, clear of each other and of every wall. Every third
+ * pile is above or beside a pair of portals. The pile's number determines all of it.
  *
  * @param heightMetres from the floor, which is at 0, to the ceiling
- * @param starts where each body of the table is at the start
+ * @param starts initial state of each body of the table
  */
 record DroppedPile(
         long number,
@@ -36,10 +36,10 @@ record DroppedPile(
     private static final int MOST_BODIES = 4;
     private static final double LEAST_GAP_METRES = .001;
     private static final double MOST_GAP_METRES = .5;
-    /** The farthest aside that a body is from the one below, of the wider one's half width. */
+    /** The greatest horizontal offset of a body from the one below, as a fraction of the wider one's half width. */
     private static final double ASIDE = .6;
 
-    /** Along x and z, from the column's axis. */
+    /** The greatest distance from the column's axis along x and z. */
     private static final double MOST_REACH_METRES = 4.5;
 
     static DroppedPile of(long number) {
@@ -62,7 +62,7 @@ record DroppedPile(
         return new DroppedPile(number, rate, height, table, portals.placed(column.states()), portals);
     }
 
-    /** Bodies over each other about the axis x = z = 0. */
+    /** Bodies above each other around the axis x = z = 0. */
     private record Column(List<BodyState> states, double top, double reach) {}
 
     private static Column column(SplittableRandom random, BodyTable table, List<BodyState> states) {
@@ -101,7 +101,7 @@ record DroppedPile(
         return SeamedWorld.of(room, portals.portals());
     }
 
-    /** Metres by which a point is outside the room; not positive within. */
+    /** Returns the distance in metres of a point outside the room; not positive inside. */
     double outsideMetres(Vector3dc p) {
         double aside = Math.max(Math.abs(p.x()), Math.abs(p.z())) - HALF_ROOM_METRES;
         return Math.max(aside, Math.max(-p.y(), p.y() - heightMetres));
@@ -111,7 +111,7 @@ record DroppedPile(
         return portals.portals() != Portals.NONE;
     }
 
-    /** For whoever repeats it: the number is the seed. */
+    /** Returns a description with which the pile can be repeated: the number is the seed. */
     String inWords() {
         StringBuilder words = new StringBuilder(
                 String.format(Locale.ROOT, "pile %d, %d ticks/s, %s:", number, ticksPerSecond, portals.kind()));

@@ -9,21 +9,25 @@ import nephele.engine.scene.light.SkyVisibility;
 import nephele.engine.scene.light.SkyVisibilityCache;
 import nephele.engine.sim.SimLevel;
 
-/** Everything without OpenGL that follows from a level, as an editor keeps it. */
+/** Everything that is derived from a level without OpenGL, as the editor keeps it. */
 record EditedTown(PlacedLevel placed, Scene scene, SimLevel simulated) {
-    /** Bakes the sky's light; nothing is kept on disk. */
+    /** Bakes the sky's light; nothing is saved to disk. */
     static SkyVisibility baked(PlacedLevel placed) {
         return new SkyVisibilityCache(placed.assets(), List.of())
                 .of(placed.statics().split(SkyVisibility.MODEL_EDGE_METRES), done -> {});
     }
 
-    /** As a level is loaded. @param baked for this level or an earlier one, read where the sky's light falls on it */
+    /**
+     * Derives everything anew, as loading a level does.
+     *
+     * @param baked for this level or an earlier one; used if the sky lights the level
+     */
     static EditedTown of(PlacedLevel placed, SkyVisibility baked) {
         SkyVisibility light = LightNeeds.skyVisibility(placed.level()) ? baked : null;
         return new EditedTown(placed, Scene.of(placed, light), SimLevel.of(placed));
     }
 
-    /** As an edit is shown: what does not differ is kept. */
+    /** Derives everything for an edited level and reuses the parts that do not differ. */
     EditedTown edited(Level level, SkyVisibility baked) {
         PlacedLevel other = placed.edited(level);
         return new EditedTown(other, scene.edited(other, baked), simulated.edited(placed, other));

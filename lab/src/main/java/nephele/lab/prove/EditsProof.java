@@ -21,7 +21,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.SkyVisibility;
 
-/** Edits a town, one record at a time, and compares what follows from it with the same town freshly loaded. */
+/** Edits a town, one record at a time, and compares the derived data with those of the same town freshly loaded. */
 public final class EditsProof implements Proof {
     private static final long SEED = 12;
 
@@ -44,7 +44,7 @@ public final class EditsProof implements Proof {
 
     /**
      * @param plots of the town in a row, each of 25 solids
-     * @param bake the light of the sky, as it may be found for an edited town
+     * @param bake computes the sky's light of an edited town
      */
     public EditsProof(int plots, int rows, Function<PlacedLevel, SkyVisibility> bake) {
         this.plots = plots;
@@ -76,7 +76,7 @@ public final class EditsProof implements Proof {
         return run.result(count);
     }
 
-    /** The bars of time, which a few edits on a busy machine say nothing about. */
+    /** Judges the limits of time, for which a few edits on a busy machine are not enough. */
     @Override
     public ProofResult judged(ProofResult soFar) {
         List<String> slow = new ArrayList<>();
@@ -92,7 +92,7 @@ public final class EditsProof implements Proof {
         }
     }
 
-    /** A town on the screen while it is edited. */
+    /** A town that is drawn while it is edited. */
     private final class Run {
         private final Progress progress;
         private final AssetSource assets = LevelAssets.beside(Path.of("levels", "town.json"));
@@ -102,9 +102,9 @@ public final class EditsProof implements Proof {
         private final RandomEdits edits;
         private EditedTown town;
         private SkyVisibility baked;
-        /** On the screen, while there is one. */
+        /** The current renderer, while there is a context. */
         private Renderer renderer;
-        /** {@code null} while none was asked for. */
+        /** The bake in the background; {@code null} if there is none. */
         private CompletableFuture<SkyVisibility> behind;
 
         private long editsWhileBaking;
@@ -119,7 +119,7 @@ public final class EditsProof implements Proof {
             town = EditedTown.of(placed, baked);
         }
 
-        /** The picture after the last. */
+        /** Makes the edits and returns the last picture. */
         ByteBuffer edits(long from, long count) {
             try (GlContext gl = GlContext.offscreen()) {
                 renderer = Renderer.load(gl, town.scene(), SETTINGS);
@@ -147,7 +147,7 @@ public final class EditsProof implements Proof {
             }
         }
 
-        /** As an author asks for it, and goes on. */
+        /** Starts a bake in the background, as an author does while editing continues. */
         private void bakeBehind() {
             PlacedLevel now = town.placed();
             behind = CompletableFuture.supplyAsync(() -> bake.apply(now));
@@ -165,7 +165,7 @@ public final class EditsProof implements Proof {
             millis.add((watch.threadCpuNanos() - before) / 1e6);
         }
 
-        /** Everything that an edit costs before the next frame is drawn. */
+        /** Does everything that an edit costs before the next frame is drawn. */
         private void show(Level level) {
             town = town.edited(level, baked);
             renderer = renderer.edited(town.scene());
@@ -177,7 +177,7 @@ public final class EditsProof implements Proof {
             slowestFrame = Math.max(slowestFrame, (System.nanoTime() - before) / 1e6);
         }
 
-        /** Nothing is left that was put off. */
+        /** Waits for the bake in the background and bakes the last state, so that no deferred work remains. */
         private void bakeLast() {
             if (behind != null) {
                 behind.join();
@@ -186,7 +186,10 @@ public final class EditsProof implements Proof {
             show(town.placed().level());
         }
 
-        /** In a context of its own: what renderers share in one could hide a difference. */
+        /**
+         * Compares with a fresh load in a context of its own, because renderers that share a context could share an
+         * error.
+         */
         void compareAll(ByteBuffer picture) {
             EditedTown fresh = fresh();
             List<String> differences = new ArrayList<>(Differences.of(town, fresh));

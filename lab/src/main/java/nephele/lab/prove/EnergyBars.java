@@ -6,22 +6,22 @@ import nephele.engine.collision.rigid.BodyTable;
 import nephele.engine.sim.PlayerBody;
 
 /**
- * Holds the energy of a pile, tick by tick, to E(t) ≤ least earlier E + 1e-5 · greatest E so far + Σ m g h, once for
- * h = 1 cm and once for 1 mm.
+ * Checks the energy of a pile at every tick against E(t) ≤ least earlier E + 1e-5 · greatest E so far + Σ m g h, for h
+ * = 1 cm and for h = 1 mm.
  */
 final class EnergyBars {
     private static final double SHARE = 1e-5;
     private static final double HEIGHT_METRES = .01;
     private static final double LITTLE_METRES = .001;
 
-    /** Newtons of all bodies together. */
+    /** The weight of all bodies together, in newtons. */
     private final double weight;
 
     private double least;
     private double greatest;
     private int gainTick;
     private int littleTick;
-    /** The greatest height in metres to which the gained energy lifts the pile, the relative share taken off. */
+    /** The greatest height in metres to which the gained energy could lift the pile, less the relative tolerance. */
     private double mostLifted;
 
     EnergyBars(BodyTable table) {

@@ -8,17 +8,18 @@ import nephele.engine.sim.PlayerBody;
 import org.joml.Vector3d;
 
 /**
- * The mechanical energy of bodies, tick by tick: kinetic and m g height. Where a centre passes through a portal, the
- * change of its height by the passage is booked, and the energy of the body is counted from a reference moved by as much.
+ * The mechanical energy of bodies, tick by tick: kinetic energy and m g height. Each time a centre passes through a
+ * portal, the change of its height by the portal transform is recorded, and the body's height is measured from a
+ * reference moved by as much.
  */
 final class EnergyLedger {
-    /** A body that ends the tick this near to the end of its arc flew along it. */
+    /** A body that ends the tick this near to the end of its arc is assumed to have moved along it. */
     private static final double ON_ARC_METRES = 1e-9;
 
     private final BodyTable table;
     private final Portals portals;
     private final double seconds;
-    /** For each body the sum of the changes of height. */
+    /** The sum of the recorded changes of height of each body, in metres. */
     private final double[] booked;
 
     private final BodyEnergy energy = new BodyEnergy();
@@ -36,7 +37,7 @@ final class EnergyLedger {
         booked = new double[table.size()];
     }
 
-    /** The energy of all bodies, in joules over the floor at 0. */
+    /** Returns the energy of all bodies in joules; height 0 is the floor. */
     double joules(Bodies bodies) {
         double sum = 0;
         for (int i = 0; i < bodies.size(); i++) {
@@ -46,12 +47,12 @@ final class EnergyLedger {
         return sum;
     }
 
-    /** How often a centre went through a portal so far. */
+    /** Returns the number of passages of centres through portals so far. */
     long crossings() {
         return crossings;
     }
 
-    /** Books the passages of one tick. */
+    /** Records the passages of one tick. */
     void book(Bodies before, Bodies after) {
         for (int i = 0; i < after.size(); i++) {
             if (after.crossings(i) > 0) {
@@ -61,7 +62,10 @@ final class EnergyLedger {
         }
     }
 
-    /** The solver moves a body along its arc when nothing touches it, and else along a straight way. */
+    /**
+     * Returns the change of height by the passages of a tick. The solver moves a body along its arc if it has no
+     * contact, and along a straight line otherwise.
+     */
     private double changeOfHeight(Bodies before, Bodies after, int body) {
         before.centre(body, place);
         before.velocity(body, way);
@@ -74,8 +78,8 @@ final class EnergyLedger {
     }
 
     /**
-     * Sum of the changes of height by the passages on a way from {@link #place} with the velocity {@link #way}; place
-     * becomes its end. A passage that rounding moves beyond the way counts at its end.
+     * Returns the sum of the changes of height by the passages on the path from {@link #place} with the velocity
+     * {@link #way}; place becomes the path's end. A passage that rounding moves beyond the path counts at its end.
      */
     private double along(Bodies after, int body, Vector3d acceleration, double duration) {
         double change = 0;
@@ -100,7 +104,7 @@ final class EnergyLedger {
         way.fma(t, acceleration);
     }
 
-    /** Where the centre would be had the first space gone on beyond the portals. */
+    /** Returns the centre in the continuation of the first space beyond the portals. */
     private Vector3d unfolded(Bodies after, int body) {
         after.centre(body, end);
         for (int i = after.crossings(body) - 1; i >= 0; i--) {

@@ -6,20 +6,20 @@ import java.util.Locale;
 import java.util.stream.LongStream;
 
 /**
- * Drops piles of boxes, balls and capsules, a third of them over or beside portals, and books their energy. A unit is a
- * pile, its number the seed.
+ * Drops piles of boxes, balls and capsules, a third of them above or beside portals, and checks their energy. A unit is
+ * a pile; its number is the seed.
  */
 public final class EnergyProof implements Proof {
-    /** So many of all piles may gain a millimetre's energy. */
+    /** The fraction of all piles that may exceed the limit of 1 mm. */
     private static final double MOST_LITTLE_GAINS = .001;
-    /** So many of the piles without portals may end awake. */
+    /** The fraction of the piles without portals that may end awake. */
     private static final double MOST_AWAKE = .001;
 
     private static final int AT_ONCE = 64;
 
     private static final String PILES = "piles";
     private static final String VIOLATIONS = "violations";
-    /** Bodies frozen and ways cut short: no energy, and yet nothing that may happen. */
+    /** Piles with frozen bodies or advances cut short; neither gains energy, but both are failures. */
     private static final String FAULTY = "piles with faults";
 
     private static final String LITTLE = "violations at 1 mm";
@@ -79,7 +79,7 @@ public final class EnergyProof implements Proof {
         return new ProofResult(1, failures, figures, seen.failures());
     }
 
-    /** The bars that are shares of all piles. */
+    /** Judges the limits that are fractions of all piles. */
     @Override
     public ProofResult judged(ProofResult soFar) {
         List<String> failures = new ArrayList<>(soFar.examples());

@@ -8,7 +8,10 @@ import java.util.SplittableRandom;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Ray;
 
-/** Rays with components of ±0, subnormal and huge ones, many along a face of the box, against exact intervals. */
+/**
+ * Compares the ray–box test with exact intervals, for rays with components of ±0, subnormal and huge ones, many along a
+ * face of the box.
+ */
 final class ExactSlabs {
     private static final double[] COMPONENTS = {
         0, -0.0, 1, -1, 0.5, -2, Double.MIN_VALUE, -Double.MIN_VALUE, 1e-310, 1e300, -1e300, 1e-30
@@ -42,7 +45,10 @@ final class ExactSlabs {
         return values[random.nextInt(values.length)];
     }
 
-    /** Intersects the three intervals of the ray parameter; a zero direction meets nothing, nor one beyond double. */
+    /**
+     * Intersects the three intervals of the ray parameter. A zero direction has no hit, nor has one beyond the range of
+     * double.
+     */
     private static boolean meets(double[] o, double[] d, Aabb box) {
         double[] low = {box.minX(), box.minY(), box.minZ()};
         double[] high = {box.maxX(), box.maxY(), box.maxZ()};

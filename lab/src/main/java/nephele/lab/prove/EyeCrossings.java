@@ -31,8 +31,8 @@ import nephele.engine.scene.View;
 import org.joml.Vector3d;
 
 /**
- * Eyes that pass through a portal in steps of 0.1 mm, looking where they go. The walls that the portals lie in are red
- * and the room is closed under a blue sky: either colour in the picture is a hole.
+ * Moves eyes through a portal in steps of 0.1 mm, looking in the direction of motion. The walls with the portals are
+ * red and the closed room is under a blue sky: either colour in the picture is a hole.
  */
 public final class EyeCrossings implements AutoCloseable {
     private static final int WIDTH = 32;
@@ -61,7 +61,7 @@ public final class EyeCrossings implements AutoCloseable {
                 RenderSettings.of(Output.PLAIN, quality).with(Decoration.OFF));
     }
 
-    /** A room of 8 m with one portal in its north wall and one, turned by a quarter, in its east wall. */
+    /** Returns a room of 8 m with one portal in its north wall and one, rotated by a quarter turn, in its east wall. */
     private static Level level() {
         Environment environment = new Environment(
                 null, new Sky.Constant(new Vec3(0, 0, 1)), new Vec3(1, 1, 1), 0, ToneCurve.CLIP, null, List.of());
@@ -97,7 +97,10 @@ public final class EyeCrossings implements AutoCloseable {
         return new Solid.Box(id, material, false, null, centre, size, Map.of());
     }
 
-    /** One eye passes: three frames before, three after, and where it is nearest to the plane any place in between. */
+    /**
+     * Moves one eye through the portal: three frames before the plane and three behind it, at a random phase of the
+     * step.
+     */
     public void cross(long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         double phase = random.nextDouble();
@@ -113,7 +116,7 @@ public final class EyeCrossings implements AutoCloseable {
         }
     }
 
-    /** Nearly straight through: nothing of the walls that the portals lie in is in the picture. */
+    /** Returns a direction close to the portal's axis, so that the walls with the portals are outside the picture. */
     private static Vec3 direction(SplittableRandom random) {
         double x = 0.2 * random.nextDouble() - 0.1;
         double y = 0.2 * random.nextDouble() - 0.1;
@@ -151,12 +154,12 @@ public final class EyeCrossings implements AutoCloseable {
         return frames;
     }
 
-    /** Frames in which the wall behind the eye or the sky showed. */
+    /** Returns the number of frames in which a wall with a portal or the sky was visible. */
     public long badFrames() {
         return badFrames;
     }
 
-    /** Eyes that were on the other side in the end. */
+    /** Returns the number of eyes that ended behind the portal. */
     public long crossed() {
         return crossed;
     }

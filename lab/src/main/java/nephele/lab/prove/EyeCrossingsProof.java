@@ -3,7 +3,7 @@ package nephele.lab.prove;
 import java.util.List;
 import nephele.engine.render.frame.PortalTechnique;
 
-/** Lets eyes pass through a portal in steps of 0.1 mm and looks for a frame in which a wall shows that must not. */
+/** Moves eyes through a portal in steps of 0.1 mm and looks for a frame that shows a wall that must not be visible. */
 public final class EyeCrossingsProof implements Proof {
     @Override
     public Claim claim() {

@@ -13,7 +13,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerBody;
 import org.joml.Vector3d;
 
-/** Bodies of the solver that fall from floor to floor, each alone and through the first of two portals. */
+/** Bodies of the solver that fall from floor to floor through a pair of portals, each alone. */
 final class FallingBodies {
     private static final Vec3 GRAVITY = new Vec3(0, -PlayerBody.GRAVITY, 0);
     private static final Vec3 SPIN = new Vec3(1, 2, 3);
@@ -25,7 +25,7 @@ final class FallingBodies {
         this.seamed = seamed;
     }
 
-    /** Each falls so often at so many ticks a second. */
+    /** Drops each body {@code falls} times at {@code rate} ticks a second. */
     ProofResult run(int rate, long falls) {
         Vec3 middle = seamed.portals().portal(0).centre();
         Vec3 from = new Vec3(middle.x(), middle.y() + FallsProof.HEIGHT_METRES, middle.z());
@@ -66,7 +66,7 @@ final class FallingBodies {
                 Figure.greatest("apex of a " + body.id() + " off 2 m", worst, "m"));
     }
 
-    /** How high the centre's arc goes from where it is now, h + v² / 2 g. */
+    /** Returns the height of the apex of the centre's arc, h + v² / 2 g, in metres. */
     private static double apex(Bodies bodies) {
         double v = bodies.velocity(0, new Vector3d()).y;
         return bodies.centre(0, new Vector3d()).y + v * v / (2 * PlayerBody.GRAVITY);

@@ -24,8 +24,9 @@ import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 
 /**
- * Drops a player, and then a spinning cube, a ball and a capsule, from 2 m into one floor portal, out of another and back, ten thousand times at each of four tick rates,
- * and looks how high it gets. A unit is a fall at the rate of its number.
+ * Drops a player, and then a spinning cube, a ball and a capsule, from 2 m into one floor portal, out of another and
+ * back, ten thousand times at each of four tick rates, and measures the apex of each fall. A unit is a fall at the rate
+ * of its number.
  */
 public final class FallsProof implements Proof {
     static final double HEIGHT_METRES = 2;
@@ -43,7 +44,7 @@ public final class FallsProof implements Proof {
                 FALLS);
     }
 
-    /** Each rate has its own unbroken run: a range is cut where the next begins. */
+    /** Runs units; each rate has a continuous run of its own, so that a range is split where the next rate begins. */
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         ProofResult result = ProofResult.NOTHING;
@@ -80,7 +81,7 @@ public final class FallsProof implements Proof {
                 falls, failures, Figure.greatest("apex off 2 m at " + rate + " ticks a second", worst, "m"));
     }
 
-    /** How high the centre's arc goes from where it is now, h + v² / 2 g. */
+    /** Returns the height of the apex of the centre's arc, h + v² / 2 g, in metres. */
     private static double apex(PlayerState player) {
         double v = player.velocity().y();
         return player.centre().y() + v * v / (2 * PlayerBody.GRAVITY);

@@ -3,10 +3,10 @@ package nephele.lab.prove;
 /**
  * A measured number of a proof, with the rule that joins the numbers of two batches.
  *
- * @param unit of the number; of a greatest or least one it may go on with where that was found
+ * @param unit of the number; for a greatest or least number it may include where that number was found
  */
 public record Figure(String name, double value, String unit, Join join) {
-    /** How the figures of two batches become one. */
+    /** The rule that joins the figures of two batches. */
     public enum Join {
         SUM,
         LEAST,
@@ -25,7 +25,7 @@ public record Figure(String name, double value, String unit, Join join) {
         return new Figure(name, value, unit, Join.LEAST);
     }
 
-    /** The figure of both batches together; what is no number stays, so that nobody takes it for a good one. */
+    /** Returns the figure of both batches together. NaN persists, so that an invalid number does not appear valid. */
     public Figure joined(Figure other) {
         return switch (join) {
             case SUM -> new Figure(name, value + other.value, unit, join);

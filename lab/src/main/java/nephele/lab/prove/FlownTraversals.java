@@ -17,9 +17,10 @@ import nephele.engine.portal.Portals;
 import org.joml.Quaterniond;
 
 /**
- * Cubes of the solver, thrown spinning through one pair each, under gravity. After the tick in which a cube crosses, its
- * velocity and spin are turned about: the next tick takes the same arc back through the pair, so that it ought to be
- * where it began, as fast and turned as then. (A cube's moments of inertia are equal: it spins at a constant rate.)
+ * Throws spinning cubes of the solver through one pair of portals each, under gravity. After the tick in which a cube
+ * crosses, its velocity and spin are reversed: the next tick retraces the same arc through the pair, so that the cube
+ * should return to its initial place, speed and orientation. (A cube's moments of inertia are equal, so that it spins
+ * at a constant rate.)
  */
 final class FlownTraversals {
     private static final int PAIRS = 8;
@@ -54,7 +55,7 @@ final class FlownTraversals {
         step = new RigidStep(new BodyTable(cubes), GRAVITY);
     }
 
-    /** Near the middle of the aperture, and through it before the tick is over. */
+    /** Returns a cube near the middle of the aperture that passes through before the tick ends. */
     private static BodyState thrown(Portal entry, SplittableRandom random) {
         Vec3 centre =
                 entry.world(random.nextDouble(-0.2, 0.2), random.nextDouble(-0.4, 0.4), random.nextDouble(0.01, 0.06));

@@ -3,22 +3,24 @@ package nephele.lab.prove;
 import java.nio.ByteBuffer;
 import java.util.Arrays;
 
-/** How much two 8-bit pictures of one size differ. */
+/** Measures the difference of two 8-bit pictures of one size. */
 final class FrameSteps {
     private static final double PERCENTILE = 0.999;
-    /** Dithering and rounding of one surface's colour. */
+    /** The difference in codes that dithering and rounding cause on one surface. */
     private static final int SAME_CODES = 2;
 
     private FrameSteps() {}
 
     /**
+     * The difference of two pictures.
+     *
      * @param mean codes a channel
      * @param most code that 999 of 1000 channels do not exceed
      */
     record Step(double mean, int most) {
         static final Step NONE = new Step(0, 0);
 
-        /** The greater of both, in each number. */
+        /** Returns the greater of both, for each number. */
         Step or(Step other) {
             return new Step(Math.max(mean, other.mean), Math.max(most, other.most));
         }
@@ -44,7 +46,10 @@ final class FrameSteps {
         return new Step((double) sum / channels, most);
     }
 
-    /** Pixels that differ farther than one pixel from every edge of both pictures: what rounding does not explain. */
+    /**
+     * Returns the number of pixels that differ although they are more than one pixel from every edge of both pictures,
+     * which rounding does not explain.
+     */
     static int strangers(byte[] a, byte[] b, int width) {
         int height = a.length / 4 / width;
         int count = 0;

@@ -20,14 +20,14 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.RayHit;
 import org.joml.Vector3d;
 
-/** Casts rays and sweeps shapes at height fields, and asks every triangle alone for the same. */
+/** Compares rays and swept shapes on height fields with tests of every triangle alone. */
 public final class HeightFieldProof implements Proof {
     private static final double MOST_BYTES_A_SAMPLE = 32;
 
-    /** One ray in so many goes across the whole large field, where it is compared with every triangle. */
+    /** One ray in so many crosses the whole large field and is compared with every triangle. */
     private static final int ACROSS = 2000;
 
-    /** One unit in so many asks how deep a shape is in the ground, too. */
+    /** In one unit of so many the depth of a shape in the ground is compared, too. */
     private static final int DEPTHS = 4;
 
     private static final double LONGEST_RAY_METRES = 64;
@@ -62,7 +62,7 @@ public final class HeightFieldProof implements Proof {
         return comparison.result(count);
     }
 
-    /** What was seen so far. */
+    /** The results so far. */
     private static final class Comparison {
         private final Progress progress;
         private final List<Ground> small = new ArrayList<>();
@@ -92,7 +92,7 @@ public final class HeightFieldProof implements Proof {
 
         void compare(long unit) {
             SplittableRandom random = new SplittableRandom(unit);
-            // The larger half costs most of the time: each takes part the more seldom the larger it is.
+            // Larger fields are tested less often, because the larger half costs most of the time.
             Ground ground = small.get(Math.min(random.nextInt(small.size()), random.nextInt(small.size())));
             ray(unit, ground, HeightFieldSample.ray(random, ground.field, 200), limit(random, 400), ground.all());
             Ray ray = HeightFieldSample.ray(random, large.field, LONGEST_RAY_METRES / 2);
@@ -106,7 +106,7 @@ public final class HeightFieldProof implements Proof {
             sweep(unit, random, large, true);
         }
 
-        /** A ray parameter for directions of up to √3. */
+        /** Returns a ray parameter for directions of length up to √3. */
         private static double limit(SplittableRandom random, double metres) {
             return metres * random.nextDouble() / 2;
         }
@@ -169,7 +169,7 @@ public final class HeightFieldProof implements Proof {
             sweepsMet += first >= 0 ? 1 : 0;
         }
 
-        /** Generous by the depth of what is solid below a triangle and the skin. */
+        /** Returns bounds with a margin for the depth of the solid below a triangle and for the skin. */
         private static Aabb around(RoundedHull shape, Vector3d at, Vector3d way) {
             Vector3d end = new Vector3d(at).add(way);
             Vector3d least = new Vector3d(at).min(end).add(shape.least(0), shape.least(1), shape.least(2));
@@ -201,7 +201,7 @@ public final class HeightFieldProof implements Proof {
         }
     }
 
-    /** A height field as something solid, and each of its triangles alone. */
+    /** A height field as a solid, and each of its triangles alone. */
     private static final class Ground {
         private final HeightField field;
         private final CollisionWorld world;
@@ -228,7 +228,7 @@ public final class HeightFieldProof implements Proof {
             return IntStream.range(0, field.triangles()).toArray();
         }
 
-        /** All triangles whose bounds meet a box. */
+        /** Returns the triangles of all cells that touch a box. */
         int[] within(Aabb box) {
             Aabb all = field.bounds();
             int cells = (int) Math.round((all.maxX() - all.minX()) / field.cellMetres());

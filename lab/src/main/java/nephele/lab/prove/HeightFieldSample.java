@@ -9,7 +9,7 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** Height fields, and rays and shapes placed on them where rounding and equal distances decide. */
+/** Height fields, with rays and shapes placed where rounding and equal distances decide. */
 final class HeightFieldSample {
     private static final double FAR_METRES = 1e5;
 
@@ -22,7 +22,9 @@ final class HeightFieldSample {
         SPIKES
     }
 
-    /** From one cell to 128 x 128 of them, square or not, at the origin or 100 km out; smaller ones first. */
+    /**
+     * Returns fields of one cell to 128 x 128 cells, square or not, at the origin or 100 km away; smaller ones first.
+     */
     static List<HeightField> small() {
         return List.of(
                 field(Relief.HILLS, 0, 1, 2, 2),
@@ -35,7 +37,7 @@ final class HeightFieldSample {
                 field(Relief.TERRACES, -FAR_METRES, 1, 129, 129));
     }
 
-    /** Hills of so many samples along each side, a metre apart. */
+    /** Returns hills of so many samples along each side, a metre apart. */
     static HeightField large(int side) {
         return field(Relief.HILLS, 0, 1, side, side);
     }
@@ -63,7 +65,7 @@ final class HeightFieldSample {
         return waves;
     }
 
-    /** From 0 to 1. */
+    /** Returns a random number from 0 to 1. */
     private static double noise(int column, int row) {
         int hash = (column * 0x9e3779b1) ^ (row * 0x85ebca77);
         hash = (hash ^ hash >>> 15) * 0x2c1b3c6d;
@@ -71,7 +73,7 @@ final class HeightFieldSample {
         return ((hash ^ hash >>> 15) >>> 8) * 0x1p-24;
     }
 
-    /** A corner, a point of an edge or of the diagonal, or any point of a triangle. */
+    /** Returns a corner, a point of an edge or of the diagonal, or any point of a triangle. */
     private static Vector3d surface(SplittableRandom random, HeightField field) {
         int triangle = random.nextInt(field.triangles());
         Vector3d a = field.corner(triangle, 0).toVector();
@@ -98,9 +100,10 @@ final class HeightFieldSample {
     }
 
     /**
-     * Random, vertical, grazing, along edges and the diagonal; through a point of the surface, from it, or from below it.
+     * Returns a random, vertical or grazing ray, or one along edges or the diagonal. It starts at a point on or near
+     * the surface, or passes through it.
      *
-     * @param reachMetres how far before that point it begins, at most
+     * @param reachMetres the greatest distance from the ray's origin to that point
      */
     static Ray ray(SplittableRandom random, HeightField field, double reachMetres) {
         Vector3d at = surface(random, field);
@@ -113,7 +116,7 @@ final class HeightFieldSample {
         return new Ray(at.x, at.y, at.z, way.x, way.y, way.z);
     }
 
-    /** A ray from one side of the field to the other. */
+    /** Returns a ray from one side of the field to the other. */
     static Ray across(SplittableRandom random, HeightField field) {
         Aabb all = field.bounds();
         double x = random.nextDouble(all.minX(), all.maxX());
@@ -137,12 +140,12 @@ final class HeightFieldSample {
         return RoundedHull.box(new Vec3(x, 0, z), new Vec3(0, random.nextDouble(0.05, 1), 0), new Vec3(-z, 0, x));
     }
 
-    /** Above the surface, in it or below it. */
+    /** Returns a place above the surface, in it or below it. */
     static Vector3d place(SplittableRandom random, HeightField field) {
         return surface(random, field).add(0, random.nextDouble(-0.5, 4), 0);
     }
 
-    /** Down, level or any way; of no length now and then. */
+    /** Returns a displacement downwards, level or in any direction; sometimes zero. */
     static Vector3d way(SplittableRandom random) {
         Vector3d way = direction(random);
         return way.mul(random.nextInt(10) == 0 ? 0 : StrictMath.pow(10, random.nextDouble(-3, 0.7)));

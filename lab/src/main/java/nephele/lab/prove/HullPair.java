@@ -11,7 +11,7 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * A moving shape and a solid placed where rounding decides.
+ * A moving shape and a solid, placed where rounding decides.
  *
  * @param halves half edges of the core: one of a segment (zero for a point), three of a box
  * @param radiusMetres by which the core is inflated; 0 for boxes
@@ -20,7 +20,7 @@ import org.joml.Vector3d;
 record HullPair(List<Vector3d> halves, double radiusMetres, Vector3d at, ConvexPolyhedron solid) {
     private static final double[] SIZES = {1e-2, 1, 1, 1, 1e3};
 
-    /** Random, touching, parallel, degenerate, tiny and huge by turns. */
+    /** Returns random, touching, parallel, degenerate, tiny and huge pairs. */
     static HullPair of(long unit) {
         var random = new SplittableRandom(unit);
         double size = SIZES[random.nextInt(SIZES.length)];
@@ -34,7 +34,7 @@ record HullPair(List<Vector3d> halves, double radiusMetres, Vector3d at, ConvexP
         if (random.nextInt(4) == 0) {
             at.set(point(random, 3 * size));
         } else {
-            // A corner, edge or face of the core on one of the solid, or a little off.
+            // A corner, edge or face of the core is on one of the solid, or slightly off it.
             halves.forEach(half -> at.fma(random.nextInt(-1, 2), half));
             at.add(corner).fma(random.nextInt(3) == 0 ? 0 : random.nextDouble(), edge);
             Vector3d away =
@@ -73,7 +73,10 @@ record HullPair(List<Vector3d> halves, double radiusMetres, Vector3d at, ConvexP
         };
     }
 
-    /** Half edges at right angles: along the first, across it in the plane of the second, and the rest. */
+    /**
+     * Returns half edges at right angles: along the first vector, across it in the plane of the second, and normal to
+     * both.
+     */
     private static List<Vector3d> box(Vector3d along, Vector3d towards, double size) {
         Vector3d unit = new Vector3d(along).normalize();
         Vector3d across = new Vector3d(towards).fma(-towards.dot(unit), unit);
@@ -133,7 +136,7 @@ record HullPair(List<Vector3d> halves, double radiusMetres, Vector3d at, ConvexP
         return new Vec3(halves.get(i).x, halves.get(i).y, halves.get(i).z);
     }
 
-    /** One of the directions that are normal to a face of a box core, or else of the solid. */
+    /** Returns a face normal of a box core, or else of the solid. */
     Vector3d faceNormal(long unit) {
         if (halves.size() == 3) {
             return new Vector3d(halves.get((int) (unit % 3))).normalize(unit % 2 == 0 ? 1 : -1);
@@ -145,7 +148,10 @@ record HullPair(List<Vector3d> halves, double radiusMetres, Vector3d at, ConvexP
                 .toVector();
     }
 
-    /** Metres across everything that is added and subtracted: core, solid, radius, the way between them. */
+    /**
+     * Returns the extent in metres of everything that is added and subtracted: core, solid, radius, the distance
+     * between them.
+     */
     double extentMetres() {
         double extent = radiusMetres + at.length();
         for (Vector3d half : halves) {
@@ -155,7 +161,10 @@ record HullPair(List<Vector3d> halves, double radiusMetres, Vector3d at, ConvexP
         return extent + new Vector3d(b.maxX() - b.minX(), b.maxY() - b.minY(), b.maxZ() - b.minZ()).length();
     }
 
-    /** Metres between core and solid by {@link BruteForce} with the shape moved by {@code shift}; 0 when they meet. */
+    /**
+     * Returns the distance in metres between core and solid by {@link BruteForce}, with the shape moved by
+     * {@code shift}; 0 if they intersect.
+     */
     double distance(Vector3d shift) {
         Vector3d origin = new Vector3d(at).add(shift);
         if (halves.size() == 1) {
@@ -166,7 +175,7 @@ record HullPair(List<Vector3d> halves, double radiusMetres, Vector3d at, ConvexP
         return Math.min(edges(core, solid), edges(solid, core));
     }
 
-    /** Two solids are as near as an edge of one comes to the other. */
+    /** Returns the distance of two solids as the least distance of an edge of one from the other. */
     private static double edges(ConvexPolyhedron of, ConvexPolyhedron to) {
         double least = Double.POSITIVE_INFINITY;
         for (ConvexPolyhedron.Face face : of.faces()) {

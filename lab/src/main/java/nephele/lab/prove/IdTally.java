@@ -6,20 +6,20 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Pixels of pictures in identity colours, drawn against traced. A pixel is wrong where the twin sees one surface in all
- * of the three by three pixels around it and the drawn one is another, unless some ray within one pixel meets that:
- * things thinner than a pixel may be hit or missed, and of faces that lie in one place any may show. Beside an edge a
- * pixel is not judged, but counted where it shows what is not there: a crack, or a portal a pixel too wide.
+ * Compares drawn pictures in identity colours with traced ones. A pixel is wrong if the twin shows one surface in all
+ * of the three by three pixels around it and the drawn surface is another, unless some ray within one pixel hits that:
+ * objects thinner than a pixel may be hit or missed, and of coincident faces any may be visible. A pixel beside an edge
+ * is not judged, but counted if it shows a surface that is not there: a crack, or a portal that is a pixel too wide.
  */
 final class IdTally {
-    /** What an opening is filled with that the view budget does not reach. */
+    /** The colour of an opening that the view budget does not reach. */
     static final int TERMINAL = 0xff00ff;
 
-    /** How many views through portals a picture may have. */
+    /** The number of views through portals that a picture may have. */
     enum Views {
-        /** As many as are seen: none may be missing. */
+        /** All visible views: none may be missing. */
         ALL,
-        /** As many as a player gets: what is missing is counted, not judged. */
+        /** At most as many as a player's preset allows: missing ones are counted, not judged. */
         BUDGETED
     }
 
@@ -32,8 +32,10 @@ final class IdTally {
     private double largestTerminalShare;
 
     /**
-     * @param views whether each view that is seen was to be drawn
-     * @param what names the picture and how to draw it again
+     * Compares a picture.
+     *
+     * @param views whether every visible view was to be drawn
+     * @param what names the picture and the way to draw it again
      */
     void compare(BufferedImage drawn, SightPicture traced, Views views, String what) {
         int bad = 0;

@@ -12,11 +12,11 @@ import nephele.engine.sim.ReplayRecorder;
 import nephele.engine.sim.SimSettings;
 
 /**
- * Plays replays in one process after the other: interpreted, compiled in each way, on each Java there is. Four of ten
- * minutes on foot, and one through a hundred crossings, with a portal that is moved and a cube that is carried.
+ * Plays replays in successive processes: interpreted, compiled in each way, on each installed Java. Four replays are of
+ * ten minutes of walking, and one has a hundred crossings, with a portal that is moved and a cube that is carried.
  */
 public final class JitMatrixProof implements Proof {
-    /** Has stairs, slopes, a slot, a crate and a column. */
+    /** A level with stairs, slopes, a slot, a crate and a column. */
     public static final String LEVEL = "levels/samples/walking.json";
 
     public static final String PORTALS_LEVEL = "levels/samples/portals.json";
@@ -59,7 +59,7 @@ public final class JitMatrixProof implements Proof {
         return ProofResult.of(count, failures, figures);
     }
 
-    /** The recorded one. */
+    /** Returns the recorded replay. */
     public static Replay throughPortals() throws IOException {
         return Replay.read(PORTALS_REPLAY.toString(), Files.readAllBytes(PORTALS_REPLAY));
     }
@@ -86,7 +86,10 @@ public final class JitMatrixProof implements Proof {
         return line + 1;
     }
 
-    /** Someone who walks, runs, jumps, crouches and looks about at random, mouse and keys changing like a player's. */
+    /**
+     * Returns a replay of a player that walks, runs, jumps, crouches and looks around at random, with changes of mouse
+     * and keys like a person's.
+     */
     public static Replay wandering(long seed, int ticks) {
         var random = new SplittableRandom(seed);
         var recorder = new ReplayRecorder("walking.json", SimSettings.DEFAULT, null);

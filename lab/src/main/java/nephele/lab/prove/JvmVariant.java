@@ -10,7 +10,7 @@ import java.util.Properties;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/** A Java machine and how it is told to compile. */
+/** A Java installation and the flags that select its way of compilation. */
 public record JvmVariant(String name, Path java, List<String> flags) {
     private static final int OLDEST = 17;
 
@@ -21,12 +21,14 @@ public record JvmVariant(String name, Path java, List<String> flags) {
             List.of("-XX:-TieredCompilation", "-XX:+UseSerialGC"),
             List.of("-Duser.language=tr", "-Duser.country=TR", "-Duser.timezone=Asia/Kathmandu"));
 
-    /** How many of {@link #all()} belong to one machine. */
+    /** Returns the number of variants in {@link #all()} that belong to one installation. */
     public static int waysPerMachine() {
         return WAYS.size();
     }
 
-    /** Every way on the running machine first, then on one machine of each other version that lies beside it. */
+    /**
+     * Returns every way on the running Java first, then on one installation of each other version in the same folder.
+     */
     public static List<JvmVariant> all() {
         List<JvmVariant> variants = new ArrayList<>();
         for (Path home : homes()) {
@@ -58,7 +60,7 @@ public record JvmVariant(String name, Path java, List<String> flags) {
         return homes;
     }
 
-    /** The feature version that the installation states of itself, 0 when it is none. */
+    /** Returns the feature version from the installation's release file, or 0 if it has none. */
     private static int version(Path home) {
         var release = new Properties();
         try (Reader reader = Files.newBufferedReader(home.resolve("release"))) {

@@ -8,7 +8,7 @@ import nephele.engine.math.TriangleHit;
 import nephele.engine.math.TriangleRay;
 import nephele.engine.math.Vec3;
 
-/** Rays that go on from a point of a triangle of 1 mm to 1000 km, steeply or almost along it. */
+/** Casts rays that continue from a point of a triangle of 1 mm to 1000 km, steeply or almost along it. */
 final class LeavingRays {
     private final List<String> failures;
     private final TriangleHit hit = new TriangleHit();
@@ -52,7 +52,9 @@ final class LeavingRays {
         return new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
     }
 
-    /** A wall 1 mm before the origin: the ray meets it, and the origin lies on this side of it. */
+    /**
+     * Casts at a wall 1 mm in front of the origin: the ray must hit it, and the origin must be on the triangle's plane.
+     */
     private void castAtWall(long unit, Vec3 origin, Vec3 out, double[] corners) {
         Vec3 u = Directions.perpendicular(out);
         Vec3 v = out.cross(u);

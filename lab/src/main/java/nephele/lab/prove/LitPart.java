@@ -7,21 +7,21 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
- * The part of a face that a light reaches, as the light sees it: where it is narrower than a texel's diagonal it may fall
- * between the texels.
+ * The lit part of a face, as seen from the light. Where it is narrower than a texel's diagonal it may fall between the
+ * texels of the shadow map.
  *
- * @param brushes all that may shade, and the face's own
+ * @param brushes all that may cast shadows, and the face's own
  * @param place on the face
  * @param normal of the face
  * @param way to the light, of unit length
- * @param reachMetres how far to look for what shades
+ * @param reachMetres distance within which a shadow caster counts
  */
 record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double reachMetres) {
     private static final double TOUCH_METRES = 1e-6;
     private static final int DIRECTIONS = 24;
     private static final int STEPS = 12;
 
-    /** Of the face at a place. */
+    /** Returns the lit part of the face at a place. */
     static LitPart at(List<Brush> brushes, Vec3 place, Vec3 way, double reachMetres) {
         Vec3 normal = brushes.stream()
                 .filter(brush -> isWithin(brush, place))
@@ -34,7 +34,10 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
         return new LitPart(brushes, place, normal, way, reachMetres);
     }
 
-    /** Whether some way across it, through the place, is shorter than this; never where no light arrives. */
+    /**
+     * Returns true if a line across the lit part, through the place, is shorter than {@code metres}; false if the place
+     * is not lit.
+     */
     boolean isNarrowerThan(double metres) {
         if (!isLit(place)) {
             return false;
@@ -53,7 +56,7 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
         return false;
     }
 
-    /** The step on the face that the light sees as one across its rays. */
+    /** Returns the step on the face that appears, from the light, as the given step across its rays. */
     private Vec3 onFace(Vec3 step) {
         return Directions.combined(step, 1, way, -normal.dot(step) / normal.dot(way));
     }
@@ -67,7 +70,7 @@ record LitPart(List<Brush> brushes, Vec3 place, Vec3 normal, Vec3 way, double re
         return most;
     }
 
-    /** On the face's plane: on some solid there, and nothing on the way. */
+    /** Returns true if a point of the face's plane is on some solid and no solid shades it. */
     private boolean isLit(Vec3 point) {
         return brushes.stream().anyMatch(brush -> isWithin(brush, point))
                 && brushes.stream().noneMatch(brush -> shades(brush, point));

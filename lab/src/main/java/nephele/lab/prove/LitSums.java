@@ -5,11 +5,12 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * What the lit pictures of one level by one technique add up to, so far.
+ * The sums over the lit pictures of one level by one technique.
  *
- * @param flips of the pictures as they are judged, {@code averagedFlips} of the same ones drawn larger and averaged
+ * @param flips sum of the mean FLIP of the judged pictures; {@code averagedFlips} of the same pictures drawn larger and
+ *     averaged
  * @param drawn sum of all values, {@code traced} likewise
- * @param worst the greatest mean FLIP of a picture, and where that is
+ * @param worst the greatest mean FLIP of a picture, {@code whereWorst} the picture
  */
 record LitSums(
         double pictures,
@@ -19,7 +20,10 @@ record LitSums(
         double traced,
         double worst,
         String whereWorst) {
-    /** Pixels averaged for each compared one along each side, to tell how much of what is off is aliasing. */
+    /**
+     * Drawn pixels along each side of a compared pixel in the averaged pictures, which show how much of the error is
+     * aliasing.
+     */
     static final int FINER = 2;
 
     private static final String PICTURES = ": pictures";
@@ -29,7 +33,7 @@ record LitSums(
     private static final String TRACED = ": radiance traced";
     private static final String WORST = ": greatest mean FLIP";
 
-    /** What {@link #figures} of all batches were joined to; empty where no picture of the series was seen. */
+    /** Returns the sums from the joined {@link #figures} of all batches; empty if the series has no picture. */
     static Optional<LitSums> of(ProofResult result, String series) {
         return result.figure(series + WORST)
                 .map(worst -> new LitSums(
@@ -60,12 +64,12 @@ record LitSums(
         return averagedFlips / pictures;
     }
 
-    /** Where nothing shines both are dark. */
+    /** Returns the relative difference of the radiance; the drawn radiance itself if the traced one is 0. */
     double bias() {
         return traced == 0 ? drawn : drawn / traced - 1;
     }
 
-    /** What a reader wants to know, to be joined with the same of other series. */
+    /** Returns the figures for a reader, to be joined with those of other series. */
     List<Figure> summary(String series) {
         return List.of(
                 Figure.sum("pictures", pictures, ""),

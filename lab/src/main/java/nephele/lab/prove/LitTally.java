@@ -5,7 +5,7 @@ import java.util.List;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
 
-/** Lit pictures, drawn against traced: how different they look, and how much light is missing or too much. */
+/** Compares drawn lit pictures with traced ones: their mean FLIP, and the relative bias of their radiance. */
 final class LitTally {
     static final double MOST_FLIP = 0.05;
     static final double MOST_BIAS = 0.01;
@@ -15,9 +15,9 @@ final class LitTally {
     /**
      * Adds a picture to a series.
      *
-     * @param camera where it is and how to draw it again
-     * @param once the picture that is judged
-     * @param averaged the same, drawn larger and averaged: reported, not judged
+     * @param camera a description of the camera and the way to draw it again
+     * @param once the judged picture
+     * @param averaged the same picture, drawn larger and averaged; reported, not judged
      */
     void compare(String series, String camera, LinearPicture reference, LinearPicture once, LinearPicture averaged) {
         double flip = HdrFlip.of(reference, once).mean();
@@ -34,12 +34,12 @@ final class LitTally {
         return sum;
     }
 
-    /** The sums of every series, which nobody has judged yet. */
+    /** Returns the sums of every series, not yet judged. */
     ProofResult result(long units) {
         return new ProofResult(units, 0, sums.figures(), List.of());
     }
 
-    /** The same with what the sums of each series mean instead of them. */
+    /** Returns the result with the sums of each series replaced by a summary, and judges each series. */
     static ProofResult judged(ProofResult soFar, List<String> series) {
         var failures = new ArrayList<String>();
         var summary = ProofResult.NOTHING;

@@ -13,7 +13,7 @@ import nephele.engine.portal.Portals;
 import nephele.engine.sim.PlayerBody;
 import org.joml.Vector3d;
 
-/** A light cube under a heavy load, and then without it. */
+/** A light cube under a heavy load that is then removed. */
 final class LoadedStack {
     static final double SUNK_METRES = .001;
     static final double FAST_METRES_PER_SECOND = 5;
@@ -28,11 +28,11 @@ final class LoadedStack {
     private double fastest;
 
     /**
-     * What a stack showed.
+     * The results of a stack.
      *
-     * @param sleepsDeepMetres the deepest that a body slept in the floor or in another one
+     * @param sleepsDeepMetres greatest depth in the floor or in another body at which a body slept
      * @param fastestMetresPerSecond of any body at any tick, with the load and without
-     * @param sunkMetres of the lowest in the floor, 1 s after the rest was taken away
+     * @param sunkMetres depth of the lowest body in the floor, 1 s after the others are removed
      */
     record Seen(double sleepsDeepMetres, double fastestMetresPerSecond, double sunkMetres) {
         boolean holds() {
@@ -42,12 +42,14 @@ final class LoadedStack {
         }
     }
 
-    /** A tonne of 1 m set down on a gram of 5 cm. */
+    /** Returns a cube of 1 t and 1 m on a cube of 1 g and 5 cm. */
     static List<Body> tonneOnGram() {
         return List.of(cube(0, .025, .05, .001), cube(1, .05 + GAP_METRES + .5, 1, 1000));
     }
 
-    /** Twelve cubes of 40 cm, each so many times as heavy as the one below; 10 kg is their geometric mean. */
+    /**
+     * Returns twelve cubes of 40 cm, each {@code ratio} times as heavy as the one below; their geometric mean is 10 kg.
+     */
     static List<Body> tower(double ratio) {
         List<Body> bodies = new ArrayList<>();
         for (int i = 0; i < 12; i++) {

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import nephele.engine.level.Body;
 
-/** Light cubes under heavy ones. A unit is one of three stacks at one of three tick rates. */
+/** Loads light cubes with heavy ones. A unit is one of three stacks at one of three tick rates. */
 public final class MassRatiosProof implements Proof {
     private static final int[] RATES = {30, 60, 1000};
     private static final List<Stack> STACKS = List.of(
@@ -17,7 +17,7 @@ public final class MassRatiosProof implements Proof {
 
     private record Stack(String name, List<Body> bodies) {}
 
-    /** @param seconds that each stack bears its load */
+    /** @param seconds for which each stack carries its load */
     public MassRatiosProof(double seconds) {
         this.seconds = seconds;
     }

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The comparisons of {@code portal-ids} and {@code portal-light} in a room of facing mirrors and portals. */
+/** Makes the comparisons of {@code portal-ids} and {@code portal-light} in a room of facing mirrors and portals. */
 public final class MirrorsProof implements Proof {
     private static final List<String> ROOM = List.of("levels/samples/mirror.json");
 
@@ -13,13 +13,13 @@ public final class MirrorsProof implements Proof {
     private final PortalIdsProof ids = new PortalIdsProof(ROOM);
     private final PortalLightProof light;
 
-    /** Of the checkout in the working directory. */
+    /** Uses the folder {@code build/proofs/oracle} of the working directory. */
     public MirrorsProof() {
         this(320, 64, Path.of("build", "proofs", "oracle"));
     }
 
     /**
-     * @param width of a lit picture of 16 by 9
+     * @param width of a lit picture of 16 by 9, in pixels
      * @param samples rays a pixel of it
      * @param folder for traced pictures
      */

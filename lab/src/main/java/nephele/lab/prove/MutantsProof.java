@@ -9,8 +9,8 @@ import java.util.List;
 import nephele.engine.terminal.CommandFailure;
 
 /**
- * Plants faults in copies of sources and shaders, and looks whether a test fails. Sources and tests are not in the jar,
- * so this calls the front door of the checkout, which calls Gradle.
+ * Plants faults in copies of sources and shaders, and checks that a test fails. The jar holds neither sources nor
+ * tests; therefore this calls the start script of the checkout, which calls Gradle.
  */
 public final class MutantsProof implements Proof {
     private static final Path FRONT_DOOR = Path.of("nephele");

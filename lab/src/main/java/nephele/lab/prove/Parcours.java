@@ -11,7 +11,7 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.sim.PlayerInput;
 
-/** A closed yard with all that is awkward underfoot: stairs, a slot, two slopes, an acute wedge, needles. */
+/** A closed yard with obstacles that are difficult to walk on: stairs, a slot, two slopes, an acute wedge, needles. */
 public final class Parcours {
     private final Vec3 origin;
     private final List<Collider> solids = new ArrayList<>();
@@ -20,7 +20,7 @@ public final class Parcours {
         this.origin = origin;
     }
 
-    /** The yard with its floor at {@code origin}. */
+    /** Returns the yard with its floor at {@code origin}. */
     public static CollisionWorld at(Vec3 origin) {
         Parcours yard = new Parcours(origin);
         yard.walls();
@@ -57,7 +57,7 @@ public final class Parcours {
         solids.add(new Collider("solid" + solids.size(), ConvexPolyhedron.box(box)));
     }
 
-    /** Eight metres wide, rising towards −z from y = 0 at {@code z1}. */
+    /** Adds a slope eight metres wide that rises towards −z from y = 0 at {@code z1}. */
     private void slope(double z0, double z1, double degrees) {
         double sin = StrictMath.sin(Math.toRadians(degrees));
         double cos = StrictMath.cos(Math.toRadians(degrees));
@@ -69,7 +69,7 @@ public final class Parcours {
                 plane(new Vec3(-1, 0, 0), new Vec3(-4, 0, 0))));
     }
 
-    /** A tapering plate that leans over a corner. */
+    /** Adds a tapering plate that leans over a corner. */
     private void wedge() {
         planes(List.of(
                 plane(new Vec3(-0.9, -0.3, 0.2), new Vec3(5, 0, 4)),
@@ -90,7 +90,10 @@ public final class Parcours {
         solids.add(new Collider("solid" + solids.size(), ConvexPolyhedron.fromPlanes(planes)));
     }
 
-    /** What someone does who tries everything: walks and runs anywhere, turns, jumps and crouches now and then. */
+    /**
+     * Returns the input of a player that tries everything: walks and runs anywhere, turns, and sometimes jumps and
+     * crouches.
+     */
     public static PlayerInput anything(SplittableRandom random) {
         return new PlayerInput(
                 random.nextInt(-1, 2) * 100,

@@ -11,11 +11,11 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
 /**
- * A pair of portals in the room of a dropped pile, or none, and where the pile's axis stands.
+ * A pair of portals in the room of a dropped pile, or none, and the place of the pile's axis.
  *
- * @param kind the faces of the room that the two are in
+ * @param kind the faces of the room with the two portals
  * @param axis x and z of the column; y is 0
- * @param push the velocity that the bodies have on top of their own
+ * @param push velocity added to that of each body, in m/s
  */
 record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -23,13 +23,13 @@ record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
     private static final double GAP_METRES = .001;
     private static final double MOST_WIDTH_METRES = 1.2;
     private static final double MOST_HEIGHT_METRES = 2.1;
-    /** The smallest aperture, of the greatest. */
+    /** The smallest aperture relative to the largest. */
     private static final double LEAST_SHARE = .15;
-    /** How far from the aperture's middle the column's axis may be, of its half sides. */
+    /** The greatest offset of the column's axis from the aperture's middle, as a fraction of half its sides. */
     private static final double BESIDE = 1.3;
 
     private static final double MOST_PUSH_METRES_PER_SECOND = 5;
-    /** Below every ceiling. */
+    /** The greatest height of a sill; with it an aperture ends below every ceiling. */
     private static final double MOST_SILL_METRES = 3;
 
     private static final Vec3[] INTO_ROOM = {
@@ -37,7 +37,7 @@ record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
     };
     private static final PortalShape[] SHAPES = PortalShape.values();
 
-    /** @param reach how far the bodies reach from the axis along x or z */
+    /** @param reach greatest distance of the bodies from the axis along x or z, in metres */
     static PilePortals none(SplittableRandom random, double reach) {
         double free = ROOM - reach - GAP_METRES;
         double x = random.nextDouble(-1, 1) * free;
@@ -46,7 +46,7 @@ record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
         return new PilePortals("no portals", Portals.NONE, new Vec3(atWall ? free : x, 0, z), Vec3.ZERO);
     }
 
-    /** A pair in the floor and another face, or in two walls, and the column over or beside one of them. */
+    /** Returns a pair in the floor and another face, or in two walls, with the column above or beside one of them. */
     static PilePortals of(SplittableRandom random, double reach, double ceilingMetres) {
         Aperture aperture = Aperture.of(
                 SHAPES[random.nextInt(SHAPES.length)],
@@ -66,7 +66,7 @@ record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
         };
     }
 
-    /** In the eastern (1) or western (−1) half of the floor. */
+    /** Returns a portal in the eastern (1) or western (−1) half of the floor. */
     private static Portal floor(SplittableRandom random, int side, Aperture aperture) {
         double turn = random.nextDouble(0, 2 * Math.PI);
         Vec3 up = new Vec3(StrictMath.sin(turn), 0, StrictMath.cos(turn));
@@ -74,7 +74,7 @@ record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
         return new Portal("a" + side, centre, Portal.facing(UP, up), aperture);
     }
 
-    /** Straight over the portal in the floor, or anywhere. */
+    /** Returns a portal in the ceiling, straight above the one in the floor or anywhere. */
     private static Portal ceiling(SplittableRandom random, Portal below, double metres) {
         boolean over = random.nextBoolean();
         double x = over ? below.centre().x() : random.nextDouble(-4.7, 4.7);
@@ -86,7 +86,7 @@ record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
                 below.aperture());
     }
 
-    /** On the floor, or higher. */
+    /** Returns a portal in a wall, on the floor or higher. */
     private static Portal wall(SplittableRandom random, int wall, Aperture aperture) {
         Vec3 normal = INTO_ROOM[wall];
         double free = ROOM - aperture.widthMetres() / 2;
@@ -118,7 +118,7 @@ record PilePortals(String kind, Portals portals, Vec3 axis, Vec3 push) {
         return Math.max(-most, Math.min(most, x));
     }
 
-    /** The column's bodies in the room. */
+    /** Returns the column's bodies, placed in the room. */
     List<BodyState> placed(List<BodyState> column) {
         List<BodyState> placed = new ArrayList<>();
         for (BodyState state : column) {

@@ -5,19 +5,23 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The piles of boxes that other engines were measured on, 600 a family, each for ten seconds at 120 ticks a second. The
- * figures bear the names of that table's columns. One thread: CPU time is one of them.
+ * Runs the piles of boxes with which other engines were measured, 600 a family, each for ten seconds at 120 ticks a
+ * second. The figures have the names of that comparison's columns. CPU time is one of them; therefore it uses a single
+ * thread.
  */
 public final class PilesProof implements Proof {
     private static final BoxPile.Family[] FAMILIES = BoxPile.Family.values();
     private static final long PILES_A_FAMILY = 600;
-    /** So many of the piles may stay awake, or fall where they could stand. */
+    /** The fraction of the piles that may remain awake, or fall although they could stand. */
     private static final double MOST_UNSETTLED = .01;
 
     private final int warmPiles;
     private boolean warm;
 
-    /** @param warmPiles run before the first batch, for the compiler's sake: CPU time is compared with other engines' */
+    /**
+     * @param warmPiles number run before the first batch, so that the code is compiled: CPU time is compared with other
+     *     engines'
+     */
     public PilesProof(int warmPiles) {
         this.warmPiles = warmPiles;
     }
@@ -34,7 +38,7 @@ public final class PilesProof implements Proof {
                 300);
     }
 
-    /** A unit is a pile; the families take turns. */
+    /** Runs units; a unit is a pile, and the families alternate. */
     @Override
     public ProofResult run(long from, long count, Progress progress) {
         warm();
@@ -54,7 +58,10 @@ public final class PilesProof implements Proof {
         warm = true;
     }
 
-    /** Sums become shares of the piles and CPU time a step; rest and standing are judged by the share. */
+    /**
+     * Converts sums to fractions of the piles, and CPU time to time a step. Rest and standing are judged by their
+     * fractions.
+     */
     @Override
     public ProofResult judged(ProofResult soFar) {
         List<Figure> figures = new ArrayList<>();
@@ -83,7 +90,7 @@ public final class PilesProof implements Proof {
         return isShare ? Figure.sum(figure.name(), figure.value() / piles, "") : figure;
     }
 
-    /** The piles without the property, when they are too many. */
+    /** Returns the number of piles without the property if it exceeds the limit, else 0. */
     private static long judge(ProofResult result, String property, double piles, List<String> failures) {
         double without = piles - result.value(property);
         if (without <= MOST_UNSETTLED * piles) {

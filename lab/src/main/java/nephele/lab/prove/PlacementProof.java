@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.portal.placement.Placed;
 
-/** Shoots portals at made-up walls and looks for better answers by clipping areas. */
+/** Shoots portals at random walls and searches for better answers by clipping areas. */
 public final class PlacementProof implements Proof {
     @Override
     public Claim claim() {
@@ -59,7 +59,7 @@ public final class PlacementProof implements Proof {
         return ProofResult.of(count, failures, figures);
     }
 
-    /** How often the four lines of the student report answer otherwise than the areas, for its rectangle where one aims. */
+    /** Counts the wrong answers of the student report's four lines, for its rectangle at the aimed place. */
     private static final class FourLinesTally {
         private int asked;
         private int accepted;

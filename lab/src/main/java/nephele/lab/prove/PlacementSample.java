@@ -10,9 +10,9 @@ import nephele.engine.portal.placement.Placed;
 import nephele.engine.portal.placement.Placement;
 
 /**
- * Rectangles shot at walls of triangles with holes, as the placement proof makes them, each prepared for both ways of
- * asking whether it fits where one aims, and with the true answer from clipped areas. Nothing stands on these walls: the four
- * lines know of nothing but triangles.
+ * Rectangles shot at walls of triangles with holes, from the placement proof. Each is prepared for both tests of
+ * whether it fits at the aimed place, with the true answer from clipped areas. No columns are on these walls, because
+ * the four lines consider only triangles.
  */
 public final class PlacementSample {
     private final List<Question> questions = new ArrayList<>();
@@ -39,7 +39,7 @@ public final class PlacementSample {
         return questions.size();
     }
 
-    /** Whether the rectangle fits where one aims, in truth. */
+    /** Returns the true answer: true if the rectangle fits at the aimed place. */
     public boolean fits(int question) {
         return questions.get(question).rectangle.fits();
     }
@@ -48,7 +48,7 @@ public final class PlacementSample {
         return questions.get(question).rectangle.byFourLines();
     }
 
-    /** The exact answer about the very place. */
+    /** Returns the exact search's answer for the aimed place only. */
     public boolean exact(int question) {
         Question asked = questions.get(question);
         Aim aim = asked.rectangle.shot().aim;

@@ -18,7 +18,9 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 
-/** Identity colours of every level and sample from seeded cameras, drawn by both portal techniques against traced. */
+/**
+ * Compares identity colours of every level and sample, from seeded cameras, drawn by both portal techniques and traced.
+ */
 public final class PortalIdsProof implements Proof {
     private static final int WIDTH = 320;
     private static final int HEIGHT = 180;
@@ -28,14 +30,14 @@ public final class PortalIdsProof implements Proof {
 
     private record Way(PortalTechnique technique, int budget) {}
 
-    /** Of the checkout in the working directory. */
+    /** Uses the levels of the checkout in the working directory. */
     public PortalIdsProof() {
         this(SeenLevels.all());
     }
 
     /** @param files levels by path */
     public PortalIdsProof(List<String> files) {
-        // One camera of each kind.
+        // Five successive cameras cover every kind of view.
         cameras = new ComparedCameras(files, 5);
     }
 

@@ -25,11 +25,11 @@ import nephele.lab.oracle.ReferenceEye;
 import nephele.lab.oracle.TracedPictures;
 
 /**
- * The cameras of {@code portal-ids} again, lit: linear radiance by both portal techniques against traced. The traced
- * pictures are kept, for they take nearly all of the time.
+ * Compares the linear radiance of lit pictures, from the cameras of {@code portal-ids}, drawn by both portal techniques
+ * and traced. The traced pictures are kept, because they take nearly all of the time.
  */
 public final class PortalLightProof implements Proof {
-    /** Cameras of a level that follow one another: loading and warming a level up costs as much as tracing a few. */
+    /** Successive cameras of a level: loading and warming up a level costs as much as tracing a few pictures. */
     private static final int AT_ONCE = 5;
 
     private static final Path KEPT = Path.of("build", "proofs", "oracle");
@@ -38,14 +38,14 @@ public final class PortalLightProof implements Proof {
     private final TracedPictures kept;
     private final TraceSettings trace;
 
-    /** Of the checkout in the working directory. */
+    /** Uses the levels of the checkout in the working directory. */
     public PortalLightProof() {
         this(SeenLevels.all(), 320, 64, KEPT);
     }
 
     /**
      * @param files levels by path
-     * @param width of a picture of 16 by 9
+     * @param width of a picture of 16 by 9, in pixels
      * @param samples rays a pixel
      * @param folder for traced pictures
      */
@@ -86,7 +86,7 @@ public final class PortalLightProof implements Proof {
         return tally.result(count);
     }
 
-    /** A level's bounds are of all its pictures together, whichever batches they were in. */
+    /** Judges each level by all its pictures together, regardless of their batches. */
     @Override
     public ProofResult judged(ProofResult soFar) {
         var series = ComparedLevel.TECHNIQUES.stream()

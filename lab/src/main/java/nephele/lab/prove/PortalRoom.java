@@ -15,8 +15,8 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 
 /**
- * A room with one pair of portals, somewhere on its walls, floor, ceiling or on a slanted block; those on walls stand on
- * the floor as often as not. Walls are 2 cm to 1 m thick, there is furniture, and one room in four lies far out.
+ * A room with one pair of portals on its walls, floor, ceiling or on a slanted block; half of those on walls reach the
+ * floor. Walls are 2 cm to 1 m thick, there is furniture, and one room in four is 10 km away from the origin.
  */
 final class PortalRoom {
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -24,7 +24,7 @@ final class PortalRoom {
     private static final double HIGH = 4;
     private static final double ROUNDING = 1e-9;
     private static final int DRAWS = 200;
-    /** A portal off the ramp has so much room before it. */
+    /** The free distance in front of a portal that is not on the ramp. */
     private static final double RAMP_METRES = 0.7;
 
     private static final PortalShape[] SHAPES = PortalShape.values();
@@ -39,9 +39,9 @@ final class PortalRoom {
         origin = new Vec3(out, out / 8, -out);
     }
 
-    /** What a room is made of. */
+    /** The solids and portals of a room. */
     record Place(CollisionWorld world, Portals portals, Vec3 origin) {
-        /** Whether a point is within the room's walls, or on one: in a portal. */
+        /** Returns true if a point is within the room's walls or on one, as in a portal. */
         boolean holds(Vec3 p) {
             return Math.abs(p.x() - origin.x()) < HALF + ROUNDING
                     && Math.abs(p.z() - origin.z()) < HALF + ROUNDING
@@ -78,7 +78,7 @@ final class PortalRoom {
         return origin.addScaled(1, new Vec3(x, y, z));
     }
 
-    /** A block in the south-east corner with a slanted face, and the frame in the middle of that face. */
+    /** Adds a block in the south-east corner with a slanted face, and returns the frame in the middle of that face. */
     private Portal ramp() {
         double lean = Math.toRadians(random.nextInt(15, 75));
         double turn = Math.toRadians(random.nextInt(150, 210));
@@ -119,7 +119,7 @@ final class PortalRoom {
         throw new IllegalStateException("no two portals apart in " + DRAWS + " draws");
     }
 
-    /** Two that share an edge: in a corner of the room, or side by side in a wall. */
+    /** Returns two portals that share an edge: in a corner of the room, or side by side in a wall. */
     private List<Portal> adjoining(Aperture aperture, boolean inCorner) {
         double half = aperture.widthMetres() / 2;
         double sill = aperture.heightMetres() / 2 + (random.nextBoolean() ? 0 : random.nextDouble());
@@ -155,7 +155,10 @@ final class PortalRoom {
         return new Portal(id, centre, Portal.facing(normal, up), aperture);
     }
 
-    /** Whether the apertures share no more than an edge: their spheres or one's plane or side keeps them apart. */
+    /**
+     * Returns true if the apertures share no more than an edge: they are in different planes, or far enough apart in
+     * one.
+     */
     private static boolean apart(Portal a, Portal b) {
         boolean coplanar =
                 Math.abs(a.inFront(b.centre().x(), b.centre().y(), b.centre().z())) < 1e-6
@@ -170,7 +173,7 @@ final class PortalRoom {
         return !coplanar || beside;
     }
 
-    /** Whether it is the ramp's own or has room before it. */
+    /** Returns true if the portal is the ramp's own or has free space in front of it. */
     private boolean isOffRamp(Portal end, Portal ramp) {
         if (end.frame().equals(ramp.frame())) {
             return true;
@@ -179,7 +182,7 @@ final class PortalRoom {
         return !reaches(end, RAMP_METRES, block.moved(origin.negated()));
     }
 
-    /** Boxes on the floor, some just before an exit but none in it. */
+    /** Adds boxes on the floor, some close in front of an exit but none in it. */
     private void furniture(List<Portal> ends) {
         double before = random.nextDouble(0.01, 0.7);
         for (int i = random.nextInt(9); i > 0; i--) {
@@ -195,7 +198,7 @@ final class PortalRoom {
         }
     }
 
-    /** Whether a box is nearer to an aperture than asked. */
+    /** Returns true if a box is within {@code least} metres in front of an aperture. */
     private boolean reaches(Portal end, double least, Aabb box) {
         List<Vec3> corners = new ArrayList<>();
         for (int i = 0; i < end.aperture().corners(); i++) {

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a range of units showed.
+ * The result of a range of units.
  *
- * @param units how many ran
- * @param failures how many refuted the claim
+ * @param units number of units run
+ * @param failures number of units that refuted the claim
  * @param figures measured numbers, in the order in which they are reported
  * @param examples the first few failures in words, with the unit's number
  */
@@ -21,7 +21,7 @@ public record ProofResult(long units, long failures, List<Figure> figures, List<
         examples = List.copyOf(examples.subList(0, Math.min(examples.size(), EXAMPLES_KEPT)));
     }
 
-    /** The result of units whose failures are all told in words. */
+    /** Returns a result in which each failure is described in words. */
     static ProofResult of(long units, List<String> failures, List<Figure> figures) {
         return new ProofResult(units, failures.size(), figures, failures);
     }
@@ -34,7 +34,7 @@ public record ProofResult(long units, long failures, List<Figure> figures, List<
         return failures == 0;
     }
 
-    /** This range and another one as one result; figures are joined by name. */
+    /** Returns this range and another one as one result; figures are joined by name. */
     public ProofResult and(ProofResult other) {
         var joined = new ArrayList<Figure>();
         for (var figure : figures) {
@@ -54,7 +54,7 @@ public record ProofResult(long units, long failures, List<Figure> figures, List<
         return figures.stream().filter(figure -> figure.name().equals(name)).findFirst();
     }
 
-    /** The number of a figure; 0 where there is none. */
+    /** Returns the number of a figure; 0 if there is none. */
     double value(String name) {
         return figure(name).map(Figure::value).orElse(0.0);
     }

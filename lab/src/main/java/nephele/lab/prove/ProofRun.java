@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
 
-/** Runs one proof batch by batch from where it stopped, saving after each, and shows how far it is. */
+/** Runs one proof batch by batch from its last state, saves the state after each batch, and shows the progress. */
 public final class ProofRun {
     private static final long SHOW_EVERY_NANOS = 2_000_000_000L;
 
@@ -19,12 +19,12 @@ public final class ProofRun {
         this.progressTo = progressTo;
     }
 
-    /** Forgets what an earlier run learnt. */
+    /** Discards the results of earlier runs. */
     public void startOver(String commit) throws IOException {
         ProofState.fresh(commit).save(stateFile);
     }
 
-    /** Runs what is missing until {@code count} units are done, and returns the result of all of them. */
+    /** Runs the missing units until {@code count} are done, and returns the result of all of them. */
     public ProofResult upTo(long count, String commit) throws Exception {
         var state = ProofState.load(stateFile, commit);
         while (state.soFar().units() < count) {
@@ -55,7 +55,7 @@ public final class ProofRun {
         };
     }
 
-    /** Runs some units alone, keeping nothing. */
+    /** Runs some units alone without saving the result. */
     public ProofResult alone(long from, long count) throws Exception {
         return proof.judged(proof.run(from, count, shown(0, count)));
     }

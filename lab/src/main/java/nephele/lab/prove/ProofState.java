@@ -11,13 +11,13 @@ import java.util.List;
 import java.util.Properties;
 import nephele.engine.asset.WholeFile;
 
-/** How far a proof has come at one commit, and what it learnt: kept in a file so that the run can go on later. */
+/** The progress and results of a proof at one commit, saved in a file so that the run can be resumed. */
 record ProofState(String commit, ProofResult soFar) {
     static ProofState fresh(String commit) {
         return new ProofState(commit, ProofResult.NOTHING);
     }
 
-    /** The saved state if it belongs to this commit, else a fresh one: changed code has to be proved again. */
+    /** Returns the saved state if it belongs to this commit, else a fresh one: changed code has to be proved again. */
     static ProofState load(Path file, String commit) throws IOException {
         if (!Files.exists(file)) {
             return fresh(commit);

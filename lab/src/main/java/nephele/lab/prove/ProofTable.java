@@ -10,7 +10,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import nephele.engine.asset.WholeFile;
 
-/** docs/proofs.md: one row a proof, in the order of {@link Proofs#ALL}; a new figure replaces the old row. */
+/** The file docs/proofs.md: one row a proof, in the order of {@link Proofs#ALL}. A new result replaces the old row. */
 public final class ProofTable {
     private static final String HEAD =
             """
@@ -28,10 +28,10 @@ public final class ProofTable {
         this.file = file;
     }
 
-    /** Where and when a result was found. */
+    /** The place and time of a result. */
     public record Circumstances(String date, String commit, String machine) {}
 
-    /** Puts the result into the table, over the row that this proof had. */
+    /** Writes the result into the table in place of the proof's earlier row. */
     public void write(Proof proof, ProofResult result, Circumstances found) throws IOException {
         var rows = rows();
         rows.removeIf(row -> nameOf(row).equals(proof.claim().name()));
@@ -78,7 +78,7 @@ public final class ProofTable {
                 Locale.ROOT, "%,d%s %s", result.units(), of, proof.claim().unit());
     }
 
-    /** The result for the terminal: verdict, count, figures and the first failures. */
+    /** Returns the result for the terminal: verdict, count, figures and the first failures. */
     public static String summary(Proof proof, ProofResult result) {
         var verdict = result.holds() ? "holds" : "FAILS (" + result.failures() + " failures)";
         var text = new StringBuilder(
@@ -88,7 +88,7 @@ public final class ProofTable {
         return text.toString();
     }
 
-    /** A figure as a reader wants it: whole numbers whole, others with five digits. */
+    /** Formats a figure: whole numbers whole, others with five digits. */
     static String text(Figure figure) {
         boolean whole = figure.value() == Math.rint(figure.value()) && Math.abs(figure.value()) < 1e15;
         String number = String.format(Locale.ROOT, whole ? "%,.0f" : "%.5g", figure.value());

@@ -2,7 +2,7 @@ package nephele.lab.prove;
 
 import java.util.List;
 
-/** Every proof, in the order in which `prove` without a name runs them; the only registration. */
+/** The registry of proofs, in the order in which {@code prove} without a name runs them. */
 public final class Proofs {
     public static final List<Proof> ALL = List.of(
             new ClosedRoomProof(),

@@ -20,9 +20,9 @@ import nephele.engine.level.Sun;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.math.Vec3;
 
-/** Edits a {@link Town} as an author does, one record at a time, and undoes now and then. By seed. */
+/** Seeded random edits of a {@link Town}, one record at a time, with occasional undo, as an author makes them. */
 final class RandomEdits {
-    /** What an edit does. */
+    /** The kinds of edits. */
     enum Kind {
         MOVE_SOLID,
         RESIZE_SOLID,
@@ -42,7 +42,7 @@ final class RandomEdits {
         TOGGLE_SKY
     }
 
-    /** What happens all the time: the others change what a level needs of the renderer. */
+    /** The common kinds; the others change which features of the renderer a level needs. */
     static final List<Kind> COMMON = List.copyOf(EnumSet.complementOf(EnumSet.of(Kind.TOGGLE_MIRROR, Kind.TOGGLE_SKY)));
 
     private static final int MOST_UNDONE = 100;
@@ -57,12 +57,12 @@ final class RandomEdits {
         this.level = level;
     }
 
-    /** One of these kinds, each as likely as another. */
+    /** Returns one of these kinds, all with the same probability. */
     Kind oneOf(List<Kind> kinds) {
         return kinds.get(random.nextInt(kinds.size()));
     }
 
-    /** The level after one more edit. */
+    /** Returns the level after one more edit. */
     Level after(Kind kind) {
         if (kind == Kind.UNDO) {
             level = earlier.isEmpty() ? level : earlier.pop();
@@ -130,7 +130,7 @@ final class RandomEdits {
         return List.copyOf(more);
     }
 
-    /** A step of a grid of 10 cm, or any. */
+    /** Returns a multiple of 10 cm or any value, from −1 m to 1 m. */
     private double step() {
         return random.nextBoolean() ? 0.1 * (random.nextInt(21) - 10) : 2 * random.nextDouble() - 1;
     }
@@ -194,7 +194,7 @@ final class RandomEdits {
                 prism.id(), material, prism.portalable(), mapping, centre, radius, prism.heightMetres(), prism.sides());
     }
 
-    /** A box on top of another solid's middle, or somewhere in it. */
+    /** Returns a box on the middle of another box, or within 10 m of the town's corner if the other solid is no box. */
     private Solid addedSolid() {
         Solid on = level.solids().get(random.nextInt(level.solids().size()));
         Vec3 at = on instanceof Solid.Box box
@@ -231,7 +231,7 @@ final class RandomEdits {
                 mirror);
     }
 
-    /** Between the sky's light and a constant in its place. */
+    /** Switches the ambient light between the sky's and a constant. */
     private static Environment toggledSky(Environment old) {
         Vec3 ambient = old.ambient() == null ? new Vec3(0.2, 0.2, 0.2) : null;
         return new Environment(

@@ -10,13 +10,13 @@ import nephele.engine.portal.placement.SurfacePolygon;
 import nephele.engine.portal.placement.Surfaces;
 
 /**
- * A made-up surface: a mesh of triangles with holes, or boxes side by side and into each other, some of them without
- * leave for portals; columns may stand on it.
+ * A random surface: a mesh of triangles with holes, or adjoining and overlapping boxes, some of which do not admit
+ * portals. Columns may stand on it.
  *
- * @param faces with leave for portals; they may overlap
- * @param pieces where portals are allowed, disjoint
- * @param columns footprints of what stands on it
- * @param soup the mesh, {@code null} for boxes
+ * @param faces that admit portals; they may overlap
+ * @param pieces the area on which portals are allowed, disjoint
+ * @param columns footprints of the columns
+ * @param soup triangles of the mesh, {@code null} for boxes
  */
 record RandomWall(
         WallPlace place,
@@ -109,7 +109,7 @@ record RandomWall(
         return new RandomWall(place, Surfaces.of(solids, SurfacePolygon.of(soup, true)), pieces, pieces, columns, soup);
     }
 
-    /** Rectangles between lines that several share, so that they abut and overlap. */
+    /** Returns boxes with rectangular faces between shared lines, so that they adjoin and overlap. */
     private static RandomWall boxes(WallPlace place, SplittableRandom random) {
         double[] xs = sorted(random, 6);
         double[] ys = sorted(random, 5);
@@ -162,7 +162,7 @@ record RandomWall(
         return new double[] {x0, y0, x1, y0, x1, y1, x0, y1};
     }
 
-    /** Turned boxes. */
+    /** Returns the footprints of boxes, some of them rotated. */
     private static List<double[]> columns(SplittableRandom random) {
         List<double[]> columns = new ArrayList<>();
         for (int i = random.nextInt(4); i > 1; i--) {
@@ -185,7 +185,7 @@ record RandomWall(
         return columns;
     }
 
-    /** The pieces of those faces that one comes to from a point without leaving faces. */
+    /** Returns the pieces of the faces that are connected with a point through faces. */
     List<double[]> connected(double x, double y) {
         List<double[]> reached = new ArrayList<>();
         List<double[]> left = new ArrayList<>(faces);

@@ -7,15 +7,15 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.placement.FourLines;
 
 /**
- * Whether a rectangle fits where a shot at a wall of triangles aims: prepared for the student report's four lines, with
- * the true answer from clipped areas.
+ * The question whether a rectangle fits at the aimed place on a wall of triangles, prepared for the student report's
+ * four lines, with the true answer from clipped areas.
  *
- * @param triangle that the shot aims at
+ * @param triangle index of the triangle at the aimed place
  * @param halfRight from the centre to the rectangle's right side, {@code halfUp} to its upper one
  */
 record RectangleQuestion(
         WallShot shot, Aperture rectangle, FourLines lines, int triangle, Vec3 halfRight, Vec3 halfUp, boolean fits) {
-    /** Of the gun's width and height. */
+    /** Returns the question for a rectangle of the gun's width and height. */
     static RectangleQuestion of(WallShot shot) {
         Aperture aimed = shot.gun.aperture();
         Aperture rectangle = Aperture.of(PortalShape.RECTANGLE, aimed.widthMetres(), aimed.heightMetres());

@@ -14,7 +14,11 @@ import nephele.engine.sim.TickHashes;
 
 /** A replay played in a process of its own. */
 public record ReplayProcess(JvmVariant variant, String level, Path replay, int every) {
-    /** Prints a line {@code tick hash} every so many ticks: level, replay, ticks. */
+    /**
+     * Prints a line {@code tick hash} every so many ticks.
+     *
+     * @param arguments level, replay, ticks between two lines
+     */
     public static void main(String[] arguments) {
         var opened = new LevelName(arguments[0]).open();
         var replay = LevelName.replay(arguments[1]);
@@ -24,9 +28,9 @@ public record ReplayProcess(JvmVariant variant, String level, Path replay, int e
     }
 
     /**
-     * The lines {@code tick hash} that it prints.
+     * Runs the process and returns the lines {@code tick hash} that it prints.
      *
-     * @throws IOException with what it said when it fails
+     * @throws IOException with the error output of the process if it fails
      */
     public List<String> lines() throws IOException, InterruptedException {
         List<String> command = new ArrayList<>(List.of(variant.java().toString(), "-Xmx256m"));

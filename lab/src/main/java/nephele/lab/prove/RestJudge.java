@@ -8,25 +8,25 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Whether a pile has come to rest: every body sleeps on something, or rolls or spins as a ball or capsule, or is moved by
- * one that does. Bodies sleep half a second after what moved them has gone, and what rolls over a groove leaves it for
- * a moment: so the judge is shown the last {@link #WATCHED_SECONDS}.
+ * Decides whether a pile has come to rest: every body sleeps on something, or rolls or spins as a ball or capsule, or
+ * is moved by one that does. A body falls asleep half a second after its mover has gone, and a body that rolls over a
+ * groove leaves it for a moment; therefore the last {@link #WATCHED_SECONDS} are observed.
  */
 final class RestJudge {
     static final double WATCHED_SECONDS = .6;
 
-    /** A ball or capsule that rolls or spins moves no faster where it touches its support. */
+    /** The greatest slip at the support of a ball or capsule that rolls or spins. */
     private static final double SLIP_METRES_PER_SECOND = .05;
 
-    /** A ball or capsule slower than this moves nothing else. */
+    /** A slower ball or capsule moves nothing else. */
     private static final double MOVING_METRES_PER_SECOND = .01;
 
     private final BodyTable table;
     private final Supports supports;
     private final boolean[][] touching;
-    /** Whether a ball or capsule was seen to roll or spin on something. */
+    /** True if a ball or capsule was observed to roll or spin on something. */
     private final boolean[] rolling;
-    /** Whether it was fast enough then to move something else. */
+    /** True if it was then fast enough to move something else. */
     private final boolean[] moving;
 
     private final Vector3d v = new Vector3d();
@@ -43,7 +43,7 @@ final class RestJudge {
         moving = new boolean[table.size()];
     }
 
-    /** Sees who touches what and who rolls, at one tick. */
+    /** Records contacts and rolling bodies at one tick. */
     void see(Bodies bodies) {
         for (int i = 0; i < bodies.size(); i++) {
             if (!bodies.isAsleep(i)) {
@@ -63,7 +63,7 @@ final class RestJudge {
         moving[body] |= rolling[body] && speed(bodies, body) > MOVING_METRES_PER_SECOND;
     }
 
-    /** Whether all have come to rest by the end of what was seen. */
+    /** Returns true if all bodies have come to rest by the end of the observation. */
     boolean isAtRest(Bodies end) {
         boolean[] moved = moving.clone();
         spread(end, moved);
@@ -80,7 +80,7 @@ final class RestJudge {
         return held[0];
     }
 
-    /** Marks all awake bodies that touched a marked one, and those that touched these. */
+    /** Marks all awake bodies that touched a marked one, transitively. */
     private void spread(Bodies bodies, boolean[] moved) {
         for (int round = 0; round < moved.length; round++) {
             for (int i = 0; i < moved.length; i++) {
@@ -91,7 +91,9 @@ final class RestJudge {
         }
     }
 
-    /** The least speed at which a ball's or capsule's surface, of its ends and its middle, slips on what it touches. */
+    /**
+     * Returns the least slip in m/s of a ball's or capsule's surface, at its ends and its middle, on what it touches.
+     */
     private double slip(Bodies bodies, int body, Vector3d normal) {
         double least = Double.POSITIVE_INFINITY;
         bodies.orientation(body, turn).transform(halfAxis.set(0, halfAxisMetres(body), 0));

@@ -16,15 +16,16 @@ import nephele.engine.portal.placement.Refusal;
 import nephele.engine.portal.placement.Surfaces;
 
 /**
- * Cuts the same wall into other triangles, tilts it by up to 0.1°, adds noise, and shoots at it as before.
+ * Cuts the same wall into other triangles, tilts it by up to 0.1°, adds noise, and compares the answers to the same
+ * shots.
  *
- * <p>Two kinds of shots are left out and counted, since two walls that differ by what this proof allows may answer them
- * differently and both be right. Without noise only cutting differs: left out is where the answer changes its kind or
- * reason when the aperture grows or shrinks by a micrometre, the rounding of wall coordinates many times over. With
- * noise each edge is somewhere within 10 µm in each direction, and the tilt makes 8 m longer by 12 µm, so that an
- * aperture that is {@link #MARGIN} larger or smaller is another wall's right answer: left out is where its kind or
- * reason differs or where its place moves more than the bar allows noise to move it (in a narrow corner a nearest
- * point moves many times what an edge does).
+ * <p>Two kinds of shots are left out and counted, because two walls that differ by what this proof allows may both be
+ * right with different answers. Without noise only the cutting differs: a shot is left out if the answer changes its
+ * kind or reason when the aperture grows or shrinks by a micrometre, many times the rounding of wall coordinates. With
+ * noise each edge is within 10 µm in each direction, and the tilt lengthens 8 m by 12 µm, so that an aperture that is
+ * {@link #MARGIN} larger or smaller represents another wall's right answer: a shot is left out if its kind or reason
+ * differs, or if its place moves more than noise is allowed to move it (in a narrow corner a nearest point moves many
+ * times as far as an edge).
  */
 public final class RetriangulationProof implements Proof {
     private static final double MARGIN = 3e-5;
@@ -160,7 +161,7 @@ public final class RetriangulationProof implements Proof {
                 + reason(answers.get(0)) + " and " + reason(answers.get(1));
     }
 
-    /** Infinite for answers of different kinds. */
+    /** Returns the distance of two answers in metres; infinite for answers of different kinds. */
     private static double off(Placed a, WallPlace placeOfA, Placed b, WallPlace placeOfB) {
         if (reason(a) != reason(b)) {
             return Double.POSITIVE_INFINITY;

@@ -12,7 +12,7 @@ import nephele.engine.sim.MouseLook;
 import nephele.engine.sim.PlayerInput;
 import org.joml.Quaterniond;
 
-/** Turns views by anything a mouse may say, and interpolates any pair of rotations. */
+/** Rotates views by any mouse input, and interpolates any pair of rotations. */
 public final class RotationProof implements Proof {
     private static final double DEGREES_PER_COUNT = 0.126;
 
@@ -40,7 +40,7 @@ public final class RotationProof implements Proof {
         return ProofResult.of(count, failures, Figure.greatest("length of a rotation off 1", worstNorm, ""));
     }
 
-    /** The way of the game: mouse counts to whole millidegrees, and these to a heading. */
+    /** Converts mouse counts to whole millidegrees, and these to view angles, as the game does. */
     private static void turn(long unit, SplittableRandom random, List<String> failures) {
         int counts = unit % 100 == 0 ? 1_000_000 : 40;
         double right = random.nextInt(-counts, counts + 1);
@@ -67,7 +67,7 @@ public final class RotationProof implements Proof {
         return Basis.ofYawPitch(heading.yawRadians(), heading.pitchRadians()).back();
     }
 
-    /** Returns how far the result's length is from 1. */
+    /** Returns the difference of the result's length from 1. */
     private static double interpolate(long unit, SplittableRandom random, List<String> failures) {
         Quaterniond a = rotation(random, random.nextDouble(-7, 7));
         Quaterniond b = partner(random, a, (int) (unit % 6));
@@ -87,7 +87,7 @@ public final class RotationProof implements Proof {
         return Rotations.aroundAxis(axis, radians);
     }
 
-    /** Equal, opposite in sign, half a turn away, hardly different, or any. */
+    /** Returns an equal rotation, one opposite in sign, half a turn away, hardly different, or any. */
     private static Quaterniond partner(SplittableRandom random, Quaterniond a, int kind) {
         return switch (kind) {
             case 0 -> new Quaterniond(a);
@@ -98,7 +98,7 @@ public final class RotationProof implements Proof {
         };
     }
 
-    /** Of the rotation from a to b, 0 to π. */
+    /** Returns the angle of the rotation from a to b, 0 to π. */
     private static double angle(Quaterniond a, Quaterniond b) {
         Quaterniond d = new Quaterniond(a).conjugate().mul(b);
         return 2 * Math.atan2(Math.sqrt(d.x * d.x + d.y * d.y + d.z * d.z), Math.abs(d.w));

@@ -13,13 +13,13 @@ import nephele.engine.level.LevelFile;
 import nephele.engine.level.LevelFormatException;
 
 /**
- * Kills processes that save levels, at random moments, and reads what they left. A kill that finds its process between two
- * saves is repeated: a unit is a kill within one.
+ * Kills processes that save levels, at random moments, and reads the files that remain. A unit is a kill within a save;
+ * a kill between two saves is repeated.
  */
 public final class SaveKillProof implements Proof {
     private static final int MOST_SAVES_BEFORE = 3;
 
-    /** A process is killed within so many lengths of the save before: some saves take longer. */
+    /** The latest moment of a kill, in durations of the previous save, because some saves take longer. */
     private static final double LENGTHS = 1.25;
 
     @Override
@@ -81,7 +81,7 @@ public final class SaveKillProof implements Proof {
         return file.resolveSibling(file.getFileName() + suffix);
     }
 
-    /** The cheapest start of a Java process that still does exactly what the editor does when it saves. */
+    /** Starts a Java process as cheaply as possible that saves exactly as the editor does. */
     private static Process start(Path file) throws IOException {
         LevelFile.save(file, SavingChild.level(0));
         Path java = Path.of(System.getProperty("java.home"), "bin", "java");
@@ -99,7 +99,7 @@ public final class SaveKillProof implements Proof {
                 .start();
     }
 
-    /** Waits for a few saves and kills the process within about the length of one after the next has begun. */
+    /** Waits for a few saves and kills the process within about the duration of one after the next has begun. */
     private static String kill(Process child, SplittableRandom random) throws IOException, InterruptedException {
         var told = new StringBuilder();
         long begun = 0;
@@ -113,7 +113,8 @@ public final class SaveKillProof implements Proof {
             }
         }
         LockSupport.parkNanos((long) (random.nextDouble() * LENGTHS * nanos));
-        // Through its handle: killed through the process itself, what it wrote could not be read any more.
+        // The process is killed through its handle: after {@code Process.destroyForcibly} its output can no longer be
+        // read.
         child.toHandle().destroyForcibly();
         child.waitFor();
         return told.append(new String(child.getInputStream().readAllBytes(), StandardCharsets.US_ASCII))
@@ -129,7 +130,7 @@ public final class SaveKillProof implements Proof {
         told.append(expected);
     }
 
-    /** The file itself, not its backup, must be one of the levels that were saved, whole. */
+    /** Checks that the file itself, not its backup, is one of the saved levels, complete. */
     private static void judge(long unit, Path file, List<String> failures) {
         try {
             Level found = LevelFile.read(file);

@@ -9,17 +9,17 @@ import nephele.engine.level.LevelJson;
 
 /** A process that saves one level after another until it is killed. */
 final class SavingChild {
-    /** Nobody kills it any more when its parent has gone: it ends by itself. */
+    /** A limit at which the process ends by itself, in case its parent has ended without killing it. */
     private static final int MOST_SAVES = 5_000;
 
     private SavingChild() {}
 
-    /** Written when a save begins, and when it has ended. */
+    /** Written when a save begins; {@link #ENDED} when it has ended. */
     static final char BEGUN = '(';
 
     static final char ENDED = ')';
 
-    /** Saves to the file it is given and tells when each save begins and ends. */
+    /** Saves to the given file and writes when each save begins and ends. */
     public static void main(String[] arguments) throws IOException {
         Path file = Path.of(arguments[0]);
         for (int generation = 1; generation <= MOST_SAVES; generation++) {
@@ -38,7 +38,7 @@ final class SavingChild {
         System.out.flush();
     }
 
-    /** Levels of changing size, each known by its number. */
+    /** Returns a level of changing size, named by its number. */
     static Level level(int generation) {
         StringBuilder json = new StringBuilder("{\"format\": \"nephele-level\", \"version\": 1, \"name\": \"");
         json.append(generation).append("\", \"solids\": [");

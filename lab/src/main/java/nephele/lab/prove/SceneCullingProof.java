@@ -18,7 +18,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 import org.joml.Matrix4d;
 
-/** XML scenes drawn with culling against the same drawn without, pixel by pixel. */
+/** Compares XML scenes drawn with culling and without, pixel by pixel. */
 public final class SceneCullingProof implements Proof {
     private static final int SIZE = 96;
     private static final int VIEWS = 4;
@@ -57,7 +57,7 @@ public final class SceneCullingProof implements Proof {
         var sources = new Sources(new Source(scene, files), null, null);
         try (var drawing = FixedSceneDrawing.load(gl, sources)) {
             for (int number = 0; number < VIEWS; number++) {
-                // Edges show what faces would hide.
+                // A wireframe shows models that faces would hide.
                 var look = SceneLook.USUAL.with(number % 2 == 0 ? Shading.WIREFRAME : Shading.FLAT);
                 View view = models.view();
                 double seconds = models.seconds();
@@ -83,7 +83,7 @@ public final class SceneCullingProof implements Proof {
         return triangles;
     }
 
-    /** What pictures showed. */
+    /** The results of pictures. */
     private static final class Tally {
         private final List<String> failures = new ArrayList<>();
         private long drawnPixels;

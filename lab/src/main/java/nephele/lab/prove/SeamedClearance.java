@@ -13,11 +13,15 @@ import nephele.engine.sim.PlayerState;
 import org.joml.Vector3d;
 
 /**
- * Whether a player or body near portals is in a solid, judged without the seamed world: from its centre straight ways
- * lead to points of its surface, through whatever aperture is on them; where each ends, and half-way, nothing is solid.
+ * Decides whether a player or body near portals is in a solid, without the static world opened at the portals. Straight
+ * paths lead from its centre to points of its surface, through any aperture on them; at the end of each and half-way
+ * nothing may be solid.
  */
 final class SeamedClearance {
-    /** Deeper than this is in a solid: a point of the surface, reckoned with rounding 10 km out. */
+    /**
+     * The depth above which a point counts as in a solid; it covers the rounding of a surface point 10 km from the
+     * origin.
+     */
     private static final double TOLERANCE_METRES = 1e-6;
 
     private static final int AROUND = 6;
@@ -31,7 +35,7 @@ final class SeamedClearance {
         trace = new PathTrace(place.portals(), Obstacles.NONE);
     }
 
-    /** Metres by which the deepest of the points lies in a solid; 0 for none. */
+    /** Returns the depth in metres of the deepest point in a solid; 0 for none. */
     double depth(PlayerState player) {
         Vec3 up = player.tilt().up();
         Vec3 side = perpendicular(up);
@@ -52,7 +56,7 @@ final class SeamedClearance {
         return deepest;
     }
 
-    /** The same for the points at {@code offsets} from a body's centre. */
+    /** Returns the same for the points at {@code offsets} from a body's centre. */
     double depth(Vector3d centre, List<Vector3d> offsets) {
         double deepest = 0;
         for (Vector3d offset : offsets) {

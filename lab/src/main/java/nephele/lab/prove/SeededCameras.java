@@ -20,8 +20,9 @@ import nephele.lab.oracle.ReferenceEye;
 import org.joml.Vector3d;
 
 /**
- * Views of a level by number: three of five from somewhere that one can walk to, one from within millimetres of a portal
- * (where there is none, from anywhere), one along a wall; none of them with the near plane in a solid, but at portals. A value of the level and the number.
+ * Views of a level by number: three of five from a reachable place, one within 5 mm of a portal (from a reachable place
+ * if there is none), one along a wall. The near plane of none is in a solid, except at portals. A view is determined by
+ * the level and the number.
  */
 final class SeededCameras {
     private static final Vec3 UP = new Vec3(0, 1, 0);
@@ -88,7 +89,7 @@ final class SeededCameras {
         return view(eye, direction(random, 0.4), fov);
     }
 
-    /** Half a millimetre to a nanometre before a portal's plane, looking into it, or across it. */
+    /** Returns a view from 5 mm to 5 nm in front of a portal's plane, into it or across it. */
     private View atPortal(SplittableRandom random, double fov) {
         Portal portal = somePortal(random);
         double height = 5e-3 * Math.pow(10, -6 * random.nextDouble());
@@ -103,7 +104,7 @@ final class SeededCameras {
         return view(eye, unit(d.addScaled(-into * Math.abs(along) - along, n)), fov);
     }
 
-    /** Millimetres to centimetres before a face that can be seen from somewhere, looking nearly along it. */
+    /** Returns a view from 1 mm to 10 cm in front of a visible face, nearly along it. */
     private View alongWall(SplittableRandom random, double fov) {
         for (int i = 0; i < TRIES && !brushes.isEmpty(); i++) {
             List<BrushFace> faces = brushes.get(random.nextInt(brushes.size())).faces();
@@ -140,7 +141,7 @@ final class SeededCameras {
         return ways.freeMetres(start, towards(start, place)) >= way.length() - 1e-6;
     }
 
-    /** Two straight walks from a place that is known to be free; never through a portal. */
+    /** Returns the end of two straight walks from a place that is known to be free, without crossing a portal. */
     private Vec3 place(SplittableRandom random) {
         Vec3 place = starts.get(random.nextInt(starts.size()));
         for (int i = 0; i < 2; i++) {
@@ -152,7 +153,10 @@ final class SeededCameras {
         return place;
     }
 
-    /** No player's eye comes so near to a solid that the near plane lays open what is in it. */
+    /**
+     * Returns true if the near plane is in no solid. A player's eye never comes so near to a solid that the near plane
+     * shows its inside.
+     */
     private boolean isWhole(View view) {
         double width = NEAR_METRES * view.projection().tanHalfWidth();
         double height = NEAR_METRES * view.projection().tanHalfHeight();
@@ -177,7 +181,7 @@ final class SeededCameras {
         return portals.portal(open.get(random.nextInt(open.size())));
     }
 
-    /** Whether the near plane lies within the opening, and so in no floor or wall beyond. */
+    /** Returns true if the near plane is within the opening, and so in no floor or wall behind it. */
     private boolean hasRoom(Portal portal, Vec3 eye, double fov) {
         double metres = NEAR_METRES * Math.tan(fov / 2) * aspect;
         double x = portal.across(eye.x(), eye.y(), eye.z());
@@ -198,7 +202,7 @@ final class SeededCameras {
         return portal.world(x, y, height);
     }
 
-    /** @param rise share of the vertical: 1 for all directions alike */
+    /** @param rise vertical share of the direction; 1 for uniform directions */
     private static Vec3 direction(SplittableRandom random, double rise) {
         double y = rise * (2 * random.nextDouble() - 1);
         double yaw = 2 * Math.PI * random.nextDouble();

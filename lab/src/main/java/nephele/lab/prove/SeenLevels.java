@@ -8,18 +8,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The levels of a checkout that pictures are compared of. */
+/** The levels of a checkout that are compared in pictures. */
 final class SeenLevels {
     private SeenLevels() {}
 
-    /** Every level and every sample. */
+    /** Returns the files of every level and every sample. */
     static List<String> all() {
         List<String> files = new ArrayList<>(in(Path.of("levels")));
         files.addAll(in(Path.of("levels", "samples")));
         return List.copyOf(files);
     }
 
-    /** None outside of a checkout. */
+    /** Returns an empty list outside of a checkout. */
     private static List<String> in(Path folder) {
         if (!Files.isDirectory(folder)) {
             return List.of();

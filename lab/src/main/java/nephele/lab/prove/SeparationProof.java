@@ -7,16 +7,16 @@ import nephele.engine.collision.Separation;
 import org.joml.Vector3d;
 
 /**
- * Measures pairs of a shape and a solid where rounding decides, and compares with brute force.
+ * Compares the separation of pairs of a shape and a solid with brute force, where rounding decides.
  *
- * <p>Why two right answers may differ: GJK bounds the distance d by the support along a direction v that is a difference
- * of coordinates of size L, so v is off by about εL and its direction by εL / d (ε = 2⁻⁵³); over an extent L that lowers
- * the bound by εL² / d, never below "meet", where separating axes take over. The loss is thus at most min(d, εL² / d) ≤
- * √ε L = 1.1e-8 L, and always towards "nearer". A flat simplex solves for v with a few times that error, and corners of
- * solids are welded within 1e-9 L: {@link #BAND} leaves room for both.
+ * <p>Two right answers may differ: GJK bounds the distance d by the support along a direction v that is a difference of
+ * coordinates of size L, so v is off by about εL and its direction by εL / d (ε = 2⁻⁵³). Over an extent L that lowers
+ * the bound by εL² / d, but never below contact, where separating axes are used instead. The loss is thus at most
+ * min(d, εL² / d) ≤ √ε L = 1.1e-8 L, and always towards "nearer". A flat simplex solves for v with a few times that
+ * error, and corners of solids are welded within 1e-9 L: {@link #BAND} leaves room for both.
  */
 public final class SeparationProof implements Proof {
-    /** Share of a pair's extent within which "meet" and "apart" are both right. */
+    /** Fraction of a pair's extent within which both contact and separation are right answers. */
     private static final double BAND = 1e-7;
 
     @Override
@@ -48,7 +48,7 @@ public final class SeparationProof implements Proof {
                 Figure.greatest("depth that does not part", comparison.stuck, "of the extent"));
     }
 
-    /** What was seen so far. */
+    /** The results so far. */
     private static final class Comparison {
         private final List<String> failures = new ArrayList<>();
         private final Separation separation = new Separation();
@@ -79,7 +79,7 @@ public final class SeparationProof implements Proof {
             }
         }
 
-        /** A core that moves out by its depth and the band no longer meets the solid. */
+        /** Returns true if a core that moves out by its depth and the band no longer touches the solid. */
         private boolean parts(HullPair pair, double measured, double extent) {
             double way = Math.max(0, -measured) + 2 * BAND * extent;
             var normal = new Vector3d(separation.normalX(), separation.normalY(), separation.normalZ());
@@ -88,7 +88,7 @@ public final class SeparationProof implements Proof {
             return gap > BAND * extent;
         }
 
-        /** No shorter way out leads along the normal of a face. */
+        /** Returns true if no shorter displacement along the normal of a face separates the pair. */
         private boolean least(long unit, HullPair pair, double measured, double extent) {
             double way = -measured - 2 * BAND * extent;
             return way <= 0 || pair.distance(pair.faceNormal(unit).mul(way)) <= BAND * extent;

@@ -25,18 +25,18 @@ import nephele.lab.oracle.ReferenceEye;
 import nephele.lab.prove.ShadowScene.Shadows;
 
 /**
- * Drawn shadows against rays, pixel by pixel: who differs from the twin must lie within a texel of where the twin's
- * shadow ends, across the light.
+ * Compares drawn shadows with rays, pixel by pixel: a pixel that differs from the twin must be within a texel of the
+ * edge of the twin's shadow, measured across the light.
  */
 public final class ShadowEdgesProof implements Proof {
     private static final int WIDTH = 320;
     private static final int HEIGHT = 180;
     private static final double FOV_DEGREES = 80;
 
-    /** Up to so many texels a wrong pixel's distance is measured. */
+    /** The greatest distance of a wrong pixel that is measured, in texels. */
     private static final double FARTHEST_TEXELS = 4;
 
-    /** Share of pixels that may stay dark because no texel shows what they show. */
+    /** The fraction of pixels that may remain dark because their surface falls between texels. */
     private static final double MOST_NARROW = 1e-3;
 
     private static final double[] RADII = {0.25, 0.5, 0.75, 1, 1.5, 2, 3, FARTHEST_TEXELS};
@@ -96,7 +96,7 @@ public final class ShadowEdgesProof implements Proof {
         }
     }
 
-    /** Pixels that any light reaches, seen from within a room that is closed but for a gap under its ceiling. */
+    /** Returns the number of lit pixels, seen from inside a room that is closed except for a gap under its ceiling. */
     static int litPixels(long unit, double gapMetres, GlContext gl, RenderTarget picture) {
         var room = new DarkRoom(unit / 5, gapMetres);
         Vec3[] camera = room.camera((int) (unit % 5));
@@ -119,7 +119,7 @@ public final class ShadowEdgesProof implements Proof {
         }
     }
 
-    /** 0 where the ray says the same; else how far across the light another place says it. */
+    /** Returns 0 if the ray agrees, else the distance across the light, in texels, to a place at which a ray agrees. */
     private static double offTexels(ShadowScene scene, SurfaceSight sight, boolean isLit) {
         Vec3 way = scene.wayToLight(sight.place());
         if (sight.isLit(Vec3.ZERO, way, scene.limit()) == isLit) {
@@ -142,7 +142,7 @@ public final class ShadowEdgesProof implements Proof {
         return Double.POSITIVE_INFINITY;
     }
 
-    /** What pixels showed. */
+    /** The results of pixels. */
     private static final class Tally {
         private final List<String> failures = new ArrayList<>();
         private long pixels;

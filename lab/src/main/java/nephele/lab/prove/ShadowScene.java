@@ -14,8 +14,9 @@ import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
 
 /**
- * White walls of 10 cm that meet in joints, on a floor and partly under a roof, with posts and a board; lit by a sun of
- * any height, grazing a wall now and then, by a lamp or by a spot. By number.
+ * A scene of white walls of 10 cm that meet in joints, on a floor and partly under a roof, with posts and a board. It
+ * is lit by a sun of any height, sometimes grazing a wall, by a point light or by a spot light. The scene's number
+ * determines it.
  */
 final class ShadowScene {
     private static final double THICK = 0.1;
@@ -26,7 +27,7 @@ final class ShadowScene {
     private final WhiteBoxes boxes = new WhiteBoxes();
     private final Vec3 towardsSun;
     private final Vec3 lamp;
-    /** Of a spot's cone; {@code null} where the lamp shines all around. */
+    /** The axis of a spot light's cone; {@code null} for a point light. */
     private final Vec3 axis;
 
     private final double half;
@@ -72,7 +73,7 @@ final class ShadowScene {
                 : new Light.Spot("lamp", lamp, axis, FIVE, 30, OUTER_DEGREES - 5, OUTER_DEGREES, casts);
     }
 
-    /** The way from a place to the light, of unit length to the sun. */
+    /** Returns the vector from a place to the light; a unit vector for the sun. */
     Vec3 wayToLight(Vec3 place) {
         if (lamp == null) {
             double length = towardsSun.toVector().length();
@@ -81,12 +82,12 @@ final class ShadowScene {
         return lamp.minus(place);
     }
 
-    /** Share of {@link #wayToLight} on which something may shade. */
+    /** Returns the multiple of {@link #wayToLight} within which something may cast a shadow. */
     double limit() {
         return lamp == null ? Double.POSITIVE_INFINITY : 1;
     }
 
-    /** Side of the texel of the depth map that a place falls into. */
+    /** Returns the side in metres of the shadow map's texel at a place. */
     double texelMetres(Vec3 place) {
         if (axis != null) {
             Vec3 way = wayToLight(place);
@@ -101,7 +102,7 @@ final class ShadowScene {
         return sunTexel;
     }
 
-    /** Whether the lit part of the face at a place may fall between the depth map's texels. */
+    /** Returns true if the lit part of the face at a place may fall between the shadow map's texels. */
     boolean isTooNarrow(Vec3 place) {
         Vec3 way = wayToLight(place);
         double length = way.length();
@@ -113,7 +114,7 @@ final class ShadowScene {
 
     private double sunTexel;
 
-    /** Knows the sun's map as the engine fits it. */
+    /** Fits the sun's shadow map as the engine does. */
     ShadowScene fitted(Quality quality) {
         if (lamp == null) {
             List<Brush> brushes = boxes.brushes();
@@ -126,7 +127,7 @@ final class ShadowScene {
         return this;
     }
 
-    /** A place to look from, over the open corner, and what at. */
+    /** Returns an eye above the open corner and a target. */
     Vec3[] camera(int number) {
         var random = new SplittableRandom(31 * number + Math.round(1000 * half));
         Vec3 eye = new Vec3(half * random.nextDouble(), 0.3 + 1.6 * random.nextDouble(), half * random.nextDouble());

@@ -7,7 +7,7 @@ import nephele.engine.math.TriangleHit;
 import nephele.engine.math.TriangleRay;
 import nephele.engine.math.Vec3;
 
-/** Rays at the spokes and the hub of fans of triangles that are not flat and lie up to 100 km out. */
+/** Casts rays at the spokes and the hub of non-planar fans of triangles, up to 100 km away from the origin. */
 final class SharedEdges {
     private static final int SPOKES = 7;
     private static final double MOST_ULPS = 8;

@@ -9,11 +9,11 @@ import nephele.engine.scene.View;
 import nephele.lab.oracle.ReferenceEye;
 
 /**
- * The surfaces that the exact twin sees, in identity colours, the bottom row first: one ray in the middle of each pixel,
- * and more where somebody doubts.
+ * The surfaces that the exact twin sees, in identity colours, bottom row first: one ray in the middle of each pixel,
+ * and more rays for pixels in doubt.
  */
 final class SightPicture {
-    /** Rays along each side of the three by three pixels around a doubted one: first few, then many. */
+    /** Rays along each side of the three by three pixels around a pixel in doubt: first few, then many. */
     private static final int[] FINER = {15, 127};
 
     private final TracedLevel level;
@@ -47,14 +47,14 @@ final class SightPicture {
         return height;
     }
 
-    /** What is seen in the middle of a pixel. */
+    /** Returns the colour at the middle of a pixel. */
     int at(int column, int row) {
         return rgb[row * width + column];
     }
 
     /**
-     * Whether every pixel of the three by three around this one shows the same surface through the same portals: no edge
-     * is near, none of an opening that the same floor goes on behind either.
+     * Returns true if every pixel of the three by three around this one shows the same surface through the same
+     * portals, so that no edge is near, not even that of an opening behind which the same floor continues.
      */
     boolean isPlain(int column, int row) {
         int middle = row * width + column;
@@ -69,7 +69,10 @@ final class SightPicture {
         return true;
     }
 
-    /** Whether the surface of a colour is seen within one pixel of a pixel's middle, however little of it, or as near. */
+    /**
+     * Returns true if some ray within one pixel of a pixel's middle hits the colour's surface or one that coincides
+     * with it.
+     */
     boolean shows(int colour, int column, int row) {
         for (int y = Math.max(row - 1, 0); y <= Math.min(row + 1, height - 1); y++) {
             for (int x = Math.max(column - 1, 0); x <= Math.min(column + 1, width - 1); x++) {

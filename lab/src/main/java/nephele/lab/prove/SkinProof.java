@@ -14,11 +14,11 @@ import nephele.engine.sim.SimSettings;
 import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 
-/** Walks about among slot, wedge, stairs and needles and measures after every tick how near the nearest solid is. */
+/** Walks among slot, wedge, stairs and needles and measures the distance of the nearest solid after every tick. */
 public final class SkinProof implements Proof {
     private static final int TICKS_PER_WALK = 1000;
     private static final int TICKS_PER_INPUT = 24;
-    /** Of the skin, what rounding may take. */
+    /** The part of the skin that rounding may use up. */
     private static final double ALLOWED_METRES = 1e-6;
 
     @Override

@@ -9,14 +9,14 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.walk.Walk;
 
-/** The game's frame without a window, with its allocations counted. */
+/** Runs the game's frames without a window and counts their allocations. */
 final class Soak {
     private static final double LONGEST_PAUSE_MS = 5;
     private static final double MOST_BYTES_A_FRAME = 2048;
     private static final double MOST_BYTES_A_TICK = 4096;
     private static final long NANOS_PER_SECOND = 1_000_000_000L;
 
-    /** Makes a walk from its beginning. */
+    /** Creates a walk from the beginning. */
     @FunctionalInterface
     interface Beginner {
         Walk begin();

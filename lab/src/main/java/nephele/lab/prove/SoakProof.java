@@ -13,7 +13,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.walk.ReplayInput;
 import nephele.engine.walk.Walk;
 
-/** Plays level 01 offscreen in real time, over and over, and watches the collector and what is allocated. */
+/** Plays level 01 offscreen in real time, repeatedly, and measures garbage collection pauses and allocations. */
 public final class SoakProof implements Proof {
     private static final QualityChoice QUALITY = new QualityChoice("high", Map.of());
     private static final int WARM_UP_SECONDS = 3;
@@ -21,7 +21,7 @@ public final class SoakProof implements Proof {
     private final int width;
     private final int height;
 
-    /** At the size that the game starts with. */
+    /** Uses the size with which the game starts. */
     public SoakProof() {
         this(1280, 720);
     }

@@ -14,7 +14,7 @@ import org.joml.Vector3d;
 /** The solids and other bodies that a body touches, in a world without portals. */
 final class Supports {
     static final double TOUCHING_METRES = .005;
-    /** Stands for a solid. */
+    /** The index that stands for a solid. */
     static final int SOLID = -1;
 
     private final BodyTable table;
@@ -30,12 +30,12 @@ final class Supports {
         this.world = world;
     }
 
-    /** Receives what a body touches. */
+    /** Receives the contacts of a body. */
     @FunctionalInterface
     interface Visitor {
         /**
          * @param other index of a body, or {@link #SOLID}
-         * @param normal unit length, from what is touched; valid during the call
+         * @param normal of unit length, away from the touched object; valid during the call
          */
         void touches(int other, Vector3d normal);
     }

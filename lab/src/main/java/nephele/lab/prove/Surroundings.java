@@ -7,11 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** The commit of the checkout in the working directory, and the machine in words; no host or user names. */
+/** The commit of the checkout in the working directory, and a description of the machine without host or user names. */
 public final class Surroundings {
     private Surroundings() {}
 
-    /** Short hash, with a plus sign when tracked files differ from it; "unknown" without git or checkout. */
+    /** Returns the short hash, with a plus sign if tracked files differ from it; "unknown" without git or checkout. */
     public static String commit() {
         String hash = git("rev-parse", "--short=10", "HEAD");
         if (hash.isEmpty()) {

@@ -10,13 +10,13 @@ import org.joml.Vector3d;
 /**
  * A box, ball or capsule of random size.
  *
- * @param points some of its surface around its centre, before any turn
+ * @param points of its surface relative to its centre, before any rotation
  */
 record ThrownBody(Body body, List<Vector3d> points) {
     private static final double LEAST_HALF = 0.1;
     private static final double MOST_HALF = 0.4;
 
-    /** One ball and one capsule in four, else a box, two in three of them cubes. */
+    /** Returns a ball (one in four), a capsule (one in four) or a box; two in three boxes are cubes. */
     static ThrownBody of(SplittableRandom random) {
         double half = random.nextDouble(LEAST_HALF, MOST_HALF);
         return switch (random.nextInt(4)) {

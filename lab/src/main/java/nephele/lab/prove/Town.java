@@ -23,8 +23,8 @@ import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
 /**
- * A town of houses on square plots, each of {@value #HOUSE} solids that touch: walls, floors, stairs, columns and a roof;
- * with sun, sky, lamps, a pair of portals, models and bodies. By seed.
+ * A town of houses on square plots, each of {@value #HOUSE} solids that touch: walls, floors, stairs, columns and a
+ * roof. It has sun, sky, lights, a pair of portals, models and bodies. The seed determines it.
  */
 final class Town {
     /** Solids of a plot. */
@@ -39,7 +39,7 @@ final class Town {
     private static final List<String> TEXTURES =
             List.of("brick", "concrete", "plaster", "wood-planks", "paver", "terracotta", "gravel", "metal-plates");
 
-    /** By number: shapes that are convex and some that are not. */
+    /** The models, in turn: convex shapes and concave ones. */
     private static final List<String> MODELS =
             List.of("sphere_0.5_16_12.3d", "torus_0.6_0.2_16_8.3d", "box_1_2.3d", "models/vase.obj");
 
@@ -51,7 +51,10 @@ final class Town {
         random = new SplittableRandom(seed);
     }
 
-    /** @param plots in a row, and rows of them */
+    /**
+     * @param plots number in a row
+     * @param rows number of rows
+     */
     static Level of(long seed, int plots, int rows) {
         return new Town(seed).level(plots, rows);
     }

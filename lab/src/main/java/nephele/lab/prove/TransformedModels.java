@@ -15,8 +15,8 @@ import nephele.engine.xmlscene.XmlModel.Colours;
 import nephele.engine.xmlscene.XmlScene;
 
 /**
- * Scenes by number: models in groups up to four deep, moved, turned, scaled by axes, mirrored and carried about, around
- * an eye that looks somewhere. A value of the number.
+ * Scenes by number: models in groups up to four deep, moved, rotated, scaled along the axes, mirrored and animated,
+ * around a random view. The number determines all of it.
  */
 final class TransformedModels {
     static final int MODELS = 25;
@@ -80,7 +80,7 @@ final class TransformedModels {
         };
     }
 
-    /** Mirrored as often as not, flat now and then. */
+    /** Returns a scale, negative in half of the cases and sometimes nearly zero. */
     private double factor() {
         double size = random.nextInt(12) == 0 ? 0.01 : 0.2 + 2 * random.nextDouble();
         return random.nextBoolean() ? size : -size;

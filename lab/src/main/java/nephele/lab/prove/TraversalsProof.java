@@ -13,10 +13,11 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * Sends one body through random pairs and back by the same, without ever starting anew: it ought to be where it was.
- * Once as a place, directions and an orientation through the bare passages, and as often again as thrown bodies of the
- * solver ({@link FlownTraversals}). The three axes go as directions, which nothing makes unit or perpendicular again.
- * What rounding leaves of there and back is the same each time, so that it adds up; random ways would average it.
+ * Sends one body through random pairs and back through the same, without a restart, and checks that it returns to its
+ * place: once as a point, directions and an orientation through the bare portal transforms, and as often again as
+ * thrown bodies of the solver ({@link FlownTraversals}). The three axes are transformed as directions, which are never
+ * normalised or made perpendicular again. The rounding of a passage and its return is the same each time, so that it
+ * adds up; random paths would average it.
  */
 public final class TraversalsProof implements Proof {
     private static final int PAIRS = 40;
@@ -24,9 +25,11 @@ public final class TraversalsProof implements Proof {
     static final double PLACE_BAR_METRES = 1e-6;
     static final double SPEED_BAR = 1e-8;
     static final double BASIS_BAR = 1e-9;
-    /** An up that lies nearer to the normal than 0.8° is no up. */
+    /**
+     * The largest dot product of normal and up; an up nearer than 0.8° to the normal does not define an orientation.
+     */
     private static final double MOST_ALONG = 0.9999;
-    /** One chain of traversals; a proof over a million is one chain. */
+    /** The length of a chain of traversals; a proof over a million is one chain. */
     private static final long CHAIN = 1_000_000;
 
     @Override
@@ -52,7 +55,10 @@ public final class TraversalsProof implements Proof {
         return traveller.result(count).and(new FlownTraversals(random).run(count));
     }
 
-    /** Radians from one orientation to the other: twice the length of the vector part of q1* q2. */
+    /**
+     * Returns the angle between two orientations in radians, for small angles: twice the length of the vector part of
+     * q1* q2.
+     */
     static double turned(Quaterniond from, Quaterniond to) {
         Quaterniond between = from.conjugate(new Quaterniond()).mul(to);
         return 2 * Math.sqrt(between.x * between.x + between.y * between.y + between.z * between.z);
@@ -68,7 +74,7 @@ public final class TraversalsProof implements Proof {
         return passages;
     }
 
-    /** Its normal and its up come from the whole sphere. */
+    /** Returns a portal with normal and up uniform over the sphere. */
     static Portal anywhere(SplittableRandom random) {
         Vec3 centre = new Vec3(
                 random.nextDouble(-SPREAD_METRES, SPREAD_METRES),
@@ -82,7 +88,7 @@ public final class TraversalsProof implements Proof {
         return new Portal("end", centre, Portal.facing(normal, up), Aperture.of(PortalShape.ARCH, 1.2, 2.1));
     }
 
-    /** Evenly over the sphere: z and the longitude are even (Archimedes). */
+    /** Returns a direction, uniform over the sphere: z and the longitude are uniform (Archimedes). */
     private static Vec3 direction(SplittableRandom random) {
         double z = random.nextDouble(-1, 1);
         double longitude = random.nextDouble(2 * Math.PI);
@@ -90,7 +96,7 @@ public final class TraversalsProof implements Proof {
         return Directions.unit(around * Math.cos(longitude), around * Math.sin(longitude), z);
     }
 
-    /** A body that goes through a pair and comes back by it: it is where it was. */
+    /** A body that goes through a pair and returns through it, so that it should be at its initial place. */
     private static final class Traveller {
         private final Vector3d place;
         private final Vector3d velocity;

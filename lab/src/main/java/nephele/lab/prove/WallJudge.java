@@ -9,9 +9,9 @@ import nephele.engine.portal.placement.Gun;
 import nephele.engine.portal.placement.Placed;
 import nephele.engine.portal.placement.Refusal;
 
-/** Tries to find a better answer to a shot than the one given. */
+/** Searches for a better answer to a shot than the given one. */
 final class WallJudge {
-    /** A place counts as whole or not whole only by more than this. */
+    /** The tolerance in metres within which a place counts neither as whole nor as not whole. */
     private static final double MARGIN = 1e-6;
 
     private static final int SCATTERED = 300;
@@ -32,7 +32,7 @@ final class WallJudge {
         surely = shot.shape(MARGIN);
     }
 
-    /** What is wrong with an answer; {@code null} for nothing. */
+    /** Returns an error of the answer in words; {@code null} if there is none. */
     String objection(Placed placed) {
         if (placed instanceof Placed.Fits fits) {
             return objection(fits, beside, shot.gun.slideMetres());
@@ -94,8 +94,8 @@ final class WallJudge {
     }
 
     /**
-     * Any whole place that is nearer: scattered ones, ones where a corner of the aperture comes to a corner of the
-     * surface, and ones close to the place given.
+     * Returns a whole place that is nearer, in words; {@code null} if none is found. It tries scattered places, places
+     * where a corner of the aperture touches a corner of the surface, and places close to the given one.
      */
     private String nearer(ClippedAreas areas, double metres, double[] given) {
         for (int i = 0; i < SCATTERED + CRITICAL + CLOSE; i++) {

@@ -10,9 +10,12 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
-/** Where a made-up wall stands in the world: its x, y and the height before it as places, and a view of it. */
+/** The placement of a random wall: its x, y and height above it as positions, and a view of it. */
 record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
-    /** Upright, level, a ceiling, or slanted by more than 30°; near, or 10 km out. */
+    /**
+     * Returns an upright, level or downward-facing wall, or one at least 30° from level; near the origin, or up to 10
+     * km away.
+     */
     static WallPlace random(SplittableRandom random) {
         double far = random.nextInt(4) == 0 ? 1e4 : 20;
         Vec3 origin =
@@ -65,7 +68,7 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
         return p.minus(origin);
     }
 
-    /** A prism over a convex counter-clockwise polygon, from one height to another. */
+    /** Returns a prism over a convex counter-clockwise polygon, from one height to another. */
     Brush prism(double[] polygon, double low, double high, boolean portalable) {
         List<Solid.PlaneFace> planes = new ArrayList<>();
         planes.add(plane(normal, world(0, 0, high), portalable));
@@ -84,7 +87,7 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
         return new Solid.PlaneFace(normal, normal.dot(through), null, portalable);
     }
 
-    /** Looks along a direction without roll; straight up or down with any yaw. */
+    /** Returns a view along a direction without roll; straight up or down with any yaw. */
     static Basis looking(Vec3 direction, double yaw) {
         if (Math.abs(direction.y()) > 1 - 1e-9) {
             return Basis.ofYawPitch(yaw, direction.y() > 0 ? Math.PI / 2 : -Math.PI / 2);
@@ -92,7 +95,7 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
         return Basis.lookAt(Vec3.ZERO, direction, new Vec3(0, 1, 0), Basis.WORLD);
     }
 
-    /** The portal's up: on slopes up along them, on level surfaces ahead. */
+    /** Returns the portal's up: up along a slope, ahead of the view on level surfaces. */
     Vec3 expectedUp(Basis view) {
         if (Math.abs(normal.y()) < 0.86) {
             Vec3 across = new Vec3(0, 1, 0).cross(normal);
@@ -101,7 +104,7 @@ record WallPlace(Vec3 origin, Vec3 right, Vec3 up, Vec3 normal) {
                     Math.signum(along.y()) * along.x(), Math.abs(along.y()), Math.signum(along.y()) * along.z());
         }
         Vec3 seen = view.back().negated();
-        // Straight down the view's own up is what is ahead, straight up its opposite.
+        // If the view is straight down, its up vector points ahead; if straight up, the opposite.
         Vec3 ahead = Math.abs(seen.y()) > 1 - 1e-9
                 ? new Vec3(-seen.y() * view.up().x(), 0, -seen.y() * view.up().z())
                 : seen;

@@ -15,7 +15,7 @@ import nephele.engine.portal.placement.MovingSurfaces;
 import nephele.engine.portal.placement.Placed;
 import nephele.engine.portal.placement.Placement;
 
-/** A shot at a point of a made-up wall, beside up to two other portals. */
+/** A shot at a point of a random wall, beside up to two other portals. */
 final class WallShot {
     private static final double RANGE_METRES = 100;
 
@@ -24,7 +24,7 @@ final class WallShot {
     final double x;
     final double y;
     final Aim aim;
-    /** Where a portal may come to from there. */
+    /** The pieces that the portal may slide to from the aimed point. */
     final List<double[]> pieces;
 
     final List<Portal> others = new ArrayList<>();
@@ -51,7 +51,7 @@ final class WallShot {
         return PortalShape.values()[random.nextInt(3)];
     }
 
-    /** Across the wall where nothing stands on it, else straight at it. */
+    /** Returns an oblique aim if nothing stands on the wall, else a perpendicular one. */
     private Aim aim(SplittableRandom random) {
         double away = random.nextDouble(1.5, 20);
         double slant = wall.columns().isEmpty() ? away * 1.5 : 0;
@@ -82,7 +82,7 @@ final class WallShot {
         return new Placement(wall.surfaces(), with).place("shot", aim, beside, MovingSurfaces.NONE);
     }
 
-    /** What is in the way on the surface itself, and the other portals where asked for. */
+    /** Returns the obstacles on the surface: the columns and the given portals. */
     List<double[]> inTheWay(List<Portal> beside) {
         List<double[]> all = new ArrayList<>(wall.columns());
         for (Portal portal : beside) {
@@ -98,7 +98,10 @@ final class WallShot {
         return all;
     }
 
-    /** The aperture around its centre in the wall's frame, as it should stand; every edge moved outwards by so much. */
+    /**
+     * Returns the aperture around its centre in the wall's frame, in its expected orientation, with every edge moved
+     * outwards by {@code grownMetres}.
+     */
     double[] shape(double grownMetres) {
         return shape(gun.aperture(), this, grownMetres);
     }
@@ -114,7 +117,7 @@ final class WallShot {
             reach = Math.max(reach, a.edgeDistance(i));
             least = Math.min(least, a.edgeDistance(i));
         }
-        // Scaled, so that no edge moves farther inwards, or less far outwards.
+        // The shape is scaled such that no edge moves farther inwards, or less far outwards, than asked.
         double scale = 1 + grownMetres / (grownMetres < 0 ? reach : least);
         double[] corners = new double[2 * a.corners()];
         for (int i = 0; i < a.corners(); i++) {

@@ -14,11 +14,11 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
-/** White boxes in the light of a sun or of lamps and nothing else. */
+/** White boxes lit only by a sun or by punctual lights. */
 final class WhiteBoxes {
     private final List<Solid> solids = new ArrayList<>();
 
-    /** By centre and size, metres. */
+    /** Adds a box by centre and size, in metres. */
     void box(double x, double y, double z, double sizeX, double sizeY, double sizeZ) {
         var centre = new Vec3(x, y, z);
         var size = new Vec3(sizeX, sizeY, sizeZ);

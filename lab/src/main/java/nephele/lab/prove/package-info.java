@@ -1,2 +1,5 @@
-/** Claims that only a full count can support: each proof runs in batches, can be resumed and leaves its figures in docs/proofs.md. */
+/**
+ * Claims that only a full count can support. Each proof runs in batches, can be resumed and writes its figures to
+ * docs/proofs.md.
+ */
 package nephele.lab.prove;

@@ -14,13 +14,13 @@ import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 
 /**
- * Plays a level as told, through the same inputs as a person: looks around at a hand's speed, walks, jumps, shoots,
- * carries. What it did is a replay.
+ * Plays a level from a script, through the same inputs as a person: turns the view at a human speed, walks, jumps,
+ * shoots and carries. The inputs are recorded as a replay.
  */
 public final class ScriptedPlayer {
-    /** A turn that a hand makes without haste: 216° a second. */
+    /** The fastest turn, an unhurried one: 216° a second at 120 ticks a second. */
     private static final int MOST_TURN_MILLIDEGREES = 1800;
-    /** The part of what is left that is turned in a tick, so that a turn ends softly. */
+    /** The fraction of the remaining angle that is turned in a tick, so that a turn ends smoothly. */
     private static final double TURN_SHARE = 0.06;
 
     private static final int LEAST_TURN_MILLIDEGREES = 40;
@@ -31,7 +31,7 @@ public final class ScriptedPlayer {
     private final ReplayRecorder recorder;
     private SimState state;
 
-    /** @param levelFile the level's file name as the replay gives it */
+    /** @param levelFile the level's file name in the replay */
     public ScriptedPlayer(Level level, String levelFile) {
         simulation = new Simulation(level, SimSettings.DEFAULT);
         recorder = new ReplayRecorder(levelFile, SimSettings.DEFAULT, null);
@@ -65,7 +65,7 @@ public final class ScriptedPlayer {
         return lookAlong(wanted.yawMillidegrees() / 1000.0, wanted.pitchMillidegrees() / 1000.0);
     }
 
-    /** Turns to a heading. */
+    /** Turns to view angles. */
     public ScriptedPlayer lookAlong(double yawDegrees, double pitchDegrees) {
         Heading wanted = Heading.ofDegrees(yawDegrees, pitchDegrees);
         return until(() -> turn(PlayerInput.NONE, wanted), now -> now.heading().equals(wanted), "look");
@@ -80,7 +80,7 @@ public final class ScriptedPlayer {
         return Heading.ofDegrees(yaw, StrictMath.toDegrees(StrictMath.atan2(y, StrictMath.hypot(x, z))));
     }
 
-    /** The same input with this tick's part of a turn. */
+    /** Returns the input with this tick's part of a turn added. */
     private PlayerInput turn(PlayerInput meanwhile, Heading wanted) {
         Heading now = state.player().heading();
         int left = (int) Math.round(StrictMath.toDegrees(now.yawRadiansTo(wanted)) * 1000);
@@ -93,7 +93,7 @@ public final class ScriptedPlayer {
         return Math.max(-most, Math.min(most, wholeMillidegrees));
     }
 
-    /** Walks to a place on this side of every portal, looking where it goes. */
+    /** Walks to a place without passing a portal, looking in the direction of movement. */
     public ScriptedPlayer walkTo(double x, double z) {
         return until(
                 () -> {
@@ -108,12 +108,12 @@ public final class ScriptedPlayer {
                 "walk to " + x + ", " + z);
     }
 
-    /** Holds an input, such as walking straight ahead, until something is so. */
+    /** Holds an input, such as walking straight ahead, until a condition holds. */
     public ScriptedPlayer doUntil(PlayerInput input, Predicate<PlayerState> done) {
         return until(() -> input, done, "do " + input);
     }
 
-    /** Presses and lets go. */
+    /** Holds a button for one tick and releases it for the next. */
     public ScriptedPlayer press(Action action) {
         tick(PlayerInput.NONE.holding(action));
         tick(PlayerInput.NONE);

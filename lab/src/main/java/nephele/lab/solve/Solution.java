@@ -7,14 +7,14 @@ import nephele.engine.sim.PlayerState;
 import nephele.engine.sim.Replay;
 
 /**
- * How a level is solved.
+ * A scripted solution of a level.
  *
  * @param levelFile its name below {@code levels/}
- * @param goal where the player stands at the end: the middle of the dais
- * @param play what is done
+ * @param goal the middle of the dais on which the player stands at the end
+ * @param play the script
  */
 public record Solution(String levelFile, Vec3 goal, Consumer<ScriptedPlayer> play) {
-    /** The dais of a level's goal is so wide. */
+    /** The radius of the dais at a level's goal. */
     private static final double GOAL_RADIUS_METRES = 1.25;
 
     private static final double GOAL_DEPTH_METRES = 0.3;
@@ -25,7 +25,7 @@ public record Solution(String levelFile, Vec3 goal, Consumer<ScriptedPlayer> pla
         return player.replay().recordedIn(level);
     }
 
-    /** Whether a player stands on the goal. */
+    /** Returns true if a player stands on the goal. */
     public boolean isSolvedBy(PlayerState player) {
         double x = player.feet().x() - goal.x();
         double z = player.feet().z() - goal.z();

@@ -30,7 +30,7 @@ public final class Solutions {
         }
     }
 
-    /** Out of the antechamber, one portal beside, one across the water, and over. */
+    /** Leaves the antechamber, places one portal nearby and one across the water, and walks through. */
     private static void firstShot(ScriptedPlayer player) {
         player.pause(0.5)
                 .lookAlong(12, -3)
@@ -56,7 +56,7 @@ public final class Solutions {
                 .pause(1);
     }
 
-    /** One portal high on the wall behind, one on the floor of the shaft, and a step over the edge. */
+    /** Places one portal high on the wall behind and one on the floor of the shaft, and steps over the edge. */
     private static void momentum(ScriptedPlayer player) {
         player.pause(0.5)
                 .lookAt(new Vec3(0, -3, -17))
@@ -73,7 +73,10 @@ public final class Solutions {
                 .pause(1);
     }
 
-    /** A shot through the grille, one behind; the crate is carried through, put down before the terrace and climbed. */
+    /**
+     * Places one portal through the grille and one behind. The crate is carried through, put down before the terrace
+     * and climbed.
+     */
     private static void cube(ScriptedPlayer player) {
         player.pause(0.5)
                 .walkTo(-0.08, 3.5)

@@ -1,2 +1,2 @@
-/** Solutions of the game's levels, played by code and kept as replays beside the levels. */
+/** Scripted solutions of the game's levels; their replays are kept beside the levels. */
 package nephele.lab.solve;

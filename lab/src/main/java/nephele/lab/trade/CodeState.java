@@ -10,11 +10,11 @@ import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.math.BitHash;
 
-/** Which code is running: what was measured with other code does not count. */
+/** A hash of the running code. Measurements of other code are discarded. */
 public final class CodeState {
     private CodeState() {}
 
-    /** Read once: the code of a running program stays. */
+    /** Computed once, because the code of a running program does not change. */
     private static final class Running {
         private static final String KEY =
                 of(Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
@@ -23,15 +23,16 @@ public final class CodeState {
                         .toList());
     }
 
-    /** Of everything on the class path: classes, shaders and libraries. */
+    /** Returns a hash of everything on the class path: classes, shaders and libraries. */
     public static String key() {
         return Running.KEY;
     }
 
     /**
-     * Of the content of files and of the files in folders, wherever these lie and whenever they were written.
+     * Returns a hash of the relative names and the content of files, and of the files in folders. The folder's location
+     * and modification times do not enter.
      *
-     * @param classPath what does not exist counts as empty
+     * @param classPath files and folders; a path that does not exist counts as empty
      */
     static String of(List<Path> classPath) {
         long hash = 0;

@@ -1,9 +1,9 @@
 package nephele.lab.trade;
 
 /**
- * What one run of a setting took, the mean over a slice.
+ * The mean cost of one run of a setting over a slice.
  *
- * @param cpuNanos by the subject's clock
+ * @param cpuNanos CPU time by the subject's clock
  * @param bytes allocated by the running thread
  */
 public record Cost(double cpuNanos, double wallNanos, double bytes) {

@@ -1,25 +1,25 @@
 package nephele.lab.trade;
 
 /**
- * What a setting costs.
+ * The cost that a subject reports, and its unit.
  *
  * @param name such as "CPU a frame"
  * @param unit such as "ms"
  * @param unitNanos nanoseconds of one unit
- * @param perRun how many frames, ticks, placements one run of the experiment does
+ * @param perRun number of frames, ticks or placements in one run of the experiment
  */
 public record CostMetric(String name, String unit, double unitNanos, double perRun, Clock clock) {
-    /** A rasteriser in software has threads of its own, and they are what a frame costs. */
+    /** CPU time a frame, of the whole process: a software rasteriser draws in threads of its own. */
     public static final CostMetric FRAME = new CostMetric("CPU a frame", "ms", 1e6, 1, Clock.PROCESS);
 
-    /** Whose CPU time counts. */
+    /** The threads of which CPU time is counted. */
     public enum Clock {
         PROCESS,
-        /** The running thread's: what the JVM compiles meanwhile does not count. */
+        /** Only the running thread, so that the JVM's compiler threads do not count. */
         THREAD
     }
 
-    /** What a run's nanoseconds are in units, each. */
+    /** Returns the factor from a run's nanoseconds to the cost of one item in {@code unit}. */
     double scale() {
         return 1 / (unitNanos * perRun);
     }

@@ -2,14 +2,14 @@ package nephele.lab.trade;
 
 import java.awt.image.BufferedImage;
 
-/** All settings of one subject, ready to run side by side. Settings are named by their index in the trade. */
+/** All settings of one subject, ready to run in turn. A setting is identified by its index in the trade. */
 public interface Experiment extends AutoCloseable {
     Judgement judge(int setting);
 
-    /** Does once what is timed, complete when it returns. */
+    /** Runs the timed work of a setting once; the work is complete when the method returns. */
     void run(int setting);
 
-    /** What the exact twin shows; {@code null} where there is nothing to see. */
+    /** Returns the exact twin's picture; {@code null} if the subject has no picture. */
     default BufferedImage exact() {
         return null;
     }

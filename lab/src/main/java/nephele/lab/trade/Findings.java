@@ -8,9 +8,12 @@ import nephele.engine.measure.Interval;
 import nephele.engine.measure.PairedBootstrap;
 import nephele.engine.measure.ParetoFront;
 
-/** What a subject's measurements say. */
+/** The evaluated measurements of a subject. */
 public record Findings(Trade trade, List<SettingFindings> settings, int rounds) {
-    /** Costs that differ by less, as a share, are not called different: other work shifts even equal ones so far. */
+    /**
+     * The relative difference below which two costs count as equal: other work on the machine shifts even equal costs
+     * by as much.
+     */
     public static final double COST_STEP = 0.03;
 
     public static Findings of(Trade trade, SubjectState state) {
@@ -63,8 +66,9 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
     }
 
     /**
-     * Among those on the front that err by no more than is enough above the best: the usual one unless another is cheaper
-     * beyond doubt, else the most accurate of those that are not dearer than the cheapest beyond doubt.
+     * Returns the recommended setting. The candidates are on the Pareto front and have an error at most {@code enough}
+     * above the best. The usual setting is recommended unless another is cheaper beyond doubt; otherwise the most
+     * accurate of the candidates that are not dearer beyond doubt than the cheapest.
      */
     public SettingFindings recommended() {
         double most = best().error() + trade.error().enough();
@@ -82,7 +86,7 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
                 : cheap.stream().reduce(Findings::moreAccurate).orElseThrow();
     }
 
-    /** Whether nothing speaks for the first being dearer than the second. */
+    /** Returns true if the intervals do not show that the first setting is dearer than the second. */
     public static boolean isNoDearer(SettingFindings a, SettingFindings b) {
         return a.ratio().low() * (1 - COST_STEP) <= b.ratio().high();
     }
@@ -93,7 +97,7 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
         return better ? b : a;
     }
 
-    /** The setting with the least error; it is on the front. */
+    /** Returns the setting with the least error; it is on the front. */
     public SettingFindings best() {
         return settings.stream()
                 .filter(SettingFindings::isOnFront)
@@ -102,8 +106,8 @@ public record Findings(Trade trade, List<SettingFindings> settings, int rounds) 
     }
 
     /**
-     * What one chooses whose time is short: the cheapest of those on the front that err by no more than half as much again as
-     * the best, and what is enough.
+     * Returns a setting for use under time pressure: the cheapest on the front with an error of at most 1.5 times the
+     * best error plus {@code enough}.
      */
     public SettingFindings thrifty() {
         double most = 1.5 * best().error() + trade.error().enough();

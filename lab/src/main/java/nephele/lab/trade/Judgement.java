@@ -5,15 +5,15 @@ import java.util.List;
 import nephele.engine.measure.ErrorMap;
 
 /**
- * How wrong a setting is.
+ * The error of a setting.
  *
  * @param error in the subject's metric
- * @param figures besides it, in the order of the subject's {@link Trade#figures}
- * @param shown what it looks like; {@code null} where there is nothing to see
- * @param map where it differs from the exact picture, the bottom row first; {@code null} likewise
+ * @param figures further results, in the order of the subject's {@link Trade#figures}
+ * @param shown the setting's picture; {@code null} if it has none
+ * @param map the difference from the exact picture, bottom row first; {@code null} likewise
  */
 public record Judgement(double error, List<Double> figures, BufferedImage shown, ErrorMap map) {
-    /** Without a picture. */
+    /** Returns a judgement without a picture. */
     public static Judgement of(double error, Double... figures) {
         return new Judgement(error, List.of(figures), null, null);
     }

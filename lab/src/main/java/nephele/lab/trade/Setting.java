@@ -1,10 +1,10 @@
 package nephele.lab.trade;
 
 /**
- * One position of a knob.
+ * One value of a subject's parameter.
  *
- * @param name as it is typed or said, unique within its subject
- * @param note what it does, for who has to choose; may be empty
+ * @param name as typed in a command or shown in the report, unique within its subject
+ * @param note its effect, for a reader of the report; may be empty
  */
 public record Setting(String name, String note) {
     public static Setting of(String name) {

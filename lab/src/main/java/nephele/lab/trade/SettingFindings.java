@@ -5,13 +5,13 @@ import java.util.OptionalInt;
 import nephele.engine.measure.Interval;
 
 /**
- * What is known of a setting.
+ * The evaluated measurements of a setting.
  *
- * @param cost in the subject's unit, CPU: the usual setting's median times {@code ratio}
- * @param wallNanos of one run
- * @param ratio to the subject's usual setting, CPU, from rounds
- * @param bytes allocated for one of what is counted
- * @param dominatedBy the index of a setting that is better in one respect and worse in none
+ * @param cost CPU time in the subject's unit: the usual setting's median times {@code ratio}
+ * @param wallNanos wall time of one run
+ * @param ratio CPU time relative to the subject's usual setting, paired by rounds
+ * @param bytes allocated for one counted item (a frame, a tick, …)
+ * @param dominatedBy index of a setting that is better in one respect and worse in none; empty on the Pareto front
  */
 public record SettingFindings(
         Setting setting,

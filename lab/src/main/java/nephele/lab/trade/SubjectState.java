@@ -4,16 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What is known of a subject so far.
+ * The measurements of a subject so far.
  *
- * @param judged for each setting that was judged, in order
+ * @param judged the settings judged so far, in order
  * @param rounds for each round of timing, the costs of all settings
  */
 public record SubjectState(List<Judged> judged, List<List<Cost>> rounds) {
     public static final SubjectState NOTHING = new SubjectState(List.of(), List.of());
 
     /**
-     * What stays of a judgement; its pictures lie beside the report.
+     * The part of a judgement that is saved; its pictures are saved beside the report.
      *
      * @param figures see {@link Trade#figures}
      */

@@ -4,15 +4,15 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * A knob that buys speed with error, or the reverse.
+ * A subject of the report: a parameter that trades speed for accuracy.
  *
- * @param subject as it is typed
- * @param text for who reads the report
- * @param qualityFields the components of {@link nephele.engine.render.frame.Quality} that it explains; often none
- * @param settings in the order of growing effort where there is one
- * @param usual index of what a player of preset {@code high} gets: costs are ratios to it
- * @param figures names, with units, of what is reported besides the error
- * @param level where it is always measured; {@code null} for the one that is asked for
+ * @param subject its name as typed in a command
+ * @param text its description in the report
+ * @param qualityFields the components of {@link nephele.engine.render.frame.Quality} that it covers; often none
+ * @param settings in the order of growing cost where there is one
+ * @param usual index of the setting in the preset {@code high}; costs are relative to it
+ * @param figures names, with units, of the results that are reported besides the error
+ * @param level the level in which it is always measured; {@code null} for the level of the request
  */
 public record Trade(
         String subject,
@@ -33,7 +33,7 @@ public record Trade(
         }
     }
 
-    /** The same knob in a level of the jar where it matters more than in the one that is reported. */
+    /** Returns the same parameter measured in another level of the jar, in which it matters more. */
     public Trade in(String otherLevel, String otherSubject, Text otherText) {
         return new Trade(
                 otherSubject,
@@ -49,11 +49,11 @@ public record Trade(
     }
 
     /**
-     * What a reader is told.
+     * The description of a subject in the report.
      *
      * @param title a few words
-     * @param about what the knob does, in a sentence or two
-     * @param exact what the settings are compared with
+     * @param about the effect of the parameter, in a sentence or two
+     * @param exact the reference that the settings are compared with
      */
     public record Text(String title, String about, String exact) {}
 }

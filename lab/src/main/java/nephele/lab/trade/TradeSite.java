@@ -22,8 +22,8 @@ import nephele.lab.oracle.ReferenceEye;
 import nephele.lab.oracle.TracedPictures;
 
 /**
- * Where subjects are measured: a level, what is seen of it, and one OpenGL context. The oracle's pictures are kept between
- * runs.
+ * The environment in which subjects are measured: a level, a view of it and one OpenGL context. The oracle's pictures
+ * are kept between runs.
  */
 public final class TradeSite implements AutoCloseable {
     private final OpenedLevel opened;
@@ -34,7 +34,7 @@ public final class TradeSite implements AutoCloseable {
     private GlContext gl;
 
     /**
-     * How large pictures are and how exact the oracle's.
+     * The size of pictures and the quality of the oracle's.
      *
      * @param samples rays a pixel
      */
@@ -44,7 +44,7 @@ public final class TradeSite implements AutoCloseable {
         }
     }
 
-    /** @param folder for what is kept between runs */
+    /** @param folder for files that are kept between runs */
     public TradeSite(OpenedLevel opened, TradeView seen, Extent extent, Path folder, PrintStream tell) {
         this.opened = opened;
         this.seen = seen;
@@ -61,7 +61,7 @@ public final class TradeSite implements AutoCloseable {
         return seen.view();
     }
 
-    /** The same context in another level, from where that shows most of portals. */
+    /** Returns a site with the same context and another level, seen by the camera with the most portal pixels. */
     public TradeSite in(String level) {
         var other = new LevelName(level).open();
         var site = new TradeSite(other, TradeView.of(other, null, extent.aspect()), extent, folder, tell);
@@ -73,7 +73,7 @@ public final class TradeSite implements AutoCloseable {
         return extent;
     }
 
-    /** Made when it is asked for: subjects without pictures need none. */
+    /** Returns the OpenGL context. It is created at the first call, because subjects without pictures need none. */
     public GlContext gl() {
         if (gl == null) {
             gl = GlContext.offscreen();
@@ -81,12 +81,12 @@ public final class TradeSite implements AutoCloseable {
         return gl;
     }
 
-    /** What draws; empty where nothing was drawn. */
+    /** Returns the OpenGL renderer's name; empty if no context was created. */
     public String graphics() {
         return gl == null ? "" : gl.limits().renderer();
     }
 
-    /** Whether pictures that {@code graphics} drew can be compared with those that are drawn here. */
+    /** Returns true if pictures drawn by the renderer {@code graphics} can be compared with those drawn here. */
     public boolean drawsLike(String graphics) {
         return graphics.isEmpty() || graphics.equals(gl().limits().renderer());
     }
@@ -98,7 +98,10 @@ public final class TradeSite implements AutoCloseable {
         });
     }
 
-    /** The exact twin's radiance of this view, the bottom row first. */
+    /**
+     * Returns the exact twin's radiance of this view, bottom row first; traced at the first call and then read from the
+     * folder.
+     */
     public LinearPicture oracle() {
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);

@@ -10,15 +10,20 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.ViewTree;
 
 /**
- * From where a level is judged.
+ * The view in which a level is judged.
  *
- * @param camera in words
+ * @param camera its description in words
  */
 public record TradeView(View view, String camera) {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 360;
 
-    /** @param camera one of the level's; {@code null} for the one that sees most of portals, and of equal ones the first */
+    /**
+     * Returns the view of a camera.
+     *
+     * @param camera id of one of the level's cameras; {@code null} for the first of those that see the most portal
+     *     pixels
+     */
     public static TradeView of(OpenedLevel opened, String camera, double aspect) {
         var level = opened.level();
         if (camera != null) {
@@ -40,7 +45,7 @@ public record TradeView(View view, String camera) {
                         "camera " + cameras.get(0).id()));
     }
 
-    /** Of a small picture. */
+    /** Returns the pixels that portals cover in a picture of 640 × 360. */
     private double portalPixels(Moment moment) {
         var tree = new ViewTree(List.of());
         tree.grow(view, moment, WIDTH, HEIGHT, 0);

@@ -1,2 +1,5 @@
-/** The speed/accuracy report: what each knob of the engine costs, how wrong each of its settings is, and which to choose. */
+/**
+ * The speed/accuracy report: the cost of each parameter of the engine, the error of each of its settings, and
+ * recommendations.
+ */
 package nephele.lab.trade;

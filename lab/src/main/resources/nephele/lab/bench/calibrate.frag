@@ -1,4 +1,4 @@
-// One bilinear sample a pixel: the yardstick that performance bars scale with.
+// One bilinear sample a pixel: the workload by which performance limits are scaled.
 uniform sampler2D checks;
 
 in vec2 across;

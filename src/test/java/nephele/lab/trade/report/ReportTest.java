@@ -24,7 +24,7 @@ import nephele.lab.trade.Trade;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Reports of made-up figures, whose words are known. */
+/** Reports of invented figures contain the expected words. */
 class ReportTest {
     private static final Circumstances MADE = new Circumstances(
             "A <level>", "levels/a.json", "16×9 pixels", "a machine", "a rasteriser", "0123abc", "2026-01-01");
@@ -32,7 +32,10 @@ class ReportTest {
     @TempDir
     Path folder;
 
-    /** Fast is wrong, middle nearly right at half the price, fine the best, waste dearer than fine and no better. */
+    /**
+     * Returns findings of four settings: fast has a large error, middle is nearly right at half the price, fine is the
+     * best, and waste is dearer than fine and no better.
+     */
     private static Findings findings(double... costs) {
         return findingsWithFast(9, costs);
     }
@@ -79,7 +82,10 @@ class ReportTest {
         assertFalse(remarks.contains("busy"), remarks);
     }
 
-    /** What errs by half as much again as the best, and what is enough, may do; four times as much may not. */
+    /**
+     * An error of half as much again as the best plus {@code enough} is accepted for use under time pressure; four
+     * times as much is not.
+     */
     @Test
     void namesWhatIsCheapAndErrsLittle() {
         String remarks = String.join("\n", new Advice(findingsWithFast(3.9, 1, 4, 8, 12)).remarks());
@@ -149,7 +155,7 @@ class ReportTest {
         assertTrue(EmbeddedPicture.address(pictures.error(trade, 0)).startsWith("data:image/jpeg;base64,"));
     }
 
-    /** The first row of a map is the picture's lowest: 0 is the darkest colour, 1 the lightest. */
+    /** Lightness grows with the error: 0 is the darkest colour, 1 the lightest. */
     @Test
     void heatGrowsLighter() {
         int before = -1;

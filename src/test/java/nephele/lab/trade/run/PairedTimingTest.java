@@ -10,13 +10,13 @@ import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import org.junit.jupiter.api.Test;
 
-/** Costs on a clock that only the runs themselves advance. */
+/** Costs are right on a clock that only the runs themselves advance. */
 class PairedTimingTest {
     private static final int SETTINGS = 3;
     private static final long CPU_NANOS = 1_000;
     private static final double SLICE_SECONDS = 40e-6;
 
-    /** Setting s takes s + 1 times as long as the first, more after another one, and more from run to run. */
+    /** Setting s takes s + 1 times as long as the first, more after another setting, and more from run to run. */
     private static final class Machine implements Experiment, CostClock {
         private final long afterAnother;
         private final double drift;
@@ -84,7 +84,7 @@ class PairedTimingTest {
         }
     }
 
-    /** Slices of a round lie in one order and then in the reverse: what slows down steadily slows all alike. */
+    /** The slices of a round have one order and then the reverse, so that a steady drift affects all settings alike. */
     @Test
     void aSteadyDriftFavoursNoSetting() {
         var machine = new Machine(0, 10);
@@ -102,7 +102,7 @@ class PairedTimingTest {
         }
     }
 
-    /** A slice is filled by as many runs as fit, whatever one takes; another round has another order. */
+    /** A slice has as many runs as fill it, whatever a run takes; another round has another order. */
     @Test
     void aSliceIsAsLongForEverySetting() {
         var machine = new Machine(0, 0);
@@ -112,7 +112,7 @@ class PairedTimingTest {
         for (int setting = 0; setting < SETTINGS; setting++) {
             int wanted = setting;
             long runs = first.stream().filter(ran -> ran == wanted).count();
-            // Two slices of 40 µs of wall time, and of each the run that does not count.
+            // Two slices of 40 µs of wall time, each with one more run that does not count.
             assertEquals(2 * (Math.ceil(20.0 / (setting + 1)) + 1), runs, "setting " + setting);
         }
         machine.ran.clear();

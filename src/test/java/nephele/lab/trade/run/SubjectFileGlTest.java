@@ -18,7 +18,7 @@ import nephele.lab.trade.TradeView;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What was drawn by another renderer does not count; what drew is told by a run that only reads. */
+/** Pictures drawn by another renderer do not count; a run that only reads reports the renderer that drew them. */
 class SubjectFileGlTest {
     private static final SubjectState STATE =
             SubjectState.NOTHING.with(new SubjectState.Judged(0.5, List.of(1.0), false));

@@ -23,7 +23,7 @@ import nephele.lab.trade.TradeSite;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Runs of made-up subjects without pictures. */
+/** Runs of invented subjects without pictures save, resume and report their measurements. */
 class TradeRunTest {
     private static final int ROUNDS = 4;
     private static final BooleanSupplier NEVER = () -> false;
@@ -33,7 +33,7 @@ class TradeRunTest {
 
     private final ByteArrayOutputStream told = new ByteArrayOutputStream();
 
-    /** Errs by what its setting's index says; dies in the middle where it is told to. */
+    /** An experiment with errors that depend on the setting's index; it throws in the middle if told to. */
     private static final class Counting implements Experiment {
         private final BooleanSupplier dies;
         int judged;

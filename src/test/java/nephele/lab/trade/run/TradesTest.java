@@ -15,7 +15,7 @@ import nephele.lab.trade.Trade;
 import org.junit.jupiter.api.Test;
 
 class TradesTest {
-    /** A field of Quality without a subject fails; so does a subject of a field that is gone. */
+    /** Every field of Quality has a subject, and every subject's fields exist. */
     @Test
     void everyFieldOfQualityHasASubject() {
         Set<String> fields = Arrays.stream(Quality.class.getRecordComponents())

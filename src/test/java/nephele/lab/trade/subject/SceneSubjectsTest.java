@@ -11,7 +11,7 @@ import nephele.engine.xmlscene.XmlScene;
 import org.junit.jupiter.api.Test;
 
 class SceneSubjectsTest {
-    /** Radius 1, height 2: halfway up the report's normal rises by 41.8°, the exact one by 26.6°. */
+    /** For radius 1 and height 2 the report's normal rises by 41.8° halfway up, the exact one by 26.6°. */
     @Test
     void theReportsConeFacesTooHighHalfwayUp() {
         Mesh cone = new ConeShape(1, 2, 8, 2).mesh();
@@ -19,7 +19,7 @@ class SceneSubjectsTest {
         assertEquals(41.810, rise(ReportCones.withReportNormals(cone, 1, 2)), 1e-3);
     }
 
-    /** Degrees above the horizontal, of the first point halfway up. */
+    /** Returns the normal's degrees above the horizontal, of the first point halfway up. */
     private static double rise(Mesh cone) {
         for (int i = 0; i < cone.vertexCount(); i++) {
             if (cone.positions()[3 * i + 1] == 1) {
@@ -30,7 +30,7 @@ class SceneSubjectsTest {
         throw new AssertionError("no point halfway up");
     }
 
-    /** Each of the report's mistakes leaves out what is in view, all together the most; exact spheres nothing. */
+    /** Each of the report's errors alone culls visible models, all together the most; exact spheres cull none. */
     @Test
     void onlyExactSpheresLeaveOutNothingThatIsSeen() {
         try (var experiment = new CullingSphereSubject()) {

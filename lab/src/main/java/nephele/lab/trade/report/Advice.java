@@ -8,9 +8,9 @@ import java.util.stream.Collectors;
 import nephele.lab.trade.Findings;
 import nephele.lab.trade.SettingFindings;
 
-/** What a subject's figures say to someone who has to choose, in sentences that are computed from them. */
+/** Advice on the choice of a setting, in sentences computed from a subject's findings. */
 final class Advice {
-    /** Half an interval's width by its middle: beyond this a cost is called uncertain. */
+    /** Half an interval's width divided by its middle, above which a cost is called uncertain. */
     private static final double UNCERTAIN = 0.1;
 
     private final Findings findings;
@@ -21,7 +21,7 @@ final class Advice {
         chosen = findings.recommended();
     }
 
-    /** Which setting, and why. */
+    /** Returns the recommended setting and the reason. */
     String choice() {
         var best = findings.best();
         var cheapest = findings.cheapest();
@@ -44,7 +44,7 @@ final class Advice {
         return a.error() <= b.error() + findings.trade().error().step();
     }
 
-    /** All that should be known besides. */
+    /** Returns further remarks. */
     List<String> remarks() {
         List<String> remarks = new ArrayList<>();
         spread(remarks);
@@ -74,7 +74,7 @@ final class Advice {
         }
     }
 
-    /** A driver may offer fewer settings than are asked for. */
+    /** Names settings with identical pictures: a driver may support fewer settings than are requested. */
     private void same(List<String> remarks) {
         Map<List<Double>, List<String>> names = new LinkedHashMap<>();
         for (SettingFindings setting : findings.settings()) {

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * From values to pixels. Errors begin at zero, so that what looks small is small; costs begin nearer where all are alike,
- * and are logarithmic where they differ too much.
+ * A map from values to pixels. An error axis begins at zero, so that small errors look small. A cost axis begins near
+ * the least cost if all are similar, and is logarithmic if they differ by more than a factor of {@link #TOO_MUCH}.
  *
  * @param low value at {@code start}
  * @param high value at {@code end}
@@ -13,7 +13,7 @@ import java.util.List;
 record Axis(double low, double high, double start, double end, boolean isLogarithmic) {
     private static final double TOO_MUCH = 40;
     private static final int TICKS = 5;
-    /** Of the greatest value: with the least one above it, nothing is gained by beginning at zero. */
+    /** The ratio of the least to the greatest cost above which the axis does not begin at zero. */
     private static final double ALIKE = 0.4;
 
     static Axis ofErrors(double most, double start, double end) {
@@ -35,7 +35,7 @@ record Axis(double low, double high, double start, double end, boolean isLogarit
         return start + share * (end - start);
     }
 
-    /** Round values: 1, 2 or 5 times a power of ten apart, or powers of ten. */
+    /** Returns round values: spaced by 1, 2 or 5 times a power of ten, or powers of ten on a logarithmic axis. */
     List<Double> ticks() {
         List<Double> ticks = new ArrayList<>();
         if (isLogarithmic) {

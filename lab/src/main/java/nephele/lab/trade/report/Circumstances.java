@@ -1,7 +1,7 @@
 package nephele.lab.trade.report;
 
 /**
- * Where and how a report was made, in words.
+ * The circumstances under which a report was made, in words.
  *
  * @param picture size, rays of the oracle, camera
  */

@@ -7,8 +7,8 @@ import nephele.lab.trade.Findings;
 import nephele.lab.trade.SettingFindings;
 
 /**
- * Cost to the right, error upwards: good is the lower left corner. Bars are intervals of 95 %; the line joins the settings
- * that are worth having, hollow ones are dominated, the recommended one has a ring.
+ * A plot of cost (x) against error (y); the best corner is the lower left. Bars are intervals of 95 %. The line joins
+ * the settings on the Pareto front, hollow points are dominated, and the recommended point has a ring.
  */
 final class CostErrorPlot {
     private static final double WIDTH = 560;
@@ -24,7 +24,7 @@ final class CostErrorPlot {
     private final Axis cost;
     private final Axis error;
     private final Svg svg = new Svg();
-    /** Left, top, right and bottom of what must not be written over. */
+    /** Left, top, right and bottom of the rectangles that labels must not cover. */
     private final List<double[]> taken = new ArrayList<>();
 
     private CostErrorPlot(Findings findings) {
@@ -123,7 +123,10 @@ final class CostErrorPlot {
                 + Numbers.of(setting.error(), trade.error().unit());
     }
 
-    /** Above its point, higher where something is in the way; joined to it by a thin line when far. */
+    /**
+     * Writes a setting's name above its point, or higher if that place is taken; a thin line joins a distant label to
+     * its point.
+     */
     private void label(SettingFindings setting, String kind) {
         String words = setting.setting().name();
         double width = LETTER * words.length();

@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import nephele.lab.trade.Findings;
 import nephele.lab.trade.SettingFindings;
 
-/** Everything that was found, one line a setting. */
+/** All findings as CSV, one line a setting. */
 final class CsvReport {
     static final String HEADER =
             "subject,setting,usual,recommended,dominatedBy,errorName,errorUnit,error,costName,costUnit,"

@@ -10,7 +10,9 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriteParam;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** Pictures within a page: JPEG of a quality at which none of its faults is as large as what is to be seen. */
+/**
+ * A picture embedded in a page as JPEG, of a quality at which its artefacts are smaller than the errors to be shown.
+ */
 final class EmbeddedPicture {
     private static final float QUALITY = 0.93f;
 

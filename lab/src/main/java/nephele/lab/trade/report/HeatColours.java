@@ -3,7 +3,10 @@ package nephele.lab.trade.report;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 
-/** Errors as colours of growing lightness: black, violet, red, orange, cream. Readable without colour vision. */
+/**
+ * A colour map for errors, of growing lightness: black, violet, red, orange, cream. It is readable without colour
+ * vision.
+ */
 final class HeatColours {
     /** Red, green, blue at even steps of error from 0 to 1. */
     private static final int[][] STOPS = {
@@ -25,7 +28,7 @@ final class HeatColours {
         return colour;
     }
 
-    /** The colours of CSS, from 0 to 1. */
+    /** Returns the stops of a CSS gradient, from 0 to 1. */
     static String gradient() {
         return Arrays.stream(STOPS)
                 .map(stop -> "rgb(" + stop[0] + "," + stop[1] + "," + stop[2] + ")")

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import nephele.lab.trade.Findings;
 
-/** One page that needs no other file and no network. */
+/** The report as one page that needs no other file and no network. */
 final class HtmlPage {
     private static final String LEAD =
             "Each knob of the engine, set to everything it offers: what it costs, how far the result is from the exact"

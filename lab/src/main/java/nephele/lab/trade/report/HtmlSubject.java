@@ -7,7 +7,7 @@ import nephele.lab.trade.Findings;
 import nephele.lab.trade.SettingFindings;
 import nephele.lab.trade.Trade;
 
-/** A subject's part of the page: what it is, which setting to choose, the plot, the figures, the pictures. */
+/** A subject's section of the page: description, recommendation, plot, table, pictures. */
 final class HtmlSubject {
     private static final String KEY =
             """

@@ -6,16 +6,16 @@ import java.math.RoundingMode;
 import java.util.Locale;
 import nephele.engine.measure.Interval;
 
-/** Figures as a reader wants them. */
+/** Formats numbers for the report. */
 final class Numbers {
     private static final MathContext THREE_DIGITS = new MathContext(3, RoundingMode.HALF_EVEN);
     private static final double SMALLEST_PLAIN = 1e-4;
-    /** Rounding. */
+    /** A smaller magnitude is rounding error and is written as 0. */
     private static final double NOTHING = 1e-9;
 
     private Numbers() {}
 
-    /** Three significant digits; tiny ones with a power of ten. */
+    /** Formats with three significant digits; tiny values with a power of ten. */
     static String of(double value) {
         if (Math.abs(value) < NOTHING) {
             return "0";
@@ -31,18 +31,18 @@ final class Numbers {
         return unit.isEmpty() ? of(value) : of(value) + "\u00a0" + unit;
     }
 
-    /** A figure that somebody chose, without the digits that only measurements have. */
+    /** Formats a chosen value exactly, without rounding. */
     static String chosen(double value, String unit) {
         String plain = BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
         return unit.isEmpty() ? plain : plain + "\u00a0" + unit;
     }
 
-    /** Whole per cent. */
+    /** Formats a fraction as whole per cent. */
     static String percent(double share) {
         return String.format(Locale.ROOT, "%.0f %%", 100 * share);
     }
 
-    /** To hundredths, as factors are read. */
+    /** Formats a factor with two decimals below 10, one below 100, none above. */
     static String ratio(double value) {
         return String.format(Locale.ROOT, value >= 100 ? "%.0f" : value >= 10 ? "%.1f" : "%.2f", value);
     }

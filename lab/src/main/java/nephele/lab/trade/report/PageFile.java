@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 
-/** What a page is styled and moved by, from beside this class. */
+/** Reads the page's style sheet and script, which are resources beside this class. */
 final class PageFile {
     private PageFile() {}
 

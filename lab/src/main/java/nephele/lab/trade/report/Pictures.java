@@ -11,7 +11,7 @@ import nephele.lab.trade.Judgement;
 import nephele.lab.trade.SubjectState;
 import nephele.lab.trade.Trade;
 
-/** Where the report's pictures lie. */
+/** The files of the report's pictures. */
 public final class Pictures {
     private final Path folder;
 
@@ -40,14 +40,14 @@ public final class Pictures {
         Capture.png(heat(judgement.map()), error(trade, setting));
     }
 
-    /** @param picture {@code null} where there is nothing to see */
+    /** @param picture {@code null} if the subject has no picture */
     public void saveExact(Trade trade, BufferedImage picture) throws IOException {
         if (picture != null) {
             Capture.png(picture, exact(trade));
         }
     }
 
-    /** Whether every picture that was judged is still there. */
+    /** Returns true if the files of every judged picture still exist. */
     public boolean complete(Trade trade, SubjectState state) {
         return IntStream.range(0, state.judged().size())
                 .filter(setting -> state.judged().get(setting).hasPicture())

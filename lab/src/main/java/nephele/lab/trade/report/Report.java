@@ -7,9 +7,9 @@ import java.util.List;
 import nephele.engine.asset.WholeFile;
 import nephele.lab.trade.Findings;
 
-/** All files of a report. */
+/** Writes all files of a report. */
 public final class Report {
-    /** A plot that stands alone is as light or dark as the page would be. */
+    /** A plot in a file of its own has the page's style, so that it follows the light or dark theme too. */
     private static final String PAGE_STYLE = "page.css";
 
     private Report() {}

@@ -2,7 +2,7 @@ package nephele.lab.trade.report;
 
 import java.util.Locale;
 
-/** Writes the few shapes that a plot needs. Colours come from classes, so that a page can be light or dark. */
+/** A writer of the few shapes that a plot needs. Colours come from classes, so that a page can be light or dark. */
 final class Svg {
     private final StringBuilder text = new StringBuilder();
 
@@ -21,7 +21,7 @@ final class Svg {
         return add("<path class=\"%s\" d=\"%s\"/>", style, d);
     }
 
-    /** @param title shown when one points at it */
+    /** @param title shown when the pointer is over the circle */
     Svg circle(String style, double x, double y, double radius, String title) {
         return add(
                 "<circle class=\"%s\" cx=\"%s\" cy=\"%s\" r=\"%s\"><title>%s</title></circle>",
@@ -35,7 +35,7 @@ final class Svg {
                 style, n(x), n(y), anchor, escaped(words));
     }
 
-    /** Turned by a quarter to the left, around its middle. */
+    /** Writes text that is rotated by 90° to the left about its middle. */
     Svg upwardText(String style, double x, double y, String words) {
         return add(
                 "<text class=\"%s\" transform=\"translate(%s %s) rotate(-90)\" text-anchor=\"middle\">%s</text>",
@@ -47,12 +47,12 @@ final class Svg {
         return this;
     }
 
-    /** Pixels to a tenth. */
+    /** Formats pixels to a tenth. */
     static String n(double value) {
         return String.format(Locale.ROOT, "%.1f", value);
     }
 
-    /** @param style what stands in the picture's style element; empty within a page that has its own */
+    /** @param style content of the picture's style element; empty within a page that has its own */
     String document(double width, double height, String title, String style) {
         String box = n(width) + " " + n(height);
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 " + box

@@ -1,2 +1,2 @@
-/** What was found, as files: CSV, plots, pictures and one page that needs no other file. */
+/** Writes the findings to files: CSV, plots, pictures and one page that needs no other file. */
 package nephele.lab.trade.report;

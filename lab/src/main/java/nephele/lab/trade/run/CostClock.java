@@ -1,6 +1,6 @@
 package nephele.lab.trade.run;
 
-/** What the running thread has taken so far; differences of two readings are costs. */
+/** A clock of CPU time, wall time and bytes allocated by the running thread; differences of readings are costs. */
 interface CostClock {
     long cpuNanos();
 

@@ -10,8 +10,8 @@ import org.lwjgl.system.MemoryUtil;
 import org.lwjgl.system.Platform;
 
 /**
- * CPU time: of the running thread, or of the whole process, every thread of the JVM and of the OpenGL driver counted. For the
- * process Linux has a clock that advances by the nanosecond; the JVM's own, elsewhere, advances in steps of 10 ms.
+ * CPU time of the running thread or of the whole process, including every thread of the JVM and of the OpenGL driver.
+ * On Linux the process clock has a resolution of a nanosecond; elsewhere the JVM's clock is used, with steps of 10 ms.
  */
 final class CpuClock implements CostClock {
     /** CLOCK_PROCESS_CPUTIME_ID of Linux. */

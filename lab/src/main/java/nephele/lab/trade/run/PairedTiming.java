@@ -9,12 +9,12 @@ import nephele.lab.trade.Cost;
 import nephele.lab.trade.Experiment;
 
 /**
- * Times settings side by side: a round runs all of them in a random order and then in the reverse one (A B B A), so that
- * neither a steady drift of the machine nor who came before whom favours one. What else the machine does is shared by a
- * round, which is why ratios within rounds are compared and not times.
+ * Times settings in turn. A round runs all of them in a random order and then in the reverse one (A B B A), so that
+ * neither a steady drift of the machine nor the order of the runs favours a setting. Other work on the machine affects
+ * all settings of a round alike; therefore ratios within rounds are compared, not times.
  */
 final class PairedTiming {
-    /** Twice as long a setting runs before anything counts, but no longer than {@link #MOST_WARM_UP_NANOS}. */
+    /** The length of each of the two warm-up passes of a setting, in slices; at most {@link #MOST_WARM_UP_NANOS}. */
     private static final double WARM_UP_SLICES = 5;
 
     private static final double MOST_WARM_UP_NANOS = 0.3e9;
@@ -25,7 +25,7 @@ final class PairedTiming {
     private final CostClock clock;
     private int[] runs;
 
-    /** @param sliceSeconds that a setting runs at a time, at least */
+    /** @param sliceSeconds the least time that a setting runs without interruption */
     PairedTiming(Experiment experiment, int settings, double sliceSeconds, CostClock clock) {
         this.experiment = experiment;
         this.settings = settings;
@@ -33,7 +33,7 @@ final class PairedTiming {
         sliceNanos = 1e9 * sliceSeconds;
     }
 
-    /** Lets compilers and caches settle, and learns how many runs fill a slice. */
+    /** Lets compilers and caches settle, and determines the number of runs that fill a slice. */
     void warmUp() {
         runs = new int[settings];
         double warm = Math.min(WARM_UP_SLICES * sliceNanos, MOST_WARM_UP_NANOS);
@@ -51,7 +51,11 @@ final class PairedTiming {
         }
     }
 
-    /** @param number of the round; it decides the order */
+    /**
+     * Returns the mean costs of the settings in one round.
+     *
+     * @param number of the round; it determines the order
+     */
     List<Cost> round(int number) {
         List<Integer> order =
                 new ArrayList<>(IntStream.range(0, settings).boxed().toList());
@@ -67,7 +71,7 @@ final class PairedTiming {
         return List.of(there);
     }
 
-    /** The first run after another setting is not counted: it finds the caches full of the other's. */
+    /** Times one slice. The first run is not counted, because the caches are filled by another setting. */
     private Cost slice(int setting) {
         experiment.run(setting);
         long bytes = clock.allocatedBytes();

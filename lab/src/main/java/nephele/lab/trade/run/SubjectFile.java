@@ -18,15 +18,15 @@ import nephele.lab.trade.SubjectState.Judged;
 import nephele.lab.trade.Trade;
 import nephele.lab.trade.TradeSite;
 
-/** A subject's state in a file of its own, rewritten in one step after everything that was learnt. */
+/** A subject's measurements in a file of its own, rewritten atomically after each new result. */
 final class SubjectFile {
     private final Path file;
     private final String key;
     private final TradeSite site;
 
     /**
-     * @param key of the circumstances: what was measured under others does not count
-     * @param site where it is measured: what another renderer drew does not count either
+     * @param key a hash of the circumstances: measurements under others do not count
+     * @param site the environment of the measurement: pictures by another renderer do not count
      */
     SubjectFile(Path folder, Trade trade, String key, TradeSite site) {
         this.site = site;
@@ -35,7 +35,7 @@ final class SubjectFile {
                 + trade.settings().stream().map(Setting::name).collect(Collectors.joining(","));
     }
 
-    /** What was learnt under the same circumstances, else nothing. A damaged file counts as none. */
+    /** Returns the measurements made under the same circumstances, else none. A damaged file counts as empty. */
     SubjectState load() throws IOException {
         if (!Files.exists(file)) {
             return SubjectState.NOTHING;
@@ -53,7 +53,7 @@ final class SubjectFile {
         return key.equals(saved.getProperty("key")) && site.drawsLike(saved.getProperty("graphics", ""));
     }
 
-    /** Whether there is a state that belongs to other circumstances. */
+    /** Returns true if the file exists but holds nothing that was measured under the same circumstances. */
     boolean isOfAnotherRun() throws IOException {
         return Files.exists(file) && load().equals(SubjectState.NOTHING);
     }

@@ -6,11 +6,11 @@ import nephele.lab.trade.Trade;
 import nephele.lab.trade.TradeSite;
 
 /**
- * What was asked for.
+ * A request for a report.
  *
- * @param camera one of the level's, {@code null} for the first
- * @param rounds of timing, each of them every setting twice
- * @param sliceSeconds that a setting runs at a time
+ * @param camera id of one of the level's cameras; {@code null} for the one that sees the most portal pixels
+ * @param rounds of timing; a round runs every setting twice
+ * @param sliceSeconds the least time that a setting runs without interruption
  */
 public record TradeRequest(
         List<Trade> trades,

@@ -20,7 +20,7 @@ import nephele.lab.trade.TradeSite;
 import nephele.lab.trade.TradeView;
 import nephele.lab.trade.report.Pictures;
 
-/** Measures subject after subject, keeping everything that was learnt, so that a run that was killed goes on where it was. */
+/** Measures the subjects one after the other and saves each result, so that an interrupted run can be resumed. */
 public final class TradeRun {
     private static final String PARTIAL = "partial";
 
@@ -43,17 +43,17 @@ public final class TradeRun {
         return opened;
     }
 
-    /** From where the level was judged, in words. */
+    /** Returns a description of the camera in words. */
     public String camera() {
         return seen.camera();
     }
 
-    /** What drew the pictures. */
+    /** Returns the name of the OpenGL renderer that drew the pictures. */
     public String graphics() {
         return graphics;
     }
 
-    /** What all subjects found, in order. */
+    /** Returns the findings of all subjects, in order. */
     public List<Findings> measure() throws IOException {
         Path partial = request.folder().resolve(PARTIAL);
         Files.createDirectories(partial);
@@ -71,7 +71,7 @@ public final class TradeRun {
         return new TradeSite(opened, seen, request.extent(), partial, tell);
     }
 
-    /** Everything that figures depend on besides the subject: what was found under another key does not count. */
+    /** Returns everything besides the subject that results depend on: results under another key do not count. */
     private String key(Trade trade) {
         String elsewhere = trade.level() == null ? "" : " " + LevelState.key(new LevelName(trade.level()).open());
         return "code " + CodeState.key() + "; level " + LevelState.key(opened) + elsewhere + "; " + seen.camera() + "; "

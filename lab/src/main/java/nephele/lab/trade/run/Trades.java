@@ -13,7 +13,7 @@ import nephele.lab.trade.subject.ShadowSubject;
 import nephele.lab.trade.subject.TickRateSubject;
 import nephele.lab.trade.subject.TraversalSubject;
 
-/** Every subject in the order of the report; the only registration. */
+/** The registry of subjects, in the order of the report. */
 public final class Trades {
     public static final List<Trade> ALL = List.of(
             PortalSubjects.TECHNIQUE,
@@ -36,7 +36,10 @@ public final class Trades {
 
     private Trades() {}
 
-    /** Those with these names in the report's order; all where none is named. */
+    /**
+     * Returns the subjects with these names, in the report's order; all if no name is given. A name that is unknown is
+     * a usage error.
+     */
     public static List<Trade> named(List<String> subjects) {
         for (String subject : subjects) {
             if (ALL.stream().noneMatch(trade -> trade.subject().equals(subject))) {

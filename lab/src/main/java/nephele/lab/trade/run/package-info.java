@@ -1,2 +1,2 @@
-/** Runs subjects, keeps what was learnt, and knows all of them. */
+/** Runs the registered subjects and saves their measurements. */
 package nephele.lab.trade.run;

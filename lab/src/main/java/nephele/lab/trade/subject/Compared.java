@@ -14,9 +14,12 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.lab.trade.TradeSite;
 
-/** Which of a picture's values are judged, and against what. */
+/** The values of a picture that are judged, and their reference. */
 enum Compared {
-    /** Before exposure and tone curve, against the oracle, which draws no rims: the knob's own error, at every exposure. */
+    /**
+     * Radiance before exposure and tone curve, against the oracle, which draws no rims: the setting's own error at
+     * every exposure.
+     */
     RADIANCE {
         @Override
         Shot judged(Shot shot) {
@@ -43,7 +46,7 @@ enum Compared {
             return DevelopedPicture.of(picture.rgb(), picture.width(), environment, Output.DIRECT);
         }
     },
-    /** What the display emits, against the engine's own radiance developed in double precision. */
+    /** The light that the display emits, against the engine's own radiance tone-mapped in double precision. */
     DISPLAY {
         @Override
         Shot judged(Shot shot) {
@@ -92,13 +95,13 @@ enum Compared {
         }
     };
 
-    /** What is drawn to be judged instead of what is drawn to be timed. */
+    /** Returns the shot to judge in place of the shot that is timed. */
     abstract Shot judged(Shot shot);
 
-    /** @param radiance where the judged shot has it */
+    /** @param radiance of the judged shot if its output is HDR; otherwise {@code null} */
     abstract LinearPicture read(float[] radiance, RenderTarget picture);
 
-    /** @param drawn the usual picture's radiance, drawn when it is asked for */
+    /** @param drawn draws the usual picture's radiance, on request */
     abstract LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site);
 
     abstract ErrorMap flip(LinearPicture exact, LinearPicture test);

@@ -19,9 +19,12 @@ import nephele.lab.trade.Trade;
 import nephele.lab.trade.subject.ReportCulling.Fault;
 import org.joml.Matrix4d;
 
-/** The scene-engine report's culling spheres, with its three errors and with each of them alone, against exact ones. */
+/**
+ * The culling spheres of the scene-engine report, with its three errors and with each of them alone, against exact
+ * ones.
+ */
 public final class CullingSphereSubject implements Experiment {
-    /** Of the settings before the last one. */
+    /** The faults of every setting but the last, which is the exact one. */
     static final List<Set<Fault>> FAULTS = List.of(
             EnumSet.allOf(Fault.class),
             EnumSet.of(Fault.LARGEST_COORDINATE),
@@ -62,7 +65,7 @@ public final class CullingSphereSubject implements Experiment {
     private final List<View> views;
     private final Frustum frustum = Frustum.reusable(6);
     private final Matrix4d clipFromRelative = new Matrix4d();
-    /** What the compiler must not leave out. */
+    /** Uses the result, so that the compiler cannot eliminate the timed code. */
     private int kept;
 
     CullingSphereSubject() {
@@ -84,7 +87,7 @@ public final class CullingSphereSubject implements Experiment {
         placed.place(model, c.x(), c.y(), c.z(), sphere.radius(), posed.worldFromModel(model));
     }
 
-    /** At the time of a view. */
+    /** Poses the scene at the time of a view and sets the frustum. */
     private void begin(int view) {
         posed.at(SECONDS_BETWEEN * view);
         for (int model = 0; model < spheres.size(); model++) {

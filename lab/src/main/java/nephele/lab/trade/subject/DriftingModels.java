@@ -12,7 +12,10 @@ import nephele.engine.xmlscene.XmlGroup.Step;
 import nephele.engine.xmlscene.XmlModel;
 import nephele.engine.xmlscene.XmlScene;
 
-/** Primitives in groups within groups, moved, turned and scaled, some of them on the move; and eyes among them. */
+/**
+ * A scene of 2 000 primitives in nested groups that are moved, rotated and scaled, some of them animated; and views of
+ * it.
+ */
 final class DriftingModels {
     private static final int GROUPS = 250;
     private static final int MODELS_PER_GROUP = 8;
@@ -22,7 +25,7 @@ final class DriftingModels {
     private static final XmlModel.Colours COLOURS =
             new XmlModel.Colours(new Vec3(0.8, 0.8, 0.8), Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, 0);
 
-    /** What a group's rotation does with time. */
+    /** The behaviour of a group's rotation over time. */
     private enum Turning {
         STAYS,
         SPINS
@@ -45,7 +48,7 @@ final class DriftingModels {
         return new XmlScene(Dialect.WORLD, new XmlScene.Window(1280, 720), eye, List.of(), root, List.of());
     }
 
-    /** Turned and then moved away, as orbits are written.  */
+    /** Returns a rotation followed by a translation and a scale, as scene files write orbits. */
     private List<Step> steps(double width, Turning turning) {
         List<Step> steps = new ArrayList<>();
         steps.add(
@@ -70,7 +73,7 @@ final class DriftingModels {
         return width * (random.nextDouble() - 0.5);
     }
 
-    /** From places among the models, this way and that. */
+    /** Returns views from random places among the models towards others. */
     List<View> views(XmlScene scene, int count) {
         XmlScene.Eye eye = scene.eye();
         var projection = new Projection(Math.toRadians(eye.fovDegrees()), 16.0 / 9, eye.near(), eye.far());

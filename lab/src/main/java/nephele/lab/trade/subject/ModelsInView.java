@@ -7,7 +7,10 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.joml.Vector4d;
 
-/** Whether a view shows any of a mesh: each triangle cut by the six planes in turn (Sutherland and Hodgman, 1974). */
+/**
+ * Decides whether a view shows any part of a mesh: each triangle is clipped by the six planes in turn (Sutherland and
+ * Hodgman, 1974).
+ */
 final class ModelsInView {
     private static final int MOST_CORNERS = 9;
 

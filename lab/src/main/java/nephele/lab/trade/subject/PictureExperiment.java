@@ -19,9 +19,9 @@ import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Judgement;
 import nephele.lab.trade.TradeSite;
 
-/** One renderer for each setting, drawing the same view by turns. */
+/** One renderer for each setting, drawing the same view in turn. */
 final class PictureExperiment implements Experiment {
-    /** What shows the previous picture is judged when that has settled. */
+    /** A technique that reuses the previous picture is judged after so many frames. */
     private static final int SETTLING_FRAMES = 4;
 
     private final TradeSite site;
@@ -52,7 +52,7 @@ final class PictureExperiment implements Experiment {
         return judged(compared.read(drawn(compared.judged(shots.get(setting))), picture));
     }
 
-    /** Radiance of a settled frame where the shot's output has it; the picture itself lies in its target. */
+    /** Draws a settled frame into the picture, and returns its radiance if the shot's output is HDR. */
     private float[] drawn(Shot shot) {
         try (var renderer = renderer(shot)) {
             for (int frame = 0; frame < SETTLING_FRAMES; frame++) {
@@ -81,7 +81,7 @@ final class PictureExperiment implements Experiment {
         return exact;
     }
 
-    /** Of the usual picture in linear light. */
+    /** Returns the radiance of the usual picture. */
     private LinearPicture radiance() {
         return new LinearPicture(picture.width(), picture.height(), drawn(usual.with(Output.HDR)));
     }

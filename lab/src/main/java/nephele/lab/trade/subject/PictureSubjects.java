@@ -7,7 +7,7 @@ import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
-/** Knobs of how a picture of the level is drawn, most of them judged by what the oracle's picture differs by. */
+/** Parameters of the drawing of a level; most are judged by the difference from the oracle's picture. */
 public final class PictureSubjects {
     private static final List<String> FIGURES = List.of("relMSE", "mean bias %", "HDR-FLIP, 99th percentile of pixels");
     private static final String ORACLE = "the oracle: rays through the level, many a pixel";

@@ -9,7 +9,7 @@ import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
-/** Whether a portal fits where one aims: the student report's four lines against the exact search. */
+/** The test whether a portal fits at the aimed place: the student report's four lines against the exact search. */
 public final class PlacementSubject {
     private static final int QUESTIONS = 6_000;
     private static final int TIMED = 500;
@@ -38,7 +38,7 @@ public final class PlacementSubject {
 
     private static final class Placements implements Experiment {
         private final PlacementSample sample = new PlacementSample(QUESTIONS);
-        /** What the compiler must not leave out. */
+        /** Uses the result, so that the compiler cannot eliminate the timed code. */
         private int accepted;
 
         @Override

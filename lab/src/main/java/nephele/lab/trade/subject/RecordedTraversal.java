@@ -19,12 +19,12 @@ import nephele.engine.sim.SimSettings;
 import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 
-/** A walk into a portal of a hall, aslant and with a tilted head, as the simulation does it, tick by tick. */
+/** A simulated walk into a portal of a hall, oblique and with a pitched view, tick by tick. */
 final class RecordedTraversal {
     private static final double HALF_HALL_METRES = 8;
     private static final int MOST_TICKS = 240;
 
-    /** Turns of the exit against the entry, about the vertical; a floor comes besides. */
+    /** The normals of the exit portals; the last one is in the floor. The entry's normal is +z. */
     private static final Vec3[] EXIT_NORMALS = {
         new Vec3(1, 0, 0), new Vec3(-1, 0, 0), new Vec3(0, 0, -1), new Vec3(0, 1, 0)
     };
@@ -96,7 +96,7 @@ final class RecordedTraversal {
         return states;
     }
 
-    /** The first pose that the source's rule would move; {@code null} when none came near. */
+    /** Returns the first pose that the source's rule would move; {@code null} if none comes near. */
     Gaze near() {
         for (int tick = 0; tick + 1 < states.size(); tick++) {
             Gaze pose = pose(tick, 0);
@@ -107,7 +107,9 @@ final class RecordedTraversal {
         return null;
     }
 
-    /** The last pose before and the first pose behind the portal; {@code null} when the eye did not go through. */
+    /**
+     * Returns the last pose before and the first pose behind the portal; {@code null} if the eye does not go through.
+     */
     Gaze[] through() {
         for (int tick = 0; tick + 1 < states.size(); tick++) {
             if (apart(pose(tick, 0), pose(tick, 1)) > 1) {

@@ -5,7 +5,7 @@ import nephele.engine.model.Mesh;
 import nephele.engine.render.fixed.SceneFiles;
 import nephele.engine.xmlscene.XmlModel;
 
-/** Cones whose sides have the normals of the scene-engine report, all else as the generator makes it. */
+/** Generated meshes in which the sides of cones have the normals of the scene-engine report. */
 record ReportCones(SceneFiles files) implements SceneFiles {
     @Override
     public Mesh mesh(XmlModel model) {
@@ -16,7 +16,10 @@ record ReportCones(SceneFiles files) implements SceneFiles {
                 : mesh;
     }
 
-    /** (r sin a, cos(atan(h / R)), r cos a) with the radius r at the point, of no unit length. */
+    /**
+     * The report's side normal is (r sin a, cos(atan(h / R)), r cos a), with the radius r at the point; it is not of
+     * unit length.
+     */
     static Mesh withReportNormals(Mesh mesh, double radius, double height) {
         float[] normals = mesh.normals().clone();
         float up = (float) Math.cos(Math.atan(height / radius));

@@ -15,15 +15,15 @@ import nephele.engine.xmlscene.XmlScene;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
-/** Culling by spheres as the scene-engine report does it, with all or some of its errors; models in document order. */
+/** Culling by spheres as in the scene-engine report, with all or some of its errors. Models are in document order. */
 final class ReportCulling {
-    /** What the report does otherwise than it should. */
+    /** An error of the report. */
     enum Fault {
-        /** A sphere around a model's origin, as large as the largest of its coordinates. */
+        /** The sphere is centred at a model's origin, and its radius is the largest of the model's coordinates. */
         LARGEST_COORDINATE,
-        /** A rotation takes the place of those of the groups above. */
+        /** A rotation replaces those of the enclosing groups instead of being composed with them. */
         LAST_ROTATION,
-        /** The plane on the right goes through the point of the left one. */
+        /** The right plane goes through the left plane's point. */
         LEFT_POINT
     }
 
@@ -34,7 +34,7 @@ final class ReportCulling {
     private final Vector3d scale = new Vector3d();
     private final Vector3d centre = new Vector3d();
 
-    /** @param steps of all groups around it, the outermost first */
+    /** @param steps of all enclosing groups, the outermost first */
     private record Placed(List<Step> steps, Vec3 centre, double radius) {}
 
     ReportCulling(XmlScene scene, StillLife.Generated files, Set<Fault> faults) {
@@ -61,7 +61,7 @@ final class ReportCulling {
         return new Placed(steps, sphere.centre(), sphere.radius());
     }
 
-    /** Whether it keeps a model. */
+    /** Returns true if the model is kept. */
     boolean keeps(int model, double seconds, View view) {
         Placed placed = models.get(model);
         place.set(0);
@@ -96,7 +96,7 @@ final class ReportCulling {
         }
     }
 
-    /** Six planes, each by a point and the normal inwards. */
+    /** Tests the sphere against six planes, each given by a point and the inward normal. */
     private boolean isInside(View view, double radius) {
         double x = centre.x - view.eyeX();
         double y = centre.y - view.eyeY();
@@ -116,7 +116,12 @@ final class ReportCulling {
                 && side(near * tanY - up, ahead - near, tanY) >= -radius;
     }
 
-    /** Distance inwards from a side's plane. @param inwards from its point, and {@code ahead} likewise */
+    /**
+     * Returns the distance inwards from a side's plane.
+     *
+     * @param inwards coordinate inwards from the plane's point
+     * @param ahead coordinate ahead of the plane's point
+     */
     private static double side(double inwards, double ahead, double tan) {
         return (inwards + tan * ahead) / Math.sqrt(1 + tan * tan);
     }

@@ -12,7 +12,7 @@ import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 import nephele.lab.trade.subject.XmlPictureExperiment.Way;
 
-/** Of XML scenes: where light is worked out, into how many triangles surfaces are cut, which way cones face. */
+/** Parameters of XML scenes: where lighting is evaluated, how finely surfaces are tessellated, the normals of cones. */
 public final class SceneSubjects {
     private static final int EXACT_SLICES = 256;
     private static final int USUAL_SLICES = 32;
@@ -76,7 +76,7 @@ public final class SceneSubjects {
 
     private SceneSubjects() {}
 
-    /** @param scene by its slices */
+    /** @param scene makes a scene from a number of slices */
     private static Trade of(
             String subject,
             Trade.Text text,

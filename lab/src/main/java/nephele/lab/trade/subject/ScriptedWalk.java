@@ -10,15 +10,15 @@ import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 
 /**
- * What a player does, as times and not as ticks, so that every tick rate can do the same: a new wish every half second,
- * always on the beat of the slowest rate.
+ * A player's input as a function of time instead of ticks, so that every tick rate can run it: a new move intent every
+ * half second, on a beat of the slowest rate.
  */
 final class ScriptedWalk {
     static final int SECONDS = 3;
     private static final int BEATS_PER_SECOND = 30;
     private static final int BEATS_PER_WISH = 15;
 
-    /** Divisible by every number of ticks that a beat may have. */
+    /** A multiple of every number of ticks in a beat, so that a turn divides evenly among them. */
     private static final int TURN_STEP_MILLIDEGREES = 32;
 
     private final List<Wish> wishes = new ArrayList<>();
@@ -39,7 +39,7 @@ final class ScriptedWalk {
         return walk;
     }
 
-    /** Stands, jumps once and stands again. */
+    /** Returns a walk that stands, jumps once and stands again. */
     static ScriptedWalk jump() {
         var walk = new ScriptedWalk();
         for (int i = 0; i < SECONDS * BEATS_PER_SECOND / BEATS_PER_WISH; i++) {
@@ -48,7 +48,7 @@ final class ScriptedWalk {
         return walk;
     }
 
-    /** Where the feet are after every beat. */
+    /** Returns the positions of the feet after every beat. */
     List<Vec3> feet(Simulation simulation) {
         int ticksPerBeat = simulation.settings().ticksPerSecond() / BEATS_PER_SECOND;
         List<Vec3> feet = new ArrayList<>();
@@ -65,7 +65,7 @@ final class ScriptedWalk {
         return feet;
     }
 
-    /** The greatest height that the feet reach in any tick. */
+    /** Returns the greatest height of the feet in any tick, in metres. */
     double highest(Simulation simulation) {
         int ticksPerBeat = simulation.settings().ticksPerSecond() / BEATS_PER_SECOND;
         SimState state = simulation.start();

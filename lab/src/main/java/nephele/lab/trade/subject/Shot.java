@@ -8,10 +8,10 @@ import nephele.engine.render.RenderSettings;
 import nephele.engine.render.frame.Output;
 
 /**
- * What is drawn, and how.
+ * The level, output and quality of a picture.
  *
  * @param preset of quality
- * @param set what is changed in it, as {@code --set} takes it
+ * @param set changes to the preset, in the form of {@code --set}
  */
 record Shot(Level level, Output output, String preset, Map<String, String> set) {
     Shot set(String key, Object value) {

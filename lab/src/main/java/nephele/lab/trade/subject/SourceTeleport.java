@@ -6,16 +6,16 @@ import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portal;
 
 /**
- * How the student report goes through a portal: who is near it is moved in front of the other one and
- * looks along its normal. Kept to be measured.
+ * The student report's rule for going through a portal: an eye that comes near is moved in front of the other portal
+ * and looks along its normal. It is kept for comparison.
  */
 final class SourceTeleport {
-    /** The report does not say how near; this is a body's radius and an arm. */
+    /** The report does not give a distance; this is a body's radius plus the length of an arm. */
     static final double NEAR_METRES = 0.5;
 
     private SourceTeleport() {}
 
-    /** Whether the rule moves an eye that is there. */
+    /** Returns true if the rule moves an eye at this position. */
     static boolean isDue(Portal entry, Vec3 eye) {
         double height = entry.inFront(eye.x(), eye.y(), eye.z());
         return height >= 0
@@ -24,12 +24,14 @@ final class SourceTeleport {
                         .contains(entry.across(eye.x(), eye.y(), eye.z()), entry.upward(eye.x(), eye.y(), eye.z()));
     }
 
-    /** As far before the other portal, at its middle, looking along its normal. */
+    /**
+     * Returns the pose in front of the middle of the other portal, {@link #NEAR_METRES} away, looking along its normal.
+     */
     static Gaze alongNormal(Portal exit) {
         return new Gaze(exit.world(0, 0, NEAR_METRES), ahead(exit));
     }
 
-    /** The same move, but the view keeps its angles to the portal: the least repair. */
+    /** Returns the same position with the view mapped through the portal, the smallest repair of the rule. */
     static Gaze keepingView(Passage passage, Portal exit, Gaze before) {
         return new Gaze(exit.world(0, 0, NEAR_METRES), passage.basis(before.view()));
     }

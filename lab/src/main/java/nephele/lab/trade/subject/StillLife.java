@@ -12,7 +12,9 @@ import nephele.engine.xmlscene.XmlModel;
 import nephele.engine.xmlscene.XmlScene;
 import nephele.engine.xmlscene.XmlSceneFile;
 
-/** A teapot and three primitives on a floor under two lights: what shading and tessellation are judged by. */
+/**
+ * A teapot and three primitives on a floor under two lights, the scene in which shading and tessellation are judged.
+ */
 final class StillLife {
     private static final String AROUND =
             """
@@ -43,15 +45,23 @@ final class StillLife {
             </group>
             """;
 
-    /** Where a thing is. @param tiltDegrees about x */
+    /**
+     * The placement of a model.
+     *
+     * @param tiltDegrees about x
+     */
     private record Place(double x, double y, double z, double scale, double tiltDegrees) {}
 
-    /** Its colour. @param rgb from 0 to 255 each */
+    /**
+     * The material of a model.
+     *
+     * @param rgb from 0 to 255 each
+     */
     private record Look(int[] rgb, int shininess) {}
 
     private StillLife() {}
 
-    /** @param slices of round things; patches are cut into a quarter as many parts */
+    /** @param slices of round models; the teapot's patches are cut into a quarter as many parts */
     static XmlScene of(int slices) {
         int parts = Math.max(1, slices / 4);
         String cut = "_" + slices + "_" + slices;
@@ -62,7 +72,7 @@ final class StillLife {
                 + thing("bezier_" + parts, new Place(0, 0, 0, 0.42, -90), look(90, 200, 160, 70)));
     }
 
-    /** Three of them: slender, as wide as high, flat. */
+    /** Returns a scene of three cones: slender, as wide as high, flat. */
     static XmlScene cones(int slices) {
         String cut = "_" + slices + "_16";
         return read(floor(1)
@@ -102,7 +112,7 @@ final class StillLife {
         return XmlSceneFile.read("still-life.xml", text.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** Makes each mesh that is named once. */
+    /** Generates the mesh of each name once. */
     static final class Generated implements SceneFiles {
         private final Map<String, Mesh> meshes = new HashMap<>();
 

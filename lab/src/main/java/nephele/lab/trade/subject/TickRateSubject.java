@@ -17,11 +17,11 @@ import nephele.lab.trade.Judgement;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
-/** `--ticks-per-second`. */
+/** The option {@code --ticks-per-second}. */
 public final class TickRateSubject implements Experiment {
     static final int[] RATES = {30, 60, 120, 240};
 
-    /** Of the player's radius. */
+    /** A tenth of the player's radius. */
     private static final double TENTH_OF_A_BODY_MM = 30;
 
     private static final String COURSE = "levels/samples/walking.json";

@@ -16,7 +16,7 @@ import nephele.lab.trade.Trade;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** How a player gets through a portal: the student report's leap against the time of impact. */
+/** The player's way through a portal: the student report's teleport against the time of impact. */
 public final class TraversalSubject implements Experiment {
     static final int TICKS_PER_RUN = 20_000;
     private static final int WALKS = 100;
@@ -50,7 +50,7 @@ public final class TraversalSubject implements Experiment {
     private final List<Vector3d> centres = new ArrayList<>();
     private final List<Vector3d> velocities = new ArrayList<>();
     private final Crossing crossing = new Crossing();
-    /** What the compiler must not leave out. */
+    /** Uses the result, so that the compiler cannot eliminate the timed code. */
     private int found;
 
     private TraversalSubject() {

@@ -6,11 +6,12 @@ import nephele.engine.portal.Passage;
 import org.joml.Vector3d;
 
 /**
- * How far a view leaps when its eye goes through a portal: a window would show no leap at all.
+ * The jump of a view when its eye goes through a portal, relative to a view through a window, which would not jump.
  *
- * @param degrees by which it turns
- * @param metres by which the eye moves
- * @param pixels by which a 1280×720 picture's middle points move, the mean; what leaves the picture counts as its diagonal
+ * @param degrees rotation of the view
+ * @param metres displacement of the eye
+ * @param pixels mean displacement of the points of a grid in a 1280 × 720 picture; a point that leaves the picture
+ *     counts as the picture's diagonal
  */
 record ViewJump(double degrees, double metres, double pixels) {
     private static final int COLUMNS = 9;
@@ -20,20 +21,23 @@ record ViewJump(double degrees, double metres, double pixels) {
     private static final double DIAGONAL_PIXELS = 2 * Math.hypot(HALF_WIDTH_PIXELS, HALF_HEIGHT_PIXELS);
     /** Half the height of the picture at depth 1, for the player's 60°. */
     private static final double TAN_HALF_HEIGHT = Math.tan(Math.toRadians(30));
-    /** What one looks at is so far away. */
+    /** The assumed distance of the seen points. */
     private static final double DEPTH_METRES = 5;
 
-    /** @param before the last pose on this side; {@code after} the first on the other */
+    /**
+     * @param before the last pose in front of the portal
+     * @param after the first pose behind it
+     */
     static ViewJump of(Passage passage, Gaze before, Gaze after) {
         Gaze expected = before.through(passage);
         Vector3d way = after.eye().toVector().sub(expected.eye().toVector());
         return new ViewJump(turnDegrees(expected.view(), after.view()), way.length(), meanPixels(expected, after));
     }
 
-    /** From sine and cosine of half the angle, so that small turns keep their digits. */
+    /** Computed from the sine of half the angle, so that small rotations keep their precision. */
     private static double turnDegrees(Basis a, Basis b) {
         double apart = distance(a.right(), b.right()) + distance(a.up(), b.up()) + distance(a.back(), b.back());
-        // Of a turn by t, the squared distances of three axes add up to 8 sin²(t/2).
+        // For a rotation by t, the squared distances of three axes add up to 8 sin²(t/2).
         return 2 * Math.toDegrees(Math.asin(Math.min(1, Math.sqrt(apart / 8))));
     }
 
@@ -53,7 +57,12 @@ record ViewJump(double degrees, double metres, double pixels) {
         return sum / (COLUMNS * ROWS);
     }
 
-    /** Pixels from the middle of the picture, both ways. */
+    /**
+     * Returns the displacement of a point, in pixels.
+     *
+     * @param x pixels to the right of the picture's middle
+     * @param y pixels up from the picture's middle
+     */
     private static double moved(Gaze expected, Gaze after, double x, double y) {
         double perPixel = TAN_HALF_HEIGHT / HALF_HEIGHT_PIXELS;
         Vector3d point = expected.eye()

@@ -20,7 +20,7 @@ import nephele.lab.trade.Judgement;
 import nephele.lab.trade.TradeSite;
 import org.joml.Matrix4d;
 
-/** A scene drawn in several ways, against itself drawn exactly, at sixteen points a pixel. */
+/** A scene drawn in several ways, compared with an exact drawing at 16 samples a pixel. */
 final class XmlPictureExperiment implements Experiment {
     static final List<String> FIGURES = List.of("relMSE", "mean bias %", "FLIP, 99th percentile of pixels");
 
@@ -32,7 +32,7 @@ final class XmlPictureExperiment implements Experiment {
     private final List<DrawnScene> drawn = new ArrayList<>();
     private LinearPicture exact;
 
-    /** How a scene is made and shown. */
+    /** A way to generate and shade a scene. */
     record Way(XmlScene scene, SceneFiles files, Shading shading) {}
 
     XmlPictureExperiment(TradeSite site, Way exactWay, List<Way> ways) {
@@ -89,7 +89,7 @@ final class XmlPictureExperiment implements Experiment {
         drawn.stream().filter(scene -> scene != null).forEach(DrawnScene::close);
     }
 
-    /** An XML scene as it is drawn in one way, with a picture to draw it into. */
+    /** An XML scene loaded for drawing in one way, with the picture that it is drawn into. */
     private record DrawnScene(FixedSceneDrawing drawing, View view, SceneLook look, RenderTarget picture)
             implements AutoCloseable {
         private static final Matrix4d AT_HOME = new Matrix4d();
@@ -107,7 +107,7 @@ final class XmlPictureExperiment implements Experiment {
             drawing.draw(view, 0, AT_HOME, look, picture);
         }
 
-        /** What a display emits of it. */
+        /** Draws the scene and returns the light that a display emits. */
         LinearPicture displayed() {
             draw();
             return Compared.DISPLAY.read(null, picture);

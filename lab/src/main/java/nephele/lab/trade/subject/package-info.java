@@ -1,2 +1,2 @@
-/** The knobs, each a constant of type {@link nephele.lab.trade.Trade}, and what measures them. */
+/** The subjects, each a constant of type {@link nephele.lab.trade.Trade}, and their experiments. */
 package nephele.lab.trade.subject;
