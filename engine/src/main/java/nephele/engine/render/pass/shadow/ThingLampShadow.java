@@ -40,14 +40,14 @@ final class ThingLampShadow {
         shared = context.shared();
         things = new Same(meshes);
         this.depth = depth;
-        SurfaceLight light = shared.surfaceLight();
-        shade = light.thingShade();
-        List<Lamp> lamps = light.lamps().lamps();
-        LampShadows shadows = light.lamps().shadows();
+        SurfaceLight surfaceLight = shared.surfaceLight();
+        shade = surfaceLight.thingShade();
+        List<Lamp> lamps = surfaceLight.lamps().lamps();
+        LampShadows shadows = surfaceLight.lamps().shadows();
         for (int i = 0; i < shadows.layers().size(); i++) {
             Lamp lamp = lamps.get(shadows.layers().get(i).lamp());
-            Matrix4d clip = shadows.clipFromAnchor(lamps, i, light.anchor());
-            layers.add(new Layer(clip, Frustum.of(clip, light.anchor()), lamp));
+            Matrix4d clip = shadows.clipFromAnchor(lamps, i, surfaceLight.anchor());
+            layers.add(new Layer(clip, Frustum.of(clip, surfaceLight.anchor()), lamp));
         }
         extent = new Texture.Extent(shadows.side(), shadows.side(), layers.size());
         maps = DepthDraw.layers(context, "lamp shadows of things");
