@@ -90,8 +90,8 @@ class LampGlTest {
 
     private static Vector3d lambert(List<Light> lights, Vec3 p) {
         Vector3d sum = new Vector3d();
-        for (Light light : lights) {
-            Lamp lamp = Lamp.of(light).orElseThrow();
+        for (Light written : lights) {
+            Lamp lamp = Lamp.of(written).orElseThrow();
             Vector3d toLamp = lamp.position().toVector().sub(p.toVector()).normalize();
             sum.add(lamp.irradianceAt(p).mul(Math.max(toLamp.y, 0) * ALBEDO / Math.PI));
         }
