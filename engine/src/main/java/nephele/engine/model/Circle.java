@@ -36,8 +36,7 @@ record Circle(double[] sine, double[] cosine) {
         if (2 * turn > denominator) {
             return -sineOf(denominator - turn, denominator);
         }
-        int folded =
-                Math.min(2 * turn, denominator - 2 * turn); // numerator in half turns; at most a quarter turn
+        int folded = Math.min(2 * turn, denominator - 2 * turn); // numerator in half turns; at most a quarter turn
         return 4 * folded <= denominator
                 ? StrictMath.sin(Math.PI * folded / denominator)
                 : StrictMath.cos(Math.PI * (denominator - 2 * folded) / (2.0 * denominator));

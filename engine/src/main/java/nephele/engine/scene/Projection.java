@@ -12,11 +12,13 @@ package nephele.engine.scene;
 public record Projection(double verticalFovRadians, double aspect, double nearMetres, double farMetres) {
     /** Limits and default of the field of view, radians. */
     private static final double LEAST_FOV = StrictMath.toRadians(1);
+
     private static final double GREATEST_FOV = StrictMath.toRadians(170);
     private static final double USUAL_FOV = StrictMath.toRadians(60);
     private static final double GREATEST_ASPECT = 1e3;
     /** Limits and default of the near plane's distance, metres. */
     private static final double LEAST_NEAR = 1e-3;
+
     private static final double GREATEST_NEAR = 1e6;
     private static final double USUAL_NEAR = 0.05;
 

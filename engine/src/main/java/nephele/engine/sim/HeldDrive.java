@@ -18,6 +18,7 @@ final class HeldDrive {
     private static final double RATE_PER_SECOND = 15;
     /** The greatest speed relative to the player, m/s. */
     private static final double FASTEST = 8;
+
     private static final double STRONGEST_NEWTON = 1500;
     /** In m/s². It limits light bodies, which {@link #STRONGEST_NEWTON} alone would let jump. */
     private static final double HARDEST_ACCELERATION = 120;
@@ -26,6 +27,7 @@ final class HeldDrive {
     private static final double FASTEST_SPIN = 12;
     /** In m/s; heavy bodies are limited by {@link #THROW_NEWTON_SECONDS}. */
     private static final double THROW_SPEED = 8;
+
     private static final double THROW_NEWTON_SECONDS = 160;
 
     private final BodyTable table;

@@ -7,11 +7,13 @@ import nephele.engine.collision.Sweep;
 public final class PlayerBody {
     /** The capsule's radius, metres. */
     public static final double RADIUS = 0.3;
+
     public static final double MASS_KILOGRAMS = 80;
     /** The gravitational acceleration, m/s². */
     public static final double GRAVITY = 9.81;
     /** In m/s, as are the two below. */
     public static final double WALK_SPEED = 4;
+
     public static final double RUN_SPEED = 6;
     public static final double CROUCH_SPEED = 2;
     /** In metres, the rise of the feet. */
@@ -28,6 +30,7 @@ public final class PlayerBody {
 
     /** In m/s². */
     static final double AIR_ACCELERATION = 8;
+
     static final double EYE_RATE_PER_SECOND = 15;
     /** A player inside a solid is pushed out by at most this in a tick. */
     static final double RECOVERY_METRES_PER_TICK = 0.02;

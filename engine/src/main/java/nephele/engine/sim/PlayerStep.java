@@ -20,6 +20,7 @@ final class PlayerStep {
 
     /** In metres. */
     private static final double HEAD_RADIUS = 0.1;
+
     private static final RoundedHull HEAD = RoundedHull.sphere(HEAD_RADIUS);
 
     private final double seconds;
