@@ -3,13 +3,13 @@ package nephele.lab.prove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
+import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.scene.light.SkyVisibility;
@@ -19,7 +19,19 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What follows from an edited level is, to the last bit, what follows from it when it is loaded. */
 class EditedTownTest {
-    private static final AssetSource ASSETS = LevelAssets.beside(Path.of("levels", "town.json"));
+    private static final AssetSource ASSETS = smallPictures();
+
+    /** Decoding the town's own takes most of a load, and no comparison looks at a texel. */
+    private static AssetSource smallPictures() {
+        TestAssets assets = new TestAssets().committed("models/vase.obj");
+        for (Material material : Town.of(1, 1, 1).materials()) {
+            assets.picture(material.texture(), 8, 8, (x, y) -> 0x808080);
+            if (material.normalTexture() != null) {
+                assets.picture(material.normalTexture(), 8, 8, (x, y) -> 0x8080ff);
+            }
+        }
+        return assets;
+    }
 
     /** Of the first few solids alone, which is enough of a light that is an earlier level's. */
     static SkyVisibility bakedInPart(PlacedLevel placed) {
