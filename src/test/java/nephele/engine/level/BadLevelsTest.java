@@ -9,8 +9,11 @@ import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Every kind of bad input ends, within 256 MiB, in a line that names file and JSON path. */
+@Execution(ExecutionMode.CONCURRENT)
 class BadLevelsTest {
     @TempDir
     Path folder;

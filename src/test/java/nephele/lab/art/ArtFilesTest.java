@@ -13,11 +13,14 @@ import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The pictures in the checkout are those that the code paints, pixel for pixel, on every JVM. */
+@Execution(ExecutionMode.CONCURRENT)
 class ArtFilesTest {
     static Stream<String> recipes() {
         return Textures.ALL.stream().map(TextureRecipe::name);

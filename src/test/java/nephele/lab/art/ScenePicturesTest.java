@@ -11,10 +11,13 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The scenes' pictures are those that the code paints, on every JVM, and worlds have neither a seam nor pinched poles. */
+@Execution(ExecutionMode.CONCURRENT)
 class ScenePicturesTest {
     private static final Path ASSETS = Path.of("assets");
     private static final String GLOBE =

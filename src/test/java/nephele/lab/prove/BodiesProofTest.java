@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The code of the proof {@code bodies} over a reduced count; what it costs is only printed, bytes are bounded. */
+@Execution(ExecutionMode.CONCURRENT)
 class BodiesProofTest {
     @Test
     void towerAndStackStand() {

@@ -14,10 +14,13 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.scene.light.SkyVisibility;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What follows from an edited level is, to the last bit, what follows from it when it is loaded. */
+@Execution(ExecutionMode.CONCURRENT)
 class EditedTownTest {
     private static final AssetSource ASSETS = smallPictures();
 

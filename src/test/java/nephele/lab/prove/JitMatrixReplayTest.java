@@ -13,11 +13,14 @@ import nephele.engine.sim.Simulation;
 import nephele.engine.sim.TickHashes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * Hashes equal in other processes. Those that differ most from this one play: interpreted, and with other language and time
  * zone on another Java where there is one; {@code prove replay-hashes} plays in all.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class JitMatrixReplayTest {
     private static final int EVERY = 10;
 

@@ -16,10 +16,13 @@ import nephele.engine.portal.Portals;
 import nephele.engine.sim.PlayerBody;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A plate and a needle rod, each of 50 kg, in a closed room of 12 m: at tick 503 they once flew at 402 km/s. */
+@Execution(ExecutionMode.CONCURRENT)
 class ThinBodiesTest {
     private static final int RATE = 120;
     /** All that both fall from, in one of them. */

@@ -16,8 +16,11 @@ import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Where solids meet, every edge has all the corners that lie on it, with the same bits. */
+@Execution(ExecutionMode.CONCURRENT)
 class FaceFragmentsTest {
     private static final int PLUS_X = 0;
     private static final int PLUS_Z = 4;
