@@ -51,6 +51,24 @@ enum SourceRules {
         List<String> violations(SourceFile file) {
             return file.isTest() ? tierViolations(file) : List.of();
         }
+    },
+    /** A class with an execution mode of its own runs on a thread beside that of the OpenGL tests. */
+    CONCURRENT_TESTS_USE_NO_OPENGL {
+        @Override
+        List<String> violations(SourceFile file) {
+            boolean isPure = !file.simpleName().matches(".*(Gl|Swing)Test");
+            return isPure ? List.of() : file.matches(Pattern.compile("@Execution\\b.*"));
+        }
+    },
+    /** A change of the process would be visible to the tests on the other thread. */
+    TESTS_THAT_CHANGE_THE_PROCESS_ARE_ISOLATED {
+        @Override
+        List<String> violations(SourceFile file) {
+            boolean isIsolated = !file.isTest() || file.text().contains("@Iso" + "lated\n");
+            Pattern change = Pattern.compile("(Locale|TimeZone)\\.set" + "Default\\("
+                    + "|System\\.(set(Out|Err|In|Propert(y|ies))|clear" + "Property)\\(");
+            return isIsolated ? List.of() : file.matches(change);
+        }
     };
 
     /**

@@ -10,10 +10,13 @@ import java.nio.file.Path;
 import nephele.lab.prove.MutantsProof;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+@Execution(ExecutionMode.CONCURRENT)
 class MutantsTest {
     private static final String VEC3 = "engine/src/main/java/nephele/engine/math/Vec3.java";
 

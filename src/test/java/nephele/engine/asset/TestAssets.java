@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
@@ -25,6 +26,16 @@ public final class TestAssets implements AssetSource {
     /** @param argbAt returns 0xaarrggbb of a pixel, row 0 at the top */
     public TestAssets seeThroughPicture(String id, int width, int height, IntBinaryOperator argbAt) {
         return add(id, new BufferedImage(width, height, BufferedImage.TYPE_INT_ARGB), argbAt);
+    }
+
+    /** Adds the file of that name below {@code assets/}. */
+    public TestAssets committed(String id) {
+        try {
+            files.put(id, Files.readAllBytes(Path.of("assets").resolve(id)));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return this;
     }
 
     private TestAssets add(String id, BufferedImage image, IntBinaryOperator valueAt) {

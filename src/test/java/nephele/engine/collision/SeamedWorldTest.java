@@ -17,10 +17,13 @@ import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The static world opened at the portals is solid exactly where paths through the apertures end in solids. */
+@Execution(ExecutionMode.CONCURRENT)
 final class SeamedWorldTest {
     private static final Vec3 FAR = new Vec3(10_000, 300, -10_000);
     private static final RoundedHull PLAYER = RoundedHull.uprightCapsule(0.3, 1.8);

@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Load(save(x)) is x to the bit, in any locale; record equality compares doubles by their bits. */
+@Isolated
 class LevelRoundTripTest {
     @ParameterizedTest
     @ValueSource(strings = {"en-GB", "de-DE", "ar-EG-u-nu-arab", "tr-TR"})
@@ -23,6 +25,30 @@ class LevelRoundTripTest {
                 assertEquals(level, again);
                 assertEquals(text, LevelJson.write(again));
             }
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"de-DE", "ar-EG-u-nu-arab", "tr-TR"})
+    void theLocaleChangesNothing(String tag) {
+        Locale before = Locale.getDefault();
+        Level level = LevelJsonTest.read(LevelJsonTest.PUFF);
+        String text = LevelJson.write(level);
+        try {
+            Locale.setDefault(Locale.forLanguageTag(tag));
+            assertEquals("-1234.5", NumberText.of(-1234.5));
+            assertEquals(text, LevelJson.write(level));
+            assertEquals(level, LevelJsonTest.read(text));
+            assertEquals(
+                    "solids[0].size[0]: must be from 0.0001 to 10000000, not -0.5",
+                    LevelJsonTest.problems(
+                                    "{\"format\": \"nephele-level\", \"version\": 1, \"solids\": [{\"id\": \"i\","
+                                            + " \"kind\": \"box\", \"centre\": [0, 0, 0], \"size\": [-0.5, 1, 1]}]}")
+                            .get(0)
+                            .line("f")
+                            .substring(3));
         } finally {
             Locale.setDefault(before);
         }

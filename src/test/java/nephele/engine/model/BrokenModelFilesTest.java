@@ -12,10 +12,13 @@ import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import nephele.engine.asset.ResourceAssets;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Every file gives a mesh or a message with file and place, quickly and in little memory. */
+@Execution(ExecutionMode.CONCURRENT)
 class BrokenModelFilesTest {
     private static final long MOST_BYTES = 256L << 20;
 

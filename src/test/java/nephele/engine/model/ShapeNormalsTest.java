@@ -10,10 +10,13 @@ import java.util.stream.Stream;
 import nephele.engine.model.PlaneShape.Sides;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Compares the normals of every primitive at many numbers of divisions with the analytic normals of the surface. */
+@Execution(ExecutionMode.CONCURRENT)
 class ShapeNormalsTest {
     private static final int MOST_DIVISIONS = 256;
     private static final double RADIUS = 1.5;

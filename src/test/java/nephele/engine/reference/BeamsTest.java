@@ -16,7 +16,10 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
+@Execution(ExecutionMode.CONCURRENT)
 class BeamsTest {
     private static final int RAYS = 100_000;
     private static final int BOXES = 150;

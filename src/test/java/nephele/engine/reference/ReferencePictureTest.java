@@ -15,8 +15,11 @@ import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** A picture is a pure function of level, eye, size, samples and seed. */
+@Execution(ExecutionMode.CONCURRENT)
 class ReferencePictureTest {
     private static final Pinhole EYE = Traced.eye(new Vec3(1, 2, 4), Vec3.ZERO, 0.7);
 

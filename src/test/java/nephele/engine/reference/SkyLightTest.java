@@ -9,8 +9,11 @@ import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The light of the sky matches values calculated by hand. */
+@Execution(ExecutionMode.CONCURRENT)
 class SkyLightTest {
     private static final Sky WHITE = new Sky.Constant(TestLevel.grey(1));
 

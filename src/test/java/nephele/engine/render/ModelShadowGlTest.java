@@ -2,6 +2,7 @@ package nephele.engine.render;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.TestLevel;
@@ -38,14 +39,12 @@ class ModelShadowGlTest {
     @Test
     void aClosedRoomIsDark() {
         try (Offscreen offscreen = new Offscreen(160, 160)) {
-            View[] views = {
-                offscreen.view(new Vec3(-1.2, 1.2, 1.2), new Vec3(0.3, -0.3, 0)),
-                offscreen.view(new Vec3(0.2, -0.4, -0.2), new Vec3(1, 1, 0.2)),
-                offscreen.view(new Vec3(-1.3, 0, -1.2), new Vec3(0.3, -0.3, 0))
-            };
+            List<View> views = List.of(
+                    offscreen.view(new Vec3(-1.2, 1.2, 1.2), new Vec3(0.3, -0.3, 0)),
+                    offscreen.view(new Vec3(0.2, -0.4, -0.2), new Vec3(1, 1, 0.2)),
+                    offscreen.view(new Vec3(-1.3, 0, -1.2), new Vec3(0.3, -0.3, 0)));
             for (Vec3 sun : SUNS) {
-                for (View view : views) {
-                    float[] seen = offscreen.radiance(closedRoom(sun).level(), TestAssets.NONE, view);
+                for (float[] seen : offscreen.radiance(closedRoom(sun).level(), TestAssets.NONE, views)) {
                     int lit = 0;
                     for (float value : seen) {
                         lit += value > 0 ? 1 : 0;

@@ -1,6 +1,8 @@
 package nephele.engine.render;
 
 import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
@@ -49,10 +51,20 @@ final class Offscreen implements AutoCloseable {
 
     /** Linear RGB, the bottom row first. */
     float[] radiance(Level level, AssetSource assets, View view) {
+        return radiance(level, assets, List.of(view)).get(0);
+    }
+
+    /** Returns the radiance of each view, drawn by one renderer without history. */
+    List<float[]> radiance(Level level, AssetSource assets, List<View> views) {
         try (Renderer renderer = Renderer.load(gl, level, assets, RenderSettings.of(Output.HDR))) {
-            renderer.draw(view, picture);
-            gl.requireNoError("test frame");
-            return renderer.readRadiance();
+            List<float[]> seen = new ArrayList<>();
+            for (View view : views) {
+                renderer.forget();
+                renderer.draw(view, picture);
+                gl.requireNoError("test frame");
+                seen.add(renderer.readRadiance());
+            }
+            return seen;
         }
     }
 

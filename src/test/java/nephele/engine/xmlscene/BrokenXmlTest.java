@@ -15,11 +15,14 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import nephele.engine.model.ModelFileException;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Files that cannot be shown say where and why; files that can are shown, and say what was odd. */
+@Execution(ExecutionMode.CONCURRENT)
 class BrokenXmlTest {
     private static final String MODEL = "<models><model file='box_2_3.3d'/></models>";
     private static final long MOST_CPU_NANOSECONDS = 1_000_000_000;

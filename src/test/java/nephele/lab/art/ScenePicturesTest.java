@@ -11,6 +11,8 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -18,6 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * The scenes' pictures equal those that the code paints, on every JVM, and globes have neither a seam nor distorted
  * poles.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ScenePicturesTest {
     private static final Path ASSETS = Path.of("assets");
     private static final String GLOBE =

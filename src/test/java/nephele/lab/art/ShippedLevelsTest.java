@@ -20,11 +20,14 @@ import nephele.engine.sim.Replay;
 import nephele.engine.sim.WorldRules;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The rules that every level in the checkout keeps. */
+@Execution(ExecutionMode.CONCURRENT)
 class ShippedLevelsTest {
     private static final Path LEVEL_ONE = Path.of("levels/01-courtyard.json");
 

@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The proof {@code bodies} holds at a reduced count. CPU time is only printed; the bytes are limited. */
+@Execution(ExecutionMode.CONCURRENT)
 class BodiesProofTest {
     @Test
     void towerAndStackStand() {

@@ -11,8 +11,11 @@ import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The proof holds at a reduced count. */
+@Execution(ExecutionMode.CONCURRENT)
 final class CrossingsProofTest {
     @Test
     void nobodyFallsThroughOrStaysInASolid() {

@@ -3,23 +3,38 @@ package nephele.lab.prove;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
+import nephele.engine.level.Material;
 import nephele.engine.level.Solid;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.scene.light.SkyVisibility;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The data derived from an edited level equal those of the freshly loaded level, bit for bit. */
+@Execution(ExecutionMode.CONCURRENT)
 class EditedTownTest {
-    private static final AssetSource ASSETS = LevelAssets.beside(Path.of("levels", "town.json"));
+    private static final AssetSource ASSETS = smallPictures();
+
+    /** Replaces the town's textures, which take most of a load to decode; no comparison reads a texel. */
+    private static AssetSource smallPictures() {
+        TestAssets assets = new TestAssets().committed("models/vase.obj");
+        for (Material material : Town.of(1, 1, 1).materials()) {
+            assets.picture(material.texture(), 8, 8, (x, y) -> 0x808080);
+            if (material.normalTexture() != null) {
+                assets.picture(material.normalTexture(), 8, 8, (x, y) -> 0x8080ff);
+            }
+        }
+        return assets;
+    }
 
     /** Bakes the first few solids only, which is enough to represent the light of an earlier level. */
     static SkyVisibility bakedInPart(PlacedLevel placed) {

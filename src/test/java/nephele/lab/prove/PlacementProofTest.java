@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Nearest places on walls are no worse than those of brute force, at a hundredth of the full count. */
+@Execution(ExecutionMode.CONCURRENT)
 class PlacementProofTest {
     @Test
     void noBetterAnswerIsFound() {

@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** A surface cut into other triangles gives the same place, at a hundredth of the full count. */
+@Execution(ExecutionMode.CONCURRENT)
 class RetriangulationProofTest {
     @Test
     void thePortalComesToTheSamePlace() {

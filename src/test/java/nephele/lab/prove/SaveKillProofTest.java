@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The proof holds at a small part of its full count. */
+@Execution(ExecutionMode.CONCURRENT)
 class SaveKillProofTest {
     @Test
     void fiveKillsLeaveReadableLevels() throws Exception {

@@ -16,6 +16,8 @@ import nephele.engine.portal.Portals;
 import nephele.engine.sim.PlayerBody;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -23,6 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * A plate and a thin rod, each of 50 kg, in a closed room of 12 m, do not exceed the speed of their fall; at tick 503
  * they once moved at 402 km/s.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class ThinBodiesTest {
     private static final int RATE = 120;
     /** The sum of both heights, as if one body had the potential energy of both. */

@@ -4,8 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The proof holds at a tenth of the traversals. */
+@Execution(ExecutionMode.CONCURRENT)
 final class TraversalsProofTest {
     @Test
     void traversalsAddNothing() {

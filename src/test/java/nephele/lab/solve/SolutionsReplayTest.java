@@ -20,11 +20,14 @@ import nephele.engine.sim.SimSettings;
 import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The levels after the first are solved by their recordings, and not by the same input without shots. */
+@Execution(ExecutionMode.CONCURRENT)
 class SolutionsReplayTest {
     private static final Path LEVELS = Path.of("levels");
     private static final Path REPLAYS = LEVELS.resolve("replays");

@@ -11,11 +11,14 @@ import nephele.engine.portal.Portals;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Bodies pass through portals and touch each other through them without loss, gain or leak. */
+@Execution(ExecutionMode.CONCURRENT)
 class BodyPortalTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 DOWN = new Vec3(0, -1, 0);

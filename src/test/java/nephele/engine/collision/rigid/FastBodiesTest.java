@@ -14,10 +14,13 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Boxes and balls thrown in a closed room stay in it, for any speed and angular velocity and thin walls. */
+@Execution(ExecutionMode.CONCURRENT)
 class FastBodiesTest {
     private static final double ROOM_HALF_METRES = 2;
     private static final double SECONDS = 2;

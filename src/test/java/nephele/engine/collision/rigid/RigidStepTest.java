@@ -11,11 +11,14 @@ import nephele.engine.math.Vec3;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Bodies without portals: free flight, rest, friction, restitution, sleep, speed and invalid numbers. */
+@Execution(ExecutionMode.CONCURRENT)
 class RigidStepTest {
     private static Vec3 v(double x, double y, double z) {
         return new Vec3(x, y, z);

@@ -37,11 +37,14 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Models in the world: where, which way round, solid or not, and how many. */
+@Execution(ExecutionMode.CONCURRENT)
 class PlacedModelsTest {
     private static ModelPlacement model(String id, String file, String parent, TransformStep... steps) {
         return new ModelPlacement(id, file, parent, List.of(steps), null, false);

@@ -16,8 +16,11 @@ import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Every edge of touching solids contains all the corners on it, with the same bits. */
+@Execution(ExecutionMode.CONCURRENT)
 class FaceFragmentsTest {
     private static final int PLUS_X = 0;
     private static final int PLUS_Z = 4;
@@ -81,10 +84,16 @@ class FaceFragmentsTest {
         }
     }
 
-    private static List<String> described(List<List<FaceFragment>> faces) {
+    /** A fragment as a value: two are equal if every number has the same bits. */
+    private record Described(FaceFragment.Cover cover, List<Vec3> corners, List<Integer> triangles) {}
+
+    private static List<Described> described(List<List<FaceFragment>> faces) {
         return faces.stream()
                 .flatMap(List::stream)
-                .map(part -> part.cover() + " " + part.corners() + Arrays.toString(part.triangles()))
+                .map(part -> new Described(
+                        part.cover(),
+                        part.corners(),
+                        Arrays.stream(part.triangles()).boxed().toList()))
                 .toList();
     }
 
@@ -130,8 +139,8 @@ class FaceFragmentsTest {
                 edit(brushes, random);
                 cut = cut.edited(brushes);
                 whole = whole.edited(brushes);
-                assertEqual(FaceFragments.of(brushes), cut, "seed " + seed + ", edit " + edit);
-                assertEqual(FaceFragments.uncut(brushes), whole, "seed " + seed + ", edit " + edit);
+                assertEqual(FaceFragments.of(brushes), cut, seed, edit);
+                assertEqual(FaceFragments.uncut(brushes), whole, seed, edit);
             }
         }
     }
@@ -146,12 +155,13 @@ class FaceFragmentsTest {
         }
     }
 
-    private static void assertEqual(FaceFragments fresh, FaceFragments edited, String when) {
+    private static void assertEqual(FaceFragments fresh, FaceFragments edited, long seed, int edit) {
         for (int i = 0; i < fresh.byBrush().size(); i++) {
+            int brush = i;
             assertEquals(
                     described(fresh.byBrush().get(i)),
                     described(edited.byBrush().get(i)),
-                    when + ", brush " + i);
+                    () -> "seed " + seed + ", edit " + edit + ", brush " + brush);
         }
     }
 

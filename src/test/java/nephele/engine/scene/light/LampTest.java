@@ -15,8 +15,11 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** A punctual light's irradiance depends on distance, range and cone, and its grid lists are complete. */
+@Execution(ExecutionMode.CONCURRENT)
 class LampTest {
     private static final Vec3 WHITE = new Vec3(1, 1, 1);
 

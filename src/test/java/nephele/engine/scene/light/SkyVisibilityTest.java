@@ -13,8 +13,11 @@ import nephele.engine.level.TextureMapping;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** The baked visibility matches analytic values of the cosine-weighted visible part of the sky within 0.01. */
+@Execution(ExecutionMode.CONCURRENT)
 class SkyVisibilityTest {
     private static final double TOLERANCE = 0.01;
     private static final int TOP = 2;

@@ -9,9 +9,12 @@ import java.util.Map;
 import nephele.app.ChildJvm;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** Every level that {@code check} accepts is drawn, simulated and played, in ten seconds of CPU and 256 MiB of heap. */
-class AcceptedLevelsGlTest {
+@Execution(ExecutionMode.CONCURRENT)
+class AcceptedLevelsTest {
     private static final Map<String, String> NO_DISPLAY = Map.of("DISPLAY", "", "WAYLAND_DISPLAY", "");
 
     private static final String REFUSED =
