@@ -43,7 +43,7 @@ class ArchitectureTest {
 
     @Test
     void theRulesSeeTheWholeProduct() throws IOException {
-        assertTrue(product.contain("nephele.engine.math.SpatialIndex"));
+        assertTrue(product.contain("nephele.engine.math.bvh.SpatialIndex"));
         assertTrue(product.contain("nephele.app.Main"));
         assertTrue(product.stream().noneMatch(type -> type.getPackageName().equals("nephele.architecture")));
         assertTrue(SourceFile.all().stream().anyMatch(file -> file.path().endsWith(".glsl")));

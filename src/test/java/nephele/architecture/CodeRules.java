@@ -64,6 +64,18 @@ final class CodeRules {
                     .should()
                     .beFreeOfCycles()
                     .as("no cycles between packages"),
+            classes()
+                    .that()
+                    .areTopLevelClasses()
+                    .and(are(describe("written", CodeRules::isWritten)))
+                    .should(PackageSize.atMost35Classes())
+                    .as("no package with more than 35 classes"),
+            classes()
+                    .that()
+                    .areTopLevelClasses()
+                    .and(are(describe("written", CodeRules::isWritten)))
+                    .should(PackageSize.aNameOfItsOwn())
+                    .as("no simple name twice"),
             noClasses()
                     .that()
                     .resideInAPackage("nephele.engine..")
@@ -110,6 +122,10 @@ final class CodeRules {
             methods().should(takeAtMostOneBoolean()).as("no pairs of boolean parameters"));
 
     private CodeRules() {}
+
+    private static boolean isWritten(JavaClass type) {
+        return !type.getSimpleName().equals("package-info");
+    }
 
     private static boolean isBeyondDecoding(String packageName) {
         boolean lwjgl = packageName.startsWith("org.lwjgl.") && !packageName.matches("org\\.lwjgl\\.(stb|system)");

@@ -38,12 +38,13 @@ final class PackageTable {
         USES.put("measure", List.of());
         USES.put("render.gl", List.of());
         USES.put("render.fixed", with("render.gl", HEADLESS));
-        USES.put("render.frame", with("render.gl", HEADLESS));
+        USES.put("render.resource", with("render.gl", HEADLESS));
+        USES.put("render.frame", List.of("render.resource"));
         USES.put("render.pass", List.of("render.frame"));
         USES.put("render", with("render.pass", HEADLESS));
         USES.put("terminal", List.of());
         USES.put("named", List.of("terminal", "scene", "sim"));
-        USES.put("walk", List.of("named"));
+        USES.put("playthrough", List.of("named"));
         USES.put("draw", List.of("render", "named"));
     }
 
@@ -79,16 +80,13 @@ final class PackageTable {
         }
     }
 
-    /** Returns one slice for each row, pass and package outside the engine. */
+    /** Returns one slice for each package, so that a package and its subpackages can form a cycle, too. */
     static SliceAssignment slices() {
         return new SliceAssignment() {
             @Override
             public SliceIdentifier getIdentifierOf(JavaClass type) {
                 String name = type.getPackageName();
-                String row = row(name);
-                boolean ours = name.startsWith("nephele.");
-                boolean whole = row == null || row.equals("render.pass");
-                return ours ? SliceIdentifier.of(whole ? name : row) : SliceIdentifier.ignore();
+                return name.startsWith("nephele.") ? SliceIdentifier.of(name) : SliceIdentifier.ignore();
             }
 
             @Override

@@ -64,11 +64,13 @@ class PlantedViolationTest {
         plant("nephele.lab.SeesApp", "nephele.app.Top t;");
         plant("nephele.engine.scene.SeesEditor", "nephele.editor.SeesApp e;");
         plant("nephele.lab.SeesEditor", "nephele.editor.SeesApp e;");
-        plant("nephele.engine.walk.SeesLab", "nephele.lab.SeesApp l;");
+        plant("nephele.engine.playthrough.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.app.play.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.app.command.SeesLab", "nephele.lab.SeesApp l;");
         plant("nephele.engine.portal.RoundA", "nephele.engine.cloud.RoundB b;");
         plant("nephele.engine.cloud.RoundB", "nephele.engine.portal.RoundA a;");
+        plant("nephele.engine.level.ring.RoundC", "nephele.engine.level.RoundD d;");
+        plant("nephele.engine.level.RoundD", "nephele.engine.level.ring.RoundC c;");
         plant("nephele.engine.sim.SeesSwing", "javax.swing.JLabel l;");
         plant("nephele.engine.asset.SeesGlfw", "int i = org.lwjgl.glfw.GLFW.glfwGetTimerFrequency() > 0 ? 1 : 0;");
         plant("nephele.engine.render.SeesFrame", "java.awt.Frame f;");
@@ -82,6 +84,11 @@ class PlantedViolationTest {
         planted.put(
                 "nephele.engine.level.Child", "package nephele.engine.level; public class Child extends Written {}");
         plant("nephele.engine.level.Flags", "void f(boolean a, int n, boolean b) {}");
+        for (int i = 0; i < 36; i++) {
+            plant("nephele.engine.model.crowd.Crowd" + i, "");
+        }
+        plant("nephele.engine.model.Twice", "");
+        plant("nephele.engine.asset.Twice", "");
     }
 
     private void plantIndeterminism() {
@@ -101,9 +108,10 @@ class PlantedViolationTest {
                 new String[] {"nobody uses app", "lab.SeesApp"},
                 new String[] {"neither engine nor lab", "scene.SeesEditor"},
                 new String[] {"neither engine nor lab", "lab.SeesEditor"},
-                new String[] {"only commands use the lab", "walk.SeesLab"},
+                new String[] {"only commands use the lab", "playthrough.SeesLab"},
                 new String[] {"only commands use the lab", "play.SeesLab"},
                 new String[] {"no cycles", "portal.RoundA"},
+                new String[] {"no cycles", "level.ring.RoundC"},
                 new String[] {"headless packages", "sim.SeesSwing"},
                 new String[] {"asset sees", "asset.SeesGlfw"},
                 new String[] {"the renderer opens no window", "render.SeesFrame"},
@@ -113,6 +121,8 @@ class PlantedViolationTest {
                 new String[] {"no names that say nothing", "level.SolidManager"},
                 new String[] {"no inheritance", "level.Child"},
                 new String[] {"no pairs of boolean", "level.Flags"},
+                new String[] {"no package with more than 35", "crowd.Crowd0"},
+                new String[] {"no simple name twice", "model.Twice"},
                 new String[] {"the simulation calls no a clock", "sim.ReadsClock"},
                 new String[] {"unseeded or foreign randomness", "sim.Gambles"},
                 new String[] {"a transcendental of Math", "collision.TakesSine"},

@@ -18,10 +18,10 @@ final class CollisionMutants {
             new Mutant(
                     COLLISION,
                     "what starts in a solid is pushed out without the skin",
-                    ENGINE + "collision/Recovery.java",
+                    ENGINE + "collision/Depenetration.java",
                     "double way = Sweep.SKIN_METRES - least;",
                     "double way = -least;",
-                    "RecoveryTest"),
+                    "DepenetrationTest"),
             new Mutant(
                     COLLISION,
                     "a ray that starts a hair behind a face does not enter there",
@@ -39,21 +39,21 @@ final class CollisionMutants {
             new Mutant(
                     COLLISION,
                     "the caves of portals side by side meet at the second one's edge",
-                    ENGINE + "collision/Cave.java",
+                    ENGINE + "collision/ApertureVolume.java",
                     "edge.distance() + nearest / 2",
                     "edge.distance() + nearest",
-                    "CaveTest"),
+                    "ApertureVolumeTest"),
             new Mutant(
                     COLLISION,
                     "the momentum of a tumbling body turns the wrong way",
-                    ENGINE + "collision/rigid/Spin.java",
+                    ENGINE + "collision/rigid/body/FreeRotation.java",
                     "momentum[j] = cos * mj + sin * momentum[k];\n        momentum[k] = cos * momentum[k] - sin * mj;",
                     "momentum[j] = cos * mj - sin * momentum[k];\n        momentum[k] = cos * momentum[k] + sin * mj;",
                     "RigidStepTest"),
             new Mutant(
                     COLLISION,
                     "a capsule's inertia lacks the shift of its half balls",
-                    ENGINE + "collision/rigid/BodyTable.java",
+                    ENGINE + "collision/rigid/body/BodyTable.java",
                     " + 3 * h * r / 8)",
                     ")",
                     "BodyTableTest"),

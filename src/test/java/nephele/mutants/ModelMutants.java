@@ -11,28 +11,28 @@ final class ModelMutants {
             new Mutant(
                     MODEL,
                     "the sides of a cone look up by the angle they should look out by",
-                    ENGINE + "model/ConeShape.java",
+                    ENGINE + "model/shape/ConeShape.java",
                     "height / length * sine, radius / length, height / length * cosine",
                     "radius / length * sine, height / length, radius / length * cosine",
                     "ShapeNormalsTest"),
             new Mutant(
                     MODEL,
                     "missing normals weigh each triangle alike",
-                    ENGINE + "model/MissingNormals.java",
+                    ENGINE + "model/file/MissingNormals.java",
                     "normal.mul(StrictMath.atan2(length, a.dot(b)) / length);",
                     "normal.mul(1 / length);",
                     "MissingNormalsTest"),
             new Mutant(
                     MODEL,
                     "an index from the end names the point after",
-                    ENGINE + "model/ObjFile.java",
+                    ENGINE + "model/file/ObjFile.java",
                     "index < 0 ? count + index : index - 1",
                     "index < 0 ? count + index - 1 : index - 1",
                     "ObjFileTest"),
             new Mutant(
                     MODEL,
                     "every second triangle of a strip is inside out",
-                    ENGINE + "model/GltfTriangles.java",
+                    ENGINE + "model/file/GltfTriangles.java",
                     "mirrored != odd",
                     "mirrored",
                     "GltfFileTest"),
@@ -46,7 +46,7 @@ final class ModelMutants {
             new Mutant(
                     MODEL,
                     "a patch rises where it falls",
-                    ENGINE + "model/CubicWeights.java",
+                    ENGINE + "model/shape/BernsteinWeights.java",
                     "6 * t * rest - 3 * t * t",
                     "6 * t * rest + 3 * t * t",
                     "BezierPatchesTest"));

@@ -32,7 +32,7 @@ final class PictureMutants {
             new Mutant(
                     CULLING,
                     "a leaf drops the item after a hidden one",
-                    ENGINE + "math/Culling.java",
+                    ENGINE + "math/bvh/FrustumTraversal.java",
                     "runStart = slot + 1;",
                     "runStart = slot + 2;",
                     "SpatialIndexTest"),
@@ -123,7 +123,7 @@ final class PictureMutants {
             new Mutant(
                     SHADOW,
                     "opposite sides of a lamp's cube are exchanged",
-                    SHADERS + "include/lamp-shadow.glsl",
+                    SHADERS + "include/light-shadow.glsl",
                     "(p.z < 0.0 ? 1.0 : 0.0);",
                     "(p.z < 0.0 ? 0.0 : 1.0);",
                     "ShadowEdgeGlTest"),
@@ -137,21 +137,21 @@ final class PictureMutants {
             new Mutant(
                     SRGB,
                     "a power of 2.2 instead of sRGB",
-                    SHADERS + "include/develop.glsl",
+                    SHADERS + "include/tone-mapping.glsl",
                     "1.0 / 2.4",
                     "1.0 / 2.2",
                     "OutputGlTest"),
             new Mutant(
                     SRGB,
                     "the straight part of sRGB reaches too far",
-                    SHADERS + "include/develop.glsl",
+                    SHADERS + "include/tone-mapping.glsl",
                     "vec3(0.0031308)",
                     "vec3(0.031308)",
                     "OutputGlTest"),
             new Mutant(
                     SRGB,
                     "dithering brightens",
-                    SHADERS + "include/develop.glsl",
+                    SHADERS + "include/tone-mapping.glsl",
                     "/ 256.0 - 0.5;",
                     "/ 256.0;",
                     "OutputGlTest"),
@@ -165,17 +165,17 @@ final class PictureMutants {
             new Mutant(
                     CULLING,
                     "mirrored models show their insides",
-                    ENGINE + "render/fixed/PlacedModels.java",
+                    ENGINE + "render/fixed/FixedModels.java",
                     "? Cull.FRONT : Cull.BACK",
                     "? Cull.BACK : Cull.BACK",
                     "FixedSceneGlTest"),
             new Mutant(
                     CULLING,
                     "a sheared sphere grows as if its axes were at right angles",
-                    ENGINE + "math/Stretch.java",
+                    ENGINE + "math/SingularValues.java",
                     "sweep < MOST_SWEEPS",
                     "sweep < 0",
-                    "StretchTest"),
+                    "SingularValuesTest"),
             new Mutant(
                     LIGHT,
                     "a spot light has no edge",
@@ -186,7 +186,7 @@ final class PictureMutants {
             new Mutant(
                     MODEL,
                     "a sphere's last slice shows the whole picture backwards",
-                    ENGINE + "model/SphereShape.java",
+                    ENGINE + "model/shape/SphereShape.java",
                     "(double) i / slices",
                     "(double) (i % slices) / slices",
                     "ShapeSurfaceTest"));

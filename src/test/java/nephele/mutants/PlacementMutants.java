@@ -11,10 +11,10 @@ final class PlacementMutants {
             new Mutant(
                     PLACEMENT,
                     "a ceiling counts as a wall",
-                    ENGINE + "portal/placement/Upright.java",
+                    ENGINE + "portal/placement/PortalUpright.java",
                     "share(Math.abs(normal.y()))",
                     "share(normal.y())",
-                    "UprightTest"),
+                    "PortalUprightTest"),
             new Mutant(
                     PLACEMENT,
                     "a portal behind the wall is in the way",
@@ -25,10 +25,10 @@ final class PlacementMutants {
             new Mutant(
                     PLACEMENT,
                     "an aperture leans the other way than its portal",
-                    ENGINE + "portal/placement/TurnedAperture.java",
+                    ENGINE + "portal/placement/ReflectedAperture.java",
                     "aperture.cornerY(i) * upY - aperture.cornerX(i) * upX",
                     "aperture.cornerY(i) * upY + aperture.cornerX(i) * upX",
-                    "TurnedApertureTest"),
+                    "ReflectedApertureTest"),
             new Mutant(
                     PLACEMENT,
                     "a point before an edge's first corner is as near as one beside the edge",
@@ -39,10 +39,10 @@ final class PlacementMutants {
             new Mutant(
                     PLACEMENT,
                     "a point that rounding left behind a portal does not enter it",
-                    ENGINE + "portal/Crossing.java",
+                    ENGINE + "portal/PortalCrossing.java",
                     "height >= -ROUNDING_METRES",
                     "height >= 0",
-                    "CrossingTest"),
+                    "PortalCrossingTest"),
             new Mutant(
                     PLACEMENT,
                     "a path behind its second portal is as long as behind its first",

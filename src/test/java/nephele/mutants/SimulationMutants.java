@@ -11,10 +11,10 @@ final class SimulationMutants {
             new Mutant(
                     SIMULATION,
                     "who stands in a portal that moves is put out of it without the skin",
-                    ENGINE + "sim/Occupants.java",
+                    ENGINE + "sim/carry/PortalOccupants.java",
                     "behind + Sweep.SKIN_METRES - portal",
                     "behind - portal",
-                    "OccupantsPushTest"),
+                    "PortalOccupantsPushTest"),
             new Mutant(
                     SIMULATION,
                     "noise reaches 1 at the end of a cell",
@@ -32,31 +32,31 @@ final class SimulationMutants {
             new Mutant(
                     SIMULATION,
                     "slopes are walked as fast as their projections",
-                    ENGINE + "sim/GroundWalk.java",
+                    ENGINE + "sim/player/GroundWalk.java",
                     "Math.sqrt(square / (square + rise * rise))",
                     "1",
-                    "sim/WalkTest"),
+                    "PlayerMotionTest"),
             new Mutant(
                     SIMULATION,
                     "a view turns upright by the longer way",
-                    ENGINE + "sim/Tilt.java",
+                    ENGINE + "sim/state/Tilt.java",
                     "Math.abs(w)",
                     "w",
                     "TiltTest"),
             new Mutant(
                     SIMULATION,
                     "what is out of sight is held a tick longer",
-                    ENGINE + "sim/Carry.java",
+                    ENGINE + "sim/carry/CarryRules.java",
                     "held.ticksUnseen() < graceTicks",
                     "held.ticksUnseen() <= graceTicks",
-                    "CarryTest"),
+                    "CarryRulesTest"),
             new Mutant(
                     SIMULATION,
                     "two bodies met at one place are pushed twice",
-                    ENGINE + "sim/Shoves.java",
+                    ENGINE + "sim/player/BodyPushes.java",
                     "Math.max(0, Math.min(rest, legs) + push.dot(n))",
                     "Math.min(rest, legs)",
-                    "ShovesTest"));
+                    "BodyPushesTest"));
 
     private SimulationMutants() {}
 }

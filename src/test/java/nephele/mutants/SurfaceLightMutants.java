@@ -13,7 +13,7 @@ final class SurfaceLightMutants {
             new Mutant(
                     LIGHT,
                     "a spot light is two hundredths narrower than written",
-                    ENGINE + "level/appearance/Lamp.java",
+                    ENGINE + "level/appearance/PunctualLight.java",
                     "double outer = Math.min(spot.outerConeDegrees(), 180);",
                     "double outer = 0.98 * Math.min(spot.outerConeDegrees(), 180);",
                     "DirectLightTest"),
@@ -27,7 +27,7 @@ final class SurfaceLightMutants {
             new Mutant(
                     SHADOW,
                     "shadows of what moves take a falling slope for none",
-                    SHADERS + "include/thing-shade.glsl",
+                    SHADERS + "include/dynamic-shadows.glsl",
                     "abs(gradient.x) + abs(gradient.y)",
                     "abs(gradient.x) + gradient.y",
                     "GrazingSunGlTest"),
@@ -41,10 +41,10 @@ final class SurfaceLightMutants {
             new Mutant(
                     LIGHT,
                     "a face asks the lamps behind it",
-                    SHADERS + "include/lamps.glsl",
+                    SHADERS + "include/punctual-lights.glsl",
                     "dot(faceNormal, along) < 0.0 ? 1.0 : 0.0",
                     "dot(faceNormal, along) < 0.0 ? 0.0 : 1.0",
-                    "LampGlTest"),
+                    "PunctualLightGlTest"),
             new Mutant(
                     LIGHT,
                     "highlights are twice as bright",

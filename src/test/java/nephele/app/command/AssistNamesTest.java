@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import nephele.engine.sim.Assist;
+import nephele.engine.sim.state.Assist;
 import nephele.engine.terminal.CommandFailure;
 import org.junit.jupiter.api.Test;
 

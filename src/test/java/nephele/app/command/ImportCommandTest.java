@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
+import nephele.engine.level.json.LevelFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

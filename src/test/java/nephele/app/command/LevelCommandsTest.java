@@ -14,7 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import nephele.engine.level.LevelJson;
+import nephele.engine.level.json.LevelJson;
 import nephele.engine.render.RenderFeatures;
 import nephele.engine.terminal.CrashReport;
 import nephele.engine.terminal.ExitCode;

@@ -8,9 +8,9 @@ import java.util.Optional;
 import java.util.Set;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.placement.Refusal;
-import nephele.engine.sim.Shots.Colour;
-import nephele.engine.sim.TickEvent;
-import nephele.engine.sim.TickEvent.Handled;
+import nephele.engine.sim.state.GunPortals.Colour;
+import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.TickEvent.Handled;
 import org.junit.jupiter.api.Test;
 
 class EventTextTest {

@@ -12,7 +12,7 @@ import java.util.Map;
 import nephele.app.ChildJvm;
 import nephele.app.Main;
 import nephele.app.VirtualDisplay;
-import nephele.engine.sim.Replay;
+import nephele.engine.sim.replay.Replay;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -55,7 +55,7 @@ class GameWindowSwingTest {
         assertEquals(0, run.exitCode());
         assertTrue(recordedTicks("walk.json") > 0);
         assertTrue(recordedTicks("walk-2.json") >= 0);
-        assertNoLab("nephele.engine.walk.Walk ");
+        assertNoLab("nephele.engine.playthrough.Playthrough ");
     }
 
     private void assertNoLab(String loadedClass) throws IOException {

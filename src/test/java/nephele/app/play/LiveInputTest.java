@@ -7,18 +7,18 @@ import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Level;
 import nephele.engine.named.LevelName;
-import nephele.engine.sim.SimSettings;
-import nephele.engine.sim.SimState;
+import nephele.engine.playthrough.Playthrough;
 import nephele.engine.sim.Simulation;
-import nephele.engine.walk.Walk;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
 
 class LiveInputTest {
     private final Level level =
             new LevelName("levels/samples/walking.json").open().level();
     private final Input input = new Input();
-    private final Walk walk =
-            new Walk(level, new Walk.Beginning("walking.json", SimSettings.DEFAULT, null), new LiveInput(input));
+    private final Playthrough playthrough = new Playthrough(
+            level, new Playthrough.Beginning("walking.json", SimSettings.DEFAULT, null), new LiveInput(input));
 
     @Test
     void theRecordingOfHandsRepeatsTheGame() {
@@ -28,37 +28,38 @@ class LiveInputTest {
             if (tick == 100) {
                 input.key(Control.JUMP, true);
             }
-            walk.tick();
+            playthrough.tick();
         }
         var last = new SimState[1];
-        walk.recorder().replay().play(new Simulation(level, SimSettings.DEFAULT), state -> last[0] = state);
-        assertEquals(walk.state().hash(), last[0].hash());
-        assertTrue(walk.state().player().feet().z() < 5, "walked");
+        playthrough.recorder().replay().play(new Simulation(level, SimSettings.DEFAULT), state -> last[0] = state);
+        assertEquals(playthrough.state().hash(), last[0].hash());
+        assertTrue(playthrough.state().player().feet().z() < 5, "walked");
     }
 
     /** Mouse counts turn the view without drift or jump: opposite turns end at the initial view angles. */
     @Test
     void turningThereAndBackEndsWhereItBegan() {
-        var before = walk.state().player().heading();
+        var before = playthrough.state().player().heading();
         input.look(0, 0);
         for (int i = 1; i <= 1000; i++) {
             input.look(i * 7.25, 0);
-            walk.tick();
+            playthrough.tick();
         }
         for (int i = 999; i >= 0; i--) {
             input.look(i * 7.25, 0);
-            walk.tick();
+            playthrough.tick();
         }
-        assertEquals(before, walk.state().player().heading());
+        assertEquals(before, playthrough.state().player().heading());
     }
 
     @Test
     void motionBetweenTwoTicksBelongsToTheNextOne() {
         input.look(0, 0);
         input.look(10, 0);
-        walk.advance(0);
-        var before = walk.state().player().heading().yawRadians();
-        walk.tick();
-        assertEquals(-Math.toRadians(0.8), walk.state().player().heading().yawRadians() - before, 1e-9);
+        playthrough.advance(0);
+        var before = playthrough.state().player().heading().yawRadians();
+        playthrough.tick();
+        assertEquals(
+                -Math.toRadians(0.8), playthrough.state().player().heading().yawRadians() - before, 1e-9);
     }
 }

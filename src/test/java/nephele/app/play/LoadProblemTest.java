@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Optional;
 import nephele.engine.asset.AssetException;
-import nephele.engine.render.gl.GlException;
 import nephele.engine.render.gl.GlUnavailableException;
+import nephele.engine.render.gl.shader.GlException;
 import org.junit.jupiter.api.Test;
 
 class LoadProblemTest {

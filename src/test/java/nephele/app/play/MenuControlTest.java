@@ -10,7 +10,7 @@ import nephele.app.play.hud.MenuPanel;
 import nephele.app.play.hud.SettingsPage;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.state.SimSettings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 

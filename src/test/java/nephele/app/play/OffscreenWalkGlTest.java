@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.named.LevelName;
-import nephele.engine.sim.Replay;
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.SimSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import nephele.engine.named.LevelName;
-import nephele.engine.sim.Replay;
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.SimSettings;
 import org.junit.jupiter.api.Test;
 
 class PlayRequestTest {

@@ -12,7 +12,7 @@ import nephele.app.window.Input;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.named.LevelName;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.state.SimSettings;
 import org.lwjgl.system.MemoryUtil;
 
 /**
@@ -54,7 +54,7 @@ public final class WindowScenarios {
     private List<Scenario> all() {
         long[] other = new long[1];
         return List.of(
-                new Scenario("starts", () -> {}, () -> loop.stage() == Stage.RUNNING && isSize(320, 180)),
+                new Scenario("starts", () -> {}, () -> loop.stage() == GameStage.RUNNING && isSize(320, 180)),
                 new Scenario("captures the mouse", () -> {}, () -> cursor() == GLFW_CURSOR_DISABLED),
                 new Scenario("resizes", () -> glfwSetWindowSize(handle, 500, 260), () -> isSize(500, 260)),
                 new Scenario("shrinks to a line", () -> glfwSetWindowSize(handle, 300, 1), () -> isSize(300, 1)),
@@ -77,10 +77,10 @@ public final class WindowScenarios {
                         () -> cursor() == GLFW_CURSOR_DISABLED && input.takeCountsRight() == 0),
                 new Scenario("fills the screen", () -> press(Control.FULL_SCREEN), () -> isSize(1024, 600)),
                 new Scenario("leaves the full screen", () -> press(Control.FULL_SCREEN), () -> isSize(400, 200)),
-                new Scenario("shows figures", () -> press(Control.FIGURES), () -> loop.stage() == Stage.RUNNING),
-                new Scenario("opens the menu", () -> press(Control.MENU), () -> loop.stage() == Stage.MENU),
+                new Scenario("shows figures", () -> press(Control.FIGURES), () -> loop.stage() == GameStage.RUNNING),
+                new Scenario("opens the menu", () -> press(Control.MENU), () -> loop.stage() == GameStage.MENU),
                 new Scenario("frees the mouse in it", () -> {}, () -> cursor() == GLFW_CURSOR_NORMAL),
-                new Scenario("continues", () -> press(Control.CONFIRM), () -> loop.stage() == Stage.RUNNING),
+                new Scenario("continues", () -> press(Control.CONFIRM), () -> loop.stage() == GameStage.RUNNING),
                 new Scenario(
                         "captures it again and keeps the first key",
                         () -> input.key(Control.FORWARD, true),
@@ -88,13 +88,15 @@ public final class WindowScenarios {
                 new Scenario("restarts", () -> press(Control.RESTART), this::hasRestarted),
                 new Scenario("takes a picture", () -> press(Control.SCREENSHOT), this::hasPicture),
                 new Scenario(
-                        "closes", () -> glfwSetWindowShouldClose(handle, true), () -> loop.stage() == Stage.LEAVING));
+                        "closes",
+                        () -> glfwSetWindowShouldClose(handle, true),
+                        () -> loop.stage() == GameStage.LEAVING));
     }
 
     private String outcome(Scenario scenario) {
         scenario.act.run();
         for (int frame = 0; frame < MOST_FRAMES; frame++) {
-            if (loop.stage() != Stage.LEAVING) {
+            if (loop.stage() != GameStage.LEAVING) {
                 loop.frame();
             }
             gl.requireNoError(scenario.name);
@@ -144,7 +146,8 @@ public final class WindowScenarios {
 
     /** Returns true if the level runs again and the earlier walk was recorded. */
     private boolean hasRestarted() {
-        return loop.stage() == Stage.RUNNING && Path.of("walk.json").toFile().exists();
+        return loop.stage() == GameStage.RUNNING
+                && Path.of("walk.json").toFile().exists();
     }
 
     private boolean hasPicture() {

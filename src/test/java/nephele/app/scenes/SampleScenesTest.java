@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import nephele.engine.model.GeneratedName;
+import nephele.engine.model.shape.GeneratedName;
 import nephele.engine.render.fixed.FixedSceneDrawing.Source;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.xmlscene.Dialect;

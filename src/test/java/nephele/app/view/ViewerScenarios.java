@@ -9,7 +9,7 @@ import java.util.function.BooleanSupplier;
 import nephele.app.scenes.OpenedScene;
 import nephele.app.scenes.SceneName;
 import nephele.app.window.GameWindow;
-import nephele.engine.render.fixed.SceneLook;
+import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
 
@@ -29,7 +29,7 @@ public final class ViewerScenarios {
 
     private ViewerScenarios(String scene, String entity) {
         var opened = OpenedScene.of(new SceneName(scene), new SceneName(entity), null, System.out::println);
-        viewer = new SceneViewer(new SceneStart(opened, SceneLook.USUAL, 0), window, input, gl);
+        viewer = new SceneViewer(new SceneStart(opened, SceneAppearance.USUAL, 0), window, input, gl);
     }
 
     /** An action, and a condition that must hold within a number of frames. */
@@ -60,7 +60,7 @@ public final class ViewerScenarios {
                         "takes the camera along", () -> {}, () -> place().eye().x() < -0.5),
                 new Scenario("rests again", () -> input.key(GLFW_KEY_D, false), () -> place().bankDegrees() == 0),
                 new Scenario("shows wires", () -> press(GLFW_KEY_F1), () -> look().shading() == Shading.WIREFRAME),
-                new Scenario("shows axes", () -> press(GLFW_KEY_F2), () -> look().axes() == SceneLook.Axes.SHOWN),
+                new Scenario("shows axes", () -> press(GLFW_KEY_F2), () -> look().axes() == SceneAppearance.Axes.SHOWN),
                 new Scenario("resizes", () -> glfwSetWindowSize(handle, 500, 260), () -> isSize(500, 260)),
                 new Scenario("shrinks to a line", () -> glfwSetWindowSize(handle, 300, 1), () -> isSize(300, 1)),
                 new Scenario("fills the screen", () -> press(GLFW_KEY_F11), () -> isSize(1024, 600)),
@@ -101,15 +101,15 @@ public final class ViewerScenarios {
         input.letGo();
     }
 
-    private ThirdPerson place() {
+    private ThirdPersonCamera place() {
         return viewer.viewing().place();
     }
 
-    private Heading heading() {
+    private ViewerAngles heading() {
         return place().heading();
     }
 
-    private SceneLook look() {
+    private SceneAppearance look() {
         return viewer.viewing().look();
     }
 

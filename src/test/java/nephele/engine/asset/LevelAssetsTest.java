@@ -45,7 +45,7 @@ class LevelAssetsTest {
                 "x\n"
             })
     void namesThatMeanSomethingElseSomewhereAreRefused(String id) {
-        assertNotNull(AssetId.objection(id));
+        assertNotNull(AssetId.rejectionReason(id));
         FolderAssets assets = new FolderAssets(folder);
         assertFalse(assets.exists(id));
         assertThrows(AssetException.class, () -> assets.bytes(id));
@@ -54,7 +54,7 @@ class LevelAssetsTest {
     @ParameterizedTest
     @ValueSource(strings = {"a", "a.png", "Textures/Brick-2_b.PNG", ".hidden", "console.png", "a..b"})
     void ordinaryNamesAreIds(String id) {
-        assertNull(AssetId.objection(id));
+        assertNull(AssetId.rejectionReason(id));
     }
 
     @Test

@@ -11,10 +11,10 @@ import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.HeightField;
-import nephele.engine.math.ItemList;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemList;
+import nephele.engine.math.heightfield.HeightField;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -76,19 +76,19 @@ class HeightFieldWorldTest {
         double middle = 1 - Math.sqrt(0.5);
         Vector3d from = new Vector3d(4 + middle, -0.5, 5 - middle);
         assertTrue(sweep.cast(ground(0, 0), RoundedHull.sphere(0.1), from, new Vector3d(0, 0.385, 0)));
-        assertEquals(0.4 - ThinSheet.DEPTH_METRES - Sweep.SKIN_METRES, 0.385 * sweep.fraction(), 1e-6);
+        assertEquals(0.4 - TriangleCollider.DEPTH_METRES - Sweep.SKIN_METRES, 0.385 * sweep.fraction(), 1e-6);
     }
 
     @Test
     void aShapeInTheGroundKnowsHowDeepAndFindsItsWayOut() {
         CollisionWorld world = ground(0, 0);
-        Recovery recovery = new Recovery();
+        Depenetration depenetration = new Depenetration();
         Vector3d at = new Vector3d(7.4, 0.9 - 0.01, 6.2);
-        assertEquals(0.01, recovery.depth(world, PLAYER, at), 1e-9);
-        assertFalse(recovery.isFree(world, PLAYER, at));
-        assertTrue(recovery.isFree(world, PLAYER, new Vector3d(7.4, 0.9 + 1e-12, 6.2)));
+        assertEquals(0.01, depenetration.depth(world, PLAYER, at), 1e-9);
+        assertFalse(depenetration.isFree(world, PLAYER, at));
+        assertTrue(depenetration.isFree(world, PLAYER, new Vector3d(7.4, 0.9 + 1e-12, 6.2)));
         Vector3d out = new Vector3d();
-        assertTrue(recovery.find(world, PLAYER, at, out));
+        assertTrue(depenetration.find(world, PLAYER, at, out));
         assertEquals(0.01 + Sweep.SKIN_METRES, out.y, 1e-9);
     }
 

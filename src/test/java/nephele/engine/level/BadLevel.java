@@ -9,7 +9,7 @@ import java.util.function.Supplier;
  * @param path where the message must point
  * @param words what it must contain
  */
-record BadLevel(String name, String path, String words, Supplier<byte[]> content) {
+public record BadLevel(String name, String path, String words, Supplier<byte[]> content) {
     /** A whole file. */
     static BadLevel file(String name, String path, String words, String text) {
         return new BadLevel(name, path, words, () -> text.getBytes(StandardCharsets.UTF_8));
@@ -20,7 +20,7 @@ record BadLevel(String name, String path, String words, Supplier<byte[]> content
         return file(path + " " + words, path, words, wrap(sections));
     }
 
-    static String wrap(String sections) {
+    public static String wrap(String sections) {
         return "{\"format\": \"nephele-level\", \"version\": 1, " + sections + "}";
     }
 

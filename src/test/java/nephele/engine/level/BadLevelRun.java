@@ -10,6 +10,9 @@ import java.util.List;
 import java.util.Locale;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.SamplePictures;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.rule.LevelRules;
 
 /** What {@code check} does with each bad level; also a process of its own, to bound its memory. */
 final class BadLevelRun {

@@ -3,6 +3,7 @@ package nephele.engine.level;
 import static nephele.engine.level.BadLevel.level;
 
 import java.util.List;
+import nephele.engine.level.json.JsonTree;
 
 /** Numbers and values of single keys that no level may hold. */
 final class BadValues {

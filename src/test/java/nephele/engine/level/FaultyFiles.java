@@ -4,11 +4,12 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import nephele.engine.level.json.FileOperations;
 
 /** The real file system up to operation {@code k}, which goes wrong in one of several ways. */
-final class FaultyFiles implements FileOperations {
+public final class FaultyFiles implements FileOperations {
     /** What happens at the operation. */
-    enum Fault {
+    public enum Fault {
         /** It is refused and changes nothing. */
         REFUSED,
         /** A write gets half through, then the disk is full; other operations are refused. */
@@ -22,7 +23,7 @@ final class FaultyFiles implements FileOperations {
     }
 
     /** Stands for the end of the process: nothing may catch it and go on. */
-    static final class Killed extends Error {
+    public static final class Killed extends Error {
         private static final long serialVersionUID = 1;
     }
 
@@ -31,13 +32,13 @@ final class FaultyFiles implements FileOperations {
     private int done;
     private boolean killed;
 
-    FaultyFiles(Fault fault, int at) {
+    public FaultyFiles(Fault fault, int at) {
         this.fault = fault;
         this.at = at;
     }
 
     /** How many operations were asked for. */
-    int operations() {
+    public int operations() {
         return done;
     }
 

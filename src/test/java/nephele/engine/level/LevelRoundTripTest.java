@@ -3,6 +3,9 @@ package nephele.engine.level;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Locale;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.json.LevelJsonTest;
+import nephele.engine.level.json.NumberText;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import nephele.engine.level.json.LevelJson;
 import org.junit.jupiter.api.Test;
 
 class LevelSchemaTest {

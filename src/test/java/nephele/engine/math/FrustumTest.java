@@ -10,22 +10,22 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class FrustumTest {
+public class FrustumTest {
     /** Returns a projection with the far plane at {@code far}; for infinity, the limit of the usual matrix. */
-    static Matrix4d projection(double near, double far) {
+    public static Matrix4d projection(double near, double far) {
         double depthScale = far == Double.POSITIVE_INFINITY ? -1 : (far + near) / (near - far);
         double depthOffset = far == Double.POSITIVE_INFINITY ? -2 * near : 2 * far * near / (near - far);
         return new Matrix4d(0.6, 0, 0, 0, 0, 1.1, 0, 0, 0, 0, depthScale, -1, 0, 0, depthOffset, 0);
     }
 
-    static Matrix4d randomView(SplittableRandom random, double near, double far) {
+    public static Matrix4d randomView(SplittableRandom random, double near, double far) {
         return projection(near, far)
                 .rotateX(random.nextDouble(-1.5, 1.5))
                 .rotateY(random.nextDouble(-3.1, 3.1))
                 .rotateZ(random.nextDouble(-3.1, 3.1));
     }
 
-    static Aabb randomBox(SplittableRandom random, Vec3 around, double spread) {
+    public static Aabb randomBox(SplittableRandom random, Vec3 around, double spread) {
         Vec3 centre = new Vec3(
                 around.x() + random.nextDouble(-spread, spread),
                 around.y() + random.nextDouble(-spread, spread),
@@ -47,7 +47,7 @@ class FrustumTest {
             var eye = new Vec3(farOut * random.nextDouble(), -farOut * random.nextDouble(), farOut);
             Matrix4d clip = randomView(random, 0.05, far);
             Aabb box = randomBox(random, eye, 30);
-            boolean seen = Frustum.of(clip, eye).maySee(box);
+            boolean seen = Frustum.of(clip, eye).mayIntersect(box);
             boolean visible = BoxClip.leavesSomething(clip, eye, box);
             assertTrue(seen || !visible, () -> "falsely culled " + box + " from " + eye + " with\n" + clip);
             culled += seen ? 0 : 1;
@@ -61,8 +61,8 @@ class FrustumTest {
     @Test
     void anInfiniteFarPlaneIsAlwaysInside() {
         Frustum frustum = Frustum.of(projection(0.05, Double.POSITIVE_INFINITY), Vec3.ZERO);
-        assertTrue(frustum.maySee(Aabb.around(new Vec3(0, 0, -1e12), new Vec3(1, 1, 1))));
-        assertFalse(frustum.maySee(Aabb.around(new Vec3(0, 0, 1e12), new Vec3(1, 1, 1))));
+        assertTrue(frustum.mayIntersect(Aabb.around(new Vec3(0, 0, -1e12), new Vec3(1, 1, 1))));
+        assertFalse(frustum.mayIntersect(Aabb.around(new Vec3(0, 0, 1e12), new Vec3(1, 1, 1))));
     }
 
     /** Boxes at the limits: empty, partly NaN, infinite. */
@@ -70,11 +70,11 @@ class FrustumTest {
     void anEmptyBoxIsNeverSeenAndAnInfiniteOneAlways() {
         Frustum frustum = Frustum.of(projection(0.05, 100), Vec3.ZERO);
         double inf = Double.POSITIVE_INFINITY;
-        assertFalse(frustum.maySee(Aabb.EMPTY));
-        assertFalse(frustum.maySee(new Aabb(-1, -1, -5, 1, -2, -3)));
-        assertFalse(frustum.maySee(new Aabb(Double.NaN, -1, -5, 1, 1, -3)));
-        assertTrue(frustum.maySee(new Aabb(-inf, 5, 5, inf, 6, 6)));
-        assertTrue(frustum.maySee(new Aabb(-inf, -inf, -inf, inf, inf, inf)));
+        assertFalse(frustum.mayIntersect(Aabb.EMPTY));
+        assertFalse(frustum.mayIntersect(new Aabb(-1, -1, -5, 1, -2, -3)));
+        assertFalse(frustum.mayIntersect(new Aabb(Double.NaN, -1, -5, 1, 1, -3)));
+        assertTrue(frustum.mayIntersect(new Aabb(-inf, 5, 5, inf, 6, 6)));
+        assertTrue(frustum.mayIntersect(new Aabb(-inf, -inf, -inf, inf, inf, inf)));
     }
 
     @Test
@@ -83,9 +83,9 @@ class FrustumTest {
         Frustum half = whole.inFrontOf(new Plane(1, 0, 0, 4));
         Aabb left = Aabb.around(new Vec3(3, 0, -10), new Vec3(1, 1, 1));
         Aabb right = Aabb.around(new Vec3(5, 0, -10), new Vec3(1, 1, 1));
-        assertTrue(whole.maySee(left));
-        assertFalse(half.maySee(left));
-        assertTrue(half.maySee(right));
+        assertTrue(whole.mayIntersect(left));
+        assertFalse(half.mayIntersect(left));
+        assertTrue(half.mayIntersect(right));
         assertEquals(7, Integer.bitCount(half.allPlanes()));
     }
 }

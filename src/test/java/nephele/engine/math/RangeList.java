@@ -1,14 +1,15 @@
 package nephele.engine.math;
 
 import java.util.Arrays;
+import nephele.engine.math.bvh.RangeVisitor;
 
 /** Runs of slots in the order of their calls; a run adjacent to the one before it is merged with it. */
-final class RangeList implements RangeVisitor {
+public final class RangeList implements RangeVisitor {
     private int[] bounds = new int[32];
     private int size;
     private int slots;
 
-    void clear() {
+    public void clear() {
         size = 0;
         slots = 0;
     }
@@ -32,21 +33,21 @@ final class RangeList implements RangeVisitor {
         size++;
     }
 
-    int size() {
+    public int size() {
         return size;
     }
 
     /** Returns the number of slots in all runs. */
-    int slots() {
+    public int slots() {
         return slots;
     }
 
-    int first(int run) {
+    public int first(int run) {
         return bounds[2 * run];
     }
 
     /** Returns one past the last slot. */
-    int end(int run) {
+    public int end(int run) {
         return bounds[2 * run + 1];
     }
 }

@@ -22,7 +22,7 @@ class RotationsTest {
         for (int i = 1; i <= steps; i++) {
             q.mul(step);
             if (i % Rotations.STEPS_BETWEEN_RENORMALISATIONS == 0) {
-                q = Rotations.renormalised(q);
+                q = Rotations.normalised(q);
             }
         }
         Quaterniond expected = Rotations.aroundAxis(axis, Math.IEEEremainder(0.05 * steps, 2 * Math.PI));
@@ -39,11 +39,11 @@ class RotationsTest {
     @Test
     void hostileQuaternionsBecomeTheIdentityOrUnit() {
         double inf = Double.POSITIVE_INFINITY;
-        assertEquals(new Quaterniond(), Rotations.renormalised(new Quaterniond(0, 0, 0, 0)));
-        assertEquals(new Quaterniond(), Rotations.renormalised(new Quaterniond(inf, 0, 0, 0)));
-        assertEquals(new Quaterniond(), Rotations.renormalised(new Quaterniond(0, Double.NaN, 0, 1)));
-        assertEquals(new Quaterniond(1, 0, 0, 0), Rotations.renormalised(new Quaterniond(1e-300, 0, 0, 0)));
-        assertEquals(new Quaterniond(0, 1, 0, 0), Rotations.renormalised(new Quaterniond(0, 1e300, 0, 0)));
+        assertEquals(new Quaterniond(), Rotations.normalised(new Quaterniond(0, 0, 0, 0)));
+        assertEquals(new Quaterniond(), Rotations.normalised(new Quaterniond(inf, 0, 0, 0)));
+        assertEquals(new Quaterniond(), Rotations.normalised(new Quaterniond(0, Double.NaN, 0, 1)));
+        assertEquals(new Quaterniond(1, 0, 0, 0), Rotations.normalised(new Quaterniond(1e-300, 0, 0, 0)));
+        assertEquals(new Quaterniond(0, 1, 0, 0), Rotations.normalised(new Quaterniond(0, 1e300, 0, 0)));
         assertEquals(new Quaterniond(), Rotations.aroundAxis(Vec3.ZERO, 1));
     }
 
@@ -61,10 +61,10 @@ class RotationsTest {
             Vec3 a = unit(i % 3 == 0 ? BasisTest.axisMovedByUlps(random) : BasisTest.randomDirection(random));
             Vec3 b = i % 4 == 0 ? a.negated() : unit(BasisTest.randomDirection(random));
             double share = random.nextDouble();
-            Vec3 turned = Directions.turned(a, b, share);
+            Vec3 turned = Directions.slerp(a, b, share);
             assertEquals(1, turned.length(), 1e-9);
             assertEquals(share * Directions.angle(a, b), Directions.angle(a, turned), 1e-6);
-            assertTrue(Directions.angle(b, Directions.turned(a, b, 1)) < 1e-8);
+            assertTrue(Directions.angle(b, Directions.slerp(a, b, 1)) < 1e-8);
         }
     }
 

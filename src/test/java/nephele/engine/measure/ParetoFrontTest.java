@@ -18,21 +18,21 @@ class ParetoFrontTest {
         assertEquals(OptionalInt.empty(), front.dominating(0));
         assertEquals(OptionalInt.of(1), front.dominating(2));
         assertEquals(OptionalInt.of(3), front.dominating(4));
-        assertTrue(front.holds(1) && front.holds(3));
+        assertTrue(front.contains(1) && front.contains(3));
     }
 
     /** Equal choices do not dominate each other. */
     @Test
     void equalChoicesStay() {
         var front = exact(0, 1, 1, 1, 1);
-        assertTrue(front.holds(0) && front.holds(1));
+        assertTrue(front.contains(0) && front.contains(1));
     }
 
     /** With a step of 0.5, an error smaller by 0.1 neither justifies a higher cost nor prevents domination. */
     @Test
     void errorsWithinAStepAreEqual() {
         var front = exact(0.5, 1, 1, 2, 0.9, 3, 0.3);
-        assertTrue(front.holds(0) && front.holds(2));
+        assertTrue(front.contains(0) && front.contains(2));
         assertEquals(OptionalInt.of(0), front.dominating(1));
     }
 
@@ -42,9 +42,9 @@ class ParetoFrontTest {
         var cheap = new Choice(new Interval(0.9, 1, 1.1), 5);
         var dear = new Choice(new Interval(1.05, 1.2, 1.3), 5);
         var better = new Choice(new Interval(1.05, 1.2, 1.3), 4);
-        assertTrue(new ParetoFront(List.of(cheap, dear), 0, 0).holds(1));
+        assertTrue(new ParetoFront(List.of(cheap, dear), 0, 0).contains(1));
         assertEquals(OptionalInt.of(1), new ParetoFront(List.of(dear, better), 0, 0).dominating(0));
-        assertTrue(new ParetoFront(List.of(cheap, better), 0, 0).holds(0));
+        assertTrue(new ParetoFront(List.of(cheap, better), 0, 0).contains(0));
     }
 
     /** Among many comparisons some differ by chance, so a cost difference below the step does not dominate. */
@@ -52,7 +52,7 @@ class ParetoFrontTest {
     void costsWithinAStepAreEqual() {
         var almost = List.of(Choice.exact(0.98, 1), Choice.exact(1, 1), Choice.exact(1.1, 1));
         var front = new ParetoFront(almost, 0, 0.03);
-        assertTrue(front.holds(1));
+        assertTrue(front.contains(1));
         assertEquals(OptionalInt.of(0), front.dominating(2));
     }
 
@@ -64,7 +64,7 @@ class ParetoFrontTest {
                 .toList();
         var front = new ParetoFront(choices, 0, 0);
         for (int i = 0; i < choices.size(); i++) {
-            front.dominating(i).ifPresent(by -> assertTrue(front.holds(by)));
+            front.dominating(i).ifPresent(by -> assertTrue(front.contains(by)));
         }
     }
 

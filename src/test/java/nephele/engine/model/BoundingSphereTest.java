@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import nephele.engine.math.Vec3;
+import nephele.engine.model.shape.BoxShape;
+import nephele.engine.model.shape.ConeShape;
+import nephele.engine.model.shape.SphereShape;
 import org.junit.jupiter.api.Test;
 
 class BoundingSphereTest {

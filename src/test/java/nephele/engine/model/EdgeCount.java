@@ -6,13 +6,13 @@ import java.util.Map;
 import org.joml.Vector3d;
 
 /** Counts directed edges between positions; on a closed surface each has its opposite. */
-final class EdgeCount {
+public final class EdgeCount {
     private EdgeCount() {}
 
     /**
      * Returns the number of a mesh's edges without exactly one opposite edge; positions must be equal to the last bit.
      */
-    static long open(Mesh mesh) {
+    public static long open(Mesh mesh) {
         Map<List<Vector3d>, Integer> edges = new HashMap<>();
         for (int i = 0; i < mesh.indices().length; i++) {
             int next = i % 3 == 2 ? i - 2 : i + 1;

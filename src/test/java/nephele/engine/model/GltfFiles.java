@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 
 /** A glTF file of one triangle, as a template for tests. */
-final class GltfFiles {
+public final class GltfFiles {
     /** Positions (36 bytes), normals (36), texture coordinates (24), 3 indices of 2 bytes and 2 bytes of padding. */
     static final int BUFFER_BYTES = 104;
 
@@ -36,7 +36,7 @@ final class GltfFiles {
     private GltfFiles() {}
 
     /** Returns the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), facing +z. */
-    static byte[] buffer() {
+    public static byte[] buffer() {
         ByteBuffer data = ByteBuffer.allocate(BUFFER_BYTES).order(ByteOrder.LITTLE_ENDIAN);
         for (float value : new float[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 1, 1, 0, 0}) {
             data.putFloat(value);
@@ -44,17 +44,17 @@ final class GltfFiles {
         return data.putShort((short) 0).putShort((short) 1).putShort((short) 2).array();
     }
 
-    static String json(String uri, String frame) {
+    public static String json(String uri, String frame) {
         return JSON.replace("URI", uri.isEmpty() ? "" : "\"uri\": \"" + uri + "\", ")
                 .replace("FRAME", frame);
     }
 
-    static String embedded(String frame) {
+    public static String embedded(String frame) {
         String data = Base64.getEncoder().encodeToString(buffer());
         return json("data:application/octet-stream;base64," + data, frame);
     }
 
-    static byte[] binary(String json, byte[] buffer) {
+    public static byte[] binary(String json, byte[] buffer) {
         byte[] text = (json + " ".repeat(-json.length() & 3)).getBytes(StandardCharsets.UTF_8);
         var out = new ByteArrayOutputStream();
         int length = 12 + 8 + text.length + 8 + buffer.length;

@@ -5,6 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import nephele.engine.model.file.FloatText;
+import nephele.engine.model.file.MeshText;
+import nephele.engine.model.file.ModelFiles;
+import nephele.engine.model.shape.TorusShape;
 import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

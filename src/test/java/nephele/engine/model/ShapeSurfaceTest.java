@@ -6,7 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.stream.Stream;
-import nephele.engine.model.PlaneShape.Sides;
+import nephele.engine.model.shape.BoxShape;
+import nephele.engine.model.shape.ConeShape;
+import nephele.engine.model.shape.CylinderShape;
+import nephele.engine.model.shape.PlaneShape;
+import nephele.engine.model.shape.PlaneShape.Sides;
+import nephele.engine.model.shape.Shape;
+import nephele.engine.model.shape.ShapeKind;
+import nephele.engine.model.shape.SphereShape;
+import nephele.engine.model.shape.TorusShape;
 import org.joml.Vector2d;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;

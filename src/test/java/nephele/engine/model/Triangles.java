@@ -3,14 +3,14 @@ package nephele.engine.model;
 import org.joml.Vector3d;
 
 /** Corners, vertex normals and geometric normals of meshes, in double precision. */
-final class Triangles {
+public final class Triangles {
     private Triangles() {}
 
-    static Vector3d position(Mesh mesh, int vertex) {
+    public static Vector3d position(Mesh mesh, int vertex) {
         return row(mesh.positions(), vertex);
     }
 
-    static Vector3d vertexNormal(Mesh mesh, int vertex) {
+    public static Vector3d vertexNormal(Mesh mesh, int vertex) {
         return row(mesh.normals(), vertex);
     }
 
@@ -19,7 +19,7 @@ final class Triangles {
      *
      * @param first index of the triangle's first corner in the indices
      */
-    static Vector3d normal(Mesh mesh, int first) {
+    public static Vector3d normal(Mesh mesh, int first) {
         Vector3d a = position(mesh, mesh.indices()[first]);
         Vector3d ab = position(mesh, mesh.indices()[first + 1]).sub(a);
         Vector3d ac = position(mesh, mesh.indices()[first + 2]).sub(a);

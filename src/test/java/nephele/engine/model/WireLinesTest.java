@@ -2,7 +2,11 @@ package nephele.engine.model;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import nephele.engine.model.PlaneShape.Sides;
+import nephele.engine.model.shape.BoxShape;
+import nephele.engine.model.shape.ConeShape;
+import nephele.engine.model.shape.PlaneShape;
+import nephele.engine.model.shape.PlaneShape.Sides;
+import nephele.engine.model.shape.SphereShape;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -15,7 +15,7 @@ class LevelNameTest {
 
     @Test
     void theFirstLevelIsNumberOne() {
-        assertTrue(LevelShelf.first().fileName().startsWith("01-"));
+        assertTrue(LevelCatalogue.first().fileName().startsWith("01-"));
     }
 
     @Test
@@ -27,6 +27,6 @@ class LevelNameTest {
 
     @Test
     void theWalkOfLevelOneMoves() {
-        assertTrue(LevelShelf.first().recordedWalk().inputs().size() > 1);
+        assertTrue(LevelCatalogue.first().recordedWalk().inputs().size() > 1);
     }
 }

@@ -112,11 +112,11 @@ final class PathTraceTest {
     @Test
     void withoutPortalsItIsTheSegment() {
         var trace = new PathTrace(Portals.NONE, Obstacles.NONE);
-        assertEquals(End.ARRIVED, trace.walk(new Vector3d(1, 2, 3), new Vector3d(4, 5, 6)));
+        assertEquals(End.ARRIVED, trace.trace(new Vector3d(1, 2, 3), new Vector3d(4, 5, 6)));
         assertEquals(new Vector3d(5, 7, 9), trace.place());
         assertEquals(1, trace.freeFraction());
         assertEquals(CrossingWord.EMPTY, trace.word());
-        assertEquals(End.ARRIVED, trace.walk(new Vector3d(1, 2, 3), new Vector3d()));
+        assertEquals(End.ARRIVED, trace.trace(new Vector3d(1, 2, 3), new Vector3d()));
     }
 
     /** A segment cut into 1 to 64 pieces has the same end and the same word as the whole. */
@@ -128,7 +128,7 @@ final class PathTraceTest {
             var whole = new PathTrace(portals, PathTraceTest::toCube);
             Vector3d from = place(1.9);
             Vector3d way = direction().mul(1 + 20 * random.nextDouble());
-            End end = whole.walk(from, way);
+            End end = whole.trace(from, way);
             crossings += whole.crossings();
             for (int pieces = 1; pieces <= 64; pieces += 1 + random.nextInt(8)) {
                 var walked = new Walked(portals, from);
@@ -157,7 +157,7 @@ final class PathTraceTest {
             Vector3d piece = new Vector3d(way).div(pieces);
             End end = End.ARRIVED;
             for (int i = 0; i < pieces && end == End.ARRIVED; i++) {
-                end = trace.walk(place, piece);
+                end = trace.trace(place, piece);
                 place.set(trace.place());
                 trace.carryDirection(piece);
                 for (int j = 0; j < trace.crossings(); j++) {
@@ -176,7 +176,7 @@ final class PathTraceTest {
             var trace = new PathTrace(portals, PathTraceTest::toCube);
             Vector3d from = place(1.9);
             Vector3d way = direction().mul(8);
-            trace.walk(from, way);
+            trace.trace(from, way);
             way.mul(trace.freeFraction());
             Vector3d end = new Vector3d(trace.place());
             CrossingWord there = trace.word();
@@ -184,11 +184,11 @@ final class PathTraceTest {
             Vector3d turned = trace.carryDirection(new Vector3d(way));
             Quaterniond orientation = new Quaterniond();
             for (int j = 0; j < trace.crossings(); j++) {
-                portals.passage(trace.entered(j)).orientation(orientation);
+                portals.transform(trace.entered(j)).orientation(orientation);
             }
             Vector3d byOrientation = orientation.transform(new Vector3d(way));
             assertEquals(0, turned.distance(byOrientation), 1e-9);
-            trace.walk(end, turned.negate());
+            trace.trace(end, turned.negate());
             CrossingWord thereAndBack = there;
             for (int j = 0; j < trace.crossings(); j++) {
                 thereAndBack = thereAndBack.then(trace.entered(j), portals);
@@ -200,7 +200,7 @@ final class PathTraceTest {
 
     /** A ray through 0 to 16 portals ends at its target, and its length is that of the whole path. */
     @Test
-    void aBeamThroughManyPortalsMeasuresItsWholePath() {
+    void aShaftThroughManyPortalsMeasuresItsWholePath() {
         for (int pairs = 0; pairs <= 16; pairs++) {
             // 2 m in front of the first wall, 2 m between an exit and the next entry, a wall 0.75 m beyond the last
             // exit.
@@ -210,13 +210,13 @@ final class PathTraceTest {
             Obstacles wall = (from, way) ->
                     Math.abs(from.x() - lastX) < 1 ? wallAtZ(target).free(from, way) : 1;
             var trace = new PathTrace(chain(pairs), wall);
-            assertEquals(End.BLOCKED, trace.walk(new Vector3d(0, 1, 1), new Vector3d(0, 0, -100)));
+            assertEquals(End.BLOCKED, trace.trace(new Vector3d(0, 1, 1), new Vector3d(0, 0, -100)));
             assertEquals(pairs, trace.crossings());
             assertEquals(pairs, trace.word().length());
             assertEquals(whole, 100 * trace.freeFraction(), 1e-9);
             assertEquals(0, trace.place().distance(new Vector3d(lastX, 1, target)), 1e-9);
             // A path slightly shorter than this is not blocked, whatever portals it crosses.
-            assertEquals(End.ARRIVED, trace.walk(new Vector3d(0, 1, 1), new Vector3d(0, 0, -whole + 1e-6)));
+            assertEquals(End.ARRIVED, trace.trace(new Vector3d(0, 1, 1), new Vector3d(0, 0, -whole + 1e-6)));
         }
     }
 
@@ -226,12 +226,12 @@ final class PathTraceTest {
         Portal near = portal("near", new Vec3(0, 1, 0), new Vec3(0, 0, -1));
         Portal far = portal("far", new Vec3(0, 1, -2), new Vec3(0, 0, 1));
         var trace = new PathTrace(pairs(List.of(near, far)), Obstacles.NONE);
-        assertEquals(End.TOO_MANY_CROSSINGS, trace.walk(new Vector3d(0, 1, -1), new Vector3d(0, 0, -1e9)));
+        assertEquals(End.TOO_MANY_CROSSINGS, trace.trace(new Vector3d(0, 1, -1), new Vector3d(0, 0, -1e9)));
         assertEquals(PathTrace.MOST_CROSSINGS, trace.crossings());
         double metres = 1 + 2.0 * PathTrace.MOST_CROSSINGS;
         assertEquals(metres, 1e9 * trace.freeFraction(), 1e-5);
         assertEquals(PathTrace.MOST_CROSSINGS, trace.word().length());
-        assertEquals(End.ARRIVED, trace.walk(new Vector3d(0, 1, -1), new Vector3d(0, 0, -100)));
+        assertEquals(End.ARRIVED, trace.trace(new Vector3d(0, 1, -1), new Vector3d(0, 0, -100)));
         assertEquals(50, trace.crossings());
     }
 
@@ -240,7 +240,7 @@ final class PathTraceTest {
      * ends after exactly its length.
      */
     @Test
-    void aBeamThatRunsIntoItsOwnStartEndsAtTheCap() {
+    void aShaftThatRunsIntoItsOwnStartEndsAtTheCap() {
         Portals ring = pairs(List.of(
                 portal("in 0", new Vec3(0, 1, -1), new Vec3(0, 0, 1)),
                 portal("out 0", new Vec3(5, 1, 0), new Vec3(1, 0, 0)),
@@ -250,12 +250,12 @@ final class PathTraceTest {
                 portal("out 2", new Vec3(0, 1, 1), new Vec3(0, 0, -1))));
         var trace = new PathTrace(ring, Obstacles.NONE);
         Vector3d start = new Vector3d(0, 1.2, 1);
-        assertEquals(End.TOO_MANY_CROSSINGS, trace.walk(start, new Vector3d(0, 0, -1e6)));
+        assertEquals(End.TOO_MANY_CROSSINGS, trace.trace(start, new Vector3d(0, 0, -1e6)));
         assertEquals(PathTrace.MOST_CROSSINGS, trace.crossings());
         assertEquals(2.0 * (PathTrace.MOST_CROSSINGS + 1), 1e6 * trace.freeFraction(), 1e-7);
         assertEquals(0, trace.place().distance(new Vector3d(7, 1.2, 0)), 1e-9);
         for (int legs = 1; legs <= PathTrace.MOST_CROSSINGS; legs++) {
-            assertEquals(End.ARRIVED, trace.walk(start, new Vector3d(0, 0, 1e-6 - 2 * legs)), legs + " legs");
+            assertEquals(End.ARRIVED, trace.trace(start, new Vector3d(0, 0, 1e-6 - 2 * legs)), legs + " legs");
             assertEquals(legs - 1, trace.crossings());
             assertEquals(1, trace.freeFraction());
             Vector3d arrives =
@@ -276,13 +276,13 @@ final class PathTraceTest {
         for (double z : new double[] {-1, -1 + 1e-9, -1 - 1e-9}) {
             var trace = new PathTrace(
                     portals, (from, way) -> from.x() < 5 ? wallAtZ(z).free(from, way) : 1);
-            assertEquals(End.ARRIVED, trace.walk(new Vector3d(0, 1, 0), new Vector3d(0, 0, -3)));
-            assertEquals(End.BLOCKED, trace.walk(new Vector3d(0.7, 1, 0), new Vector3d(0, 0, -3)));
+            assertEquals(End.ARRIVED, trace.trace(new Vector3d(0, 1, 0), new Vector3d(0, 0, -3)));
+            assertEquals(End.BLOCKED, trace.trace(new Vector3d(0.7, 1, 0), new Vector3d(0, 0, -3)));
             assertEquals(1.0 / 3, trace.freeFraction(), 1e-8);
         }
         var grating = new PathTrace(
                 portals, (from, way) -> from.x() < 5 ? wallAtZ(-0.95).free(from, way) : 1);
-        assertEquals(End.BLOCKED, grating.walk(new Vector3d(0, 1, 0), new Vector3d(0, 0, -3)));
+        assertEquals(End.BLOCKED, grating.trace(new Vector3d(0, 1, 0), new Vector3d(0, 0, -3)));
         assertEquals(CrossingWord.EMPTY, grating.word());
     }
 
@@ -291,9 +291,9 @@ final class PathTraceTest {
     void whatIsNotANumberEnds() {
         var trace = new PathTrace(crowd(), Obstacles.NONE);
         for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY}) {
-            trace.walk(new Vector3d(), new Vector3d(0, bad, 1));
+            trace.trace(new Vector3d(), new Vector3d(0, bad, 1));
             assertTrue(trace.crossings() <= PathTrace.MOST_CROSSINGS);
-            trace.walk(new Vector3d(bad, 0, 0), new Vector3d(0, 0, 1));
+            trace.trace(new Vector3d(bad, 0, 0), new Vector3d(0, 0, 1));
             assertEquals(0, trace.crossings());
         }
     }

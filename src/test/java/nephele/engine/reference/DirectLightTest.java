@@ -25,13 +25,13 @@ class DirectLightTest {
     }
 
     @Test
-    void aLampThinsOutWithTheSquareOfTheDistanceUnderItsWindow() {
-        Light lamp = new Light.Point("l", new Vec3(0, 2, 0), TestLevel.grey(10), 5, true);
+    void aLightThinsOutWithTheSquareOfTheDistanceUnderItsWindow() {
+        Light light = new Light.Point("l", new Vec3(0, 2, 0), TestLevel.grey(10), 5, true);
         double window = Math.pow(1 - Math.pow(2.0 / 5, 4), 2);
         assertEquals(
-                0.5 / Math.PI * 10 / 4 * window, Traced.towards(floor(0.5).light(lamp), EYE, Vec3.ZERO, 1)[0], 1e-6);
+                0.5 / Math.PI * 10 / 4 * window, Traced.towards(floor(0.5).light(light), EYE, Vec3.ZERO, 1)[0], 1e-6);
         Vec3 beyondRange = new Vec3(4.7, 0, 0);
-        assertEquals(0, Traced.towards(floor(0.5).light(lamp), EYE, beyondRange, 1)[0]);
+        assertEquals(0, Traced.towards(floor(0.5).light(light), EYE, beyondRange, 1)[0]);
     }
 
     /** With an outer cone of 45° at a height of 2 m light reaches 2 m from the point below it. */
@@ -67,9 +67,9 @@ class DirectLightTest {
         TestLevel sunny =
                 floor(0.5).box("m", new Vec3(0, 0.5, -0.5), new Vec3(4, 1, 1)).castingSun(new Vec3(0, 1, -1), 1);
         assertEdge(sunny, 1);
-        Light lamp = new Light.Point("l", new Vec3(0, 3, -2), TestLevel.grey(10), 50, true);
+        Light light = new Light.Point("l", new Vec3(0, 3, -2), TestLevel.grey(10), 50, true);
         TestLevel lit =
-                floor(0.5).box("m", new Vec3(0, 0.5, -0.5), new Vec3(4, 1, 1)).light(lamp);
+                floor(0.5).box("m", new Vec3(0, 0.5, -0.5), new Vec3(4, 1, 1)).light(light);
         assertEdge(lit, 1);
     }
 

@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -67,8 +67,8 @@ class SkyLightTest {
     @Test
     void aLinearSkyGivesTwoThirdsOfItsSlope() {
         Sky linear = new Sky.Gradient(TestLevel.grey(3), TestLevel.grey(2), TestLevel.grey(1));
-        SkyLight light =
-                new SkyLight(SkyRadiance.of(linear, id -> null, Decoding.SRGB).orElseThrow());
+        SkyLight light = new SkyLight(
+                SkyRadiance.of(linear, id -> null, ColourDecoding.SRGB).orElseThrow());
         for (int i = 0; i < 200; i++) {
             double y = 1 - (i + 0.5) / 100;
             double flat = Math.sqrt(1 - y * y);

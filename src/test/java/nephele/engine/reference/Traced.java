@@ -3,7 +3,7 @@ package nephele.engine.reference;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.TestLevel;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
@@ -17,7 +17,7 @@ final class Traced {
     }
 
     static float[] picture(TestLevel level, AssetSource assets, Pinhole eye, TraceSettings settings) {
-        TracedLevel traced = TracedLevel.of(PlacedLevel.of(level.level(), assets), Decoding.SRGB);
+        TracedLevel traced = TracedLevel.of(PlacedLevel.of(level.level(), assets), ColourDecoding.SRGB);
         return ReferencePicture.trace(traced, eye, settings, done -> {});
     }
 

@@ -13,7 +13,7 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.frame.TargetReads;
 import nephele.engine.render.gl.DrawState.Depth;
-import nephele.engine.render.gl.TextureUnit;
+import nephele.engine.render.gl.shader.TextureUnit;
 
 /**
  * A trial pass that reads its view: red is the distance along the view's axis in 16 m, green the red that was there, blue

@@ -9,7 +9,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
-import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.placed.NoFiles;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
@@ -38,7 +38,7 @@ class FogGlTest {
             int at = 8 * i;
             Vec3 fog = new Vec3(in[at + 4], in[at + 5], in[at + 6]);
             Vector3d behind = new Vector3d(in[at], in[at + 1], in[at + 2]);
-            Vector3d expected = new FogVeil(in[at + 7], fog).over(behind, in[at + 3]);
+            Vector3d expected = new FogTransmittance(in[at + 7], fog).over(behind, in[at + 3]);
             for (int channel = 0; channel < 3; channel++) {
                 assertEquals(expected.get(channel), gpu[3 * i + channel], 1e-5, "pixel " + i);
             }

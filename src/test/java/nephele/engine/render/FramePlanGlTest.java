@@ -115,7 +115,7 @@ class FramePlanGlTest {
 
     /** The twin binds the lists of lamps too ({@code GL_TEXTURE_BUFFER}), although another level has bound its own. */
     @Test
-    void theBareTwinBindsItsOwnLamps() {
+    void theBareTwinBindsItsOwnLights() {
         Level red = everything()
                 .light(new Light.Point("red", new Vec3(1, 1, 1), new Vec3(9, 0, 0), 10, false))
                 .level();

@@ -13,10 +13,10 @@ import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.pass.thing.ThingPass;
-import nephele.engine.scene.Moment;
+import nephele.engine.render.pass.dynamic.DynamicPass;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
-import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.dynamic.CharacterPresence;
 import org.junit.jupiter.api.Test;
 
 /** What the player holds: see-through before the own eyes, solid wherever else it is seen. Black before white. */
@@ -25,7 +25,7 @@ class HeldGlTest {
     private static final int HEIGHT = 90;
     private static final int BLACK = 0;
     /** A white wall behind the middle of a black face. */
-    private static final int THROUGH = (int) Math.round(255 * (1 - ThingPass.HELD_FACE_OPACITY));
+    private static final int THROUGH = (int) Math.round(255 * (1 - DynamicPass.HELD_FACE_OPACITY));
 
     private static final Vec3 BEFORE_THE_EYE = new Vec3(0, 0, -1);
     private static final Vec3 ELSEWHERE = new Vec3(0, 0, -3);
@@ -50,14 +50,14 @@ class HeldGlTest {
 
     private static int[] draw(Offscreen offscreen, Level level, Quality quality, Vec3 heldFromEye, double clarity) {
         RenderSettings settings =
-                RenderSettings.of(Output.PLAIN, quality).with(Decoration.OFF).with(FigurePresence.POSSIBLE);
+                RenderSettings.of(Output.PLAIN, quality).with(Decoration.OFF).with(CharacterPresence.POSSIBLE);
         try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
-            Moment moment = Moment.atStart(level);
+            FrameState frameState = FrameState.atStart(level);
             if (heldFromEye != null) {
-                moment.held(0, heldFromEye, clarity);
+                frameState.held(0, heldFromEye, clarity);
             }
             View view = offscreen.view(Vec3.ZERO, new Vec3(0, 0, -1));
-            renderer.draw(view, moment, offscreen.picture);
+            renderer.draw(view, frameState, offscreen.picture);
             offscreen.gl.requireNoError("held");
             return offscreen.pixels();
         }

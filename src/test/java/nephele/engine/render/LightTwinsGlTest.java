@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import nephele.engine.level.appearance.Brdf;
-import nephele.engine.level.appearance.LampFalloff;
+import nephele.engine.level.appearance.LightFalloff;
 import nephele.engine.level.appearance.NormalMap;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.light.ShadowFilter;
@@ -59,7 +59,7 @@ class LightTwinsGlTest {
 
     /** Any distance, range and cone; relative 1e-5, since the window squares a difference. */
     @Test
-    void lampFalloff() {
+    void lightFalloff() {
         SplittableRandom random = new SplittableRandom(3);
         double[] odd = {0, 1e-30, 1e-8, 1e-4, 1, 1e18, 1e30};
         float[] in = new float[8 * COUNT];
@@ -69,11 +69,11 @@ class LightTwinsGlTest {
             fill(in, 8 * i, d2, 1 / (range * range), 0, 0);
             fill(in, 8 * i + 4, random.nextDouble() * 2 - 1, random.nextDouble() * 100, -random.nextDouble() * 50, 0);
         }
-        float[] gpu = TwinProgram.run("lamp-falloff.frag", in, COUNT, uniforms -> {});
+        float[] gpu = TwinProgram.run("light-falloff.frag", in, COUNT, uniforms -> {});
         for (int i = 0; i < COUNT; i++) {
             Vector3d expected = new Vector3d(
-                    LampFalloff.windowedInverseSquare(in[8 * i], in[8 * i + 1]),
-                    LampFalloff.cone(in[8 * i + 4], in[8 * i + 5], in[8 * i + 6]),
+                    LightFalloff.windowedInverseSquare(in[8 * i], in[8 * i + 1]),
+                    LightFalloff.cone(in[8 * i + 4], in[8 * i + 5], in[8 * i + 6]),
                     0);
             assertClose(expected, gpu, i, 1e-3, 1e-5);
         }
@@ -128,11 +128,11 @@ class LightTwinsGlTest {
         double range = in[at + 13];
         double slope = Math.abs(gx) + Math.abs(gy);
         double[] nearerBy = ShadowFilter.nearerThanPlane(depths, in[at + 7], gx, gy, four);
-        double[] ofLamp = ShadowFilter.nearerThanPlaneOfLamp(depths, in[at + 7] * range, gx, gy, range, four);
+        double[] ofLight = ShadowFilter.nearerThanPlaneOfLight(depths, in[at + 7] * range, gx, gy, range, four);
         return new Vector3d(
                 ShadowFilter.litShare(nearerBy, four.weight(), half, slope),
                 ShadowFilter.litShareOfMapped(nearerBy, isLike, four.weight(), half, slope),
-                ofLamp[0] + 2 * ofLamp[1] + 3 * ofLamp[2] + 4 * ofLamp[3]);
+                ofLight[0] + 2 * ofLight[1] + 3 * ofLight[2] + 4 * ofLight[3]);
     }
 
     /** Row 43: degenerate texels and opposite vectors included. */

@@ -94,7 +94,7 @@ class MetamorphicGlTest {
 
     /** Under a lamp depth is laid down before the light is computed. */
     @Test
-    void cullingUnderALampChangesNoPixel() {
+    void cullingUnderALightChangesNoPixel() {
         TestLevel lit = furniture().light(new Light.Point("lamp", new Vec3(1, 6, 2), TestLevel.grey(90), 40, false));
         boxes(300, 1).forEach(b -> lit.box(b.material, b.centre, b.size));
         assertCullingChangesNoPixel(lit.level(), 20);

@@ -97,10 +97,10 @@ class MirrorFogGlTest {
     void fogBeforeATintedMirrorAsksForLinearLight() {
         assertEquals(
                 Output.HDR,
-                Outputs.requiredBy(facing(AHEAD, SILVER).fog(EXTINCTION, FOG).level()));
+                Outputs.defaultFor(facing(AHEAD, SILVER).fog(EXTINCTION, FOG).level()));
         assertEquals(
                 Output.DIRECT,
-                Outputs.requiredBy(facing(SILVER, SILVER).fog(EXTINCTION, FOG).level()));
-        assertEquals(Output.DIRECT, Outputs.requiredBy(facing(AHEAD, BEHIND).level()));
+                Outputs.defaultFor(facing(SILVER, SILVER).fog(EXTINCTION, FOG).level()));
+        assertEquals(Output.DIRECT, Outputs.defaultFor(facing(AHEAD, BEHIND).level()));
     }
 }

@@ -16,9 +16,9 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
-import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.dynamic.CharacterPresence;
 import org.junit.jupiter.api.Test;
 
 /** A mirror shows what would be seen if the scene stood once more behind it, the other way round. */
@@ -120,7 +120,7 @@ class MirrorGlTest {
                 .level();
         Level open = room().box("m0", new Vec3(0, -20, 0), new Vec3(1, 1, 1)).level();
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
-            int[] direct = withFigure(offscreen, open, offscreen.view(image, eye));
+            int[] direct = withCharacter(offscreen, open, offscreen.view(image, eye));
             int[] expected = new int[direct.length];
             for (int i = 0; i < direct.length; i++) {
                 expected[i] = direct[i / WIDTH * WIDTH + WIDTH - 1 - i % WIDTH];
@@ -130,22 +130,22 @@ class MirrorGlTest {
             assertTrue(covered > 200, covered + " pixels of the figure");
             assertTrue(expected[HEIGHT / 2 * WIDTH + WIDTH / 2] != 0, "the head");
             assertTrue(differing(expected, direct) > covered / 5, "the figure is not symmetrical");
-            int[] seen = withFigure(offscreen, mirrored, offscreen.view(eye, image));
+            int[] seen = withCharacter(offscreen, mirrored, offscreen.view(eye, image));
             int wrong = differing(expected, seen);
             assertTrue(wrong <= covered / 20, wrong + " of " + covered + " pixels");
-            int[] fromBehind = withFigure(
+            int[] fromBehind = withCharacter(
                     offscreen, mirrored, offscreen.view(new Vec3(1, 1.8, PLANE + 2.5), new Vec3(0, 1, PLANE)));
             assertTrue(differing(fromBehind, empty) > covered, "the figure and its image");
         }
     }
 
-    private static int[] withFigure(Offscreen offscreen, Level level, View view) {
-        RenderSettings settings = by(PortalTechnique.STENCIL).with(FigurePresence.POSSIBLE);
-        Moment moment = Moment.atStart(level);
-        moment.figure(
-                new Moment.Posture(new Vec3(0, 0.9, PLANE + 1), new Vec3(0, 1, 0), 0.4, 0, 1.8, 0.2, 0.7, 0, 0, 0));
+    private static int[] withCharacter(Offscreen offscreen, Level level, View view) {
+        RenderSettings settings = by(PortalTechnique.STENCIL).with(CharacterPresence.POSSIBLE);
+        FrameState frameState = FrameState.atStart(level);
+        frameState.figure(
+                new FrameState.Posture(new Vec3(0, 0.9, PLANE + 1), new Vec3(0, 1, 0), 0.4, 0, 1.8, 0.2, 0.7, 0, 0, 0));
         try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
-            renderer.draw(view, moment, offscreen.picture);
+            renderer.draw(view, frameState, offscreen.picture);
             offscreen.gl.requireNoError("figure");
             return offscreen.pixels();
         }

@@ -11,14 +11,14 @@ import nephele.engine.level.ModelPlacement.TransformStep.Scale;
 import nephele.engine.level.ModelPlacement.TransformStep.Translate;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
 import nephele.engine.reference.TracedLevel;
 import nephele.engine.scene.View;
-import nephele.lab.oracle.ReferenceEye;
+import nephele.lab.oracle.PinholeViews;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -97,10 +97,10 @@ class ModelTwinGlTest {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             View view = offscreen.view(new Vec3(0.3, 2, 3.2), new Vec3(0, 0.4, 0.3));
             float[] drawn = offscreen.radiance(level, ASSETS, view);
-            TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, ASSETS), Decoding.SRGB);
+            TracedLevel twin = TracedLevel.of(PlacedLevel.of(level, ASSETS), ColourDecoding.SRGB);
             int samples = level.environment().ambient() == null ? 48 : 1;
             TraceSettings settings = new TraceSettings(SIZE, SIZE, samples, 1, 2);
-            return new float[][] {drawn, ReferencePicture.trace(twin, ReferenceEye.of(view), settings, done -> {})};
+            return new float[][] {drawn, ReferencePicture.trace(twin, PinholeViews.of(view), settings, done -> {})};
         }
     }
 }

@@ -15,11 +15,11 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 
 /** A context with one small 8-bit picture; every frame is checked for OpenGL errors. */
-final class Offscreen implements AutoCloseable {
-    final GlContext gl = GlContext.offscreen();
-    final RenderTarget picture;
+public final class Offscreen implements AutoCloseable {
+    public final GlContext gl = GlContext.offscreen();
+    public final RenderTarget picture;
 
-    Offscreen(int width, int height) {
+    public Offscreen(int width, int height) {
         picture = RenderTarget.picture(gl, "test picture", PixelFormat.RGBA8, width, height);
     }
 
@@ -28,7 +28,7 @@ final class Offscreen implements AutoCloseable {
         return pixels(level, TestAssets.NONE, view, RenderSettings.of(output));
     }
 
-    int[] pixels(Level level, AssetSource assets, View view, RenderSettings settings) {
+    public int[] pixels(Level level, AssetSource assets, View view, RenderSettings settings) {
         try (Renderer renderer = Renderer.load(gl, level, assets, settings)) {
             renderer.draw(view, picture);
             gl.requireNoError("test frame");
@@ -36,7 +36,7 @@ final class Offscreen implements AutoCloseable {
         }
     }
 
-    int[] pixels() {
+    public int[] pixels() {
         return pixels(picture);
     }
 
@@ -50,12 +50,12 @@ final class Offscreen implements AutoCloseable {
     }
 
     /** Linear RGB, the bottom row first. */
-    float[] radiance(Level level, AssetSource assets, View view) {
+    public float[] radiance(Level level, AssetSource assets, View view) {
         return radiance(level, assets, List.of(view)).get(0);
     }
 
     /** Returns the radiance of each view, drawn by one renderer without history. */
-    List<float[]> radiance(Level level, AssetSource assets, List<View> views) {
+    public List<float[]> radiance(Level level, AssetSource assets, List<View> views) {
         try (Renderer renderer = Renderer.load(gl, level, assets, RenderSettings.of(Output.HDR))) {
             List<float[]> seen = new ArrayList<>();
             for (View view : views) {
@@ -69,20 +69,20 @@ final class Offscreen implements AutoCloseable {
     }
 
     /** 90° vertical field of view. */
-    View view(Vec3 eye, Vec3 target) {
+    public View view(Vec3 eye, Vec3 target) {
         double aspect = picture.width() / (double) picture.height();
         return View.lookAt(eye, target, new Vec3(0, 1, 0), new Projection(Math.PI / 2, aspect, 0.05, 1000));
     }
 
-    static int red(int rgb) {
+    public static int red(int rgb) {
         return rgb >> 16;
     }
 
-    static int green(int rgb) {
+    public static int green(int rgb) {
         return rgb >> 8 & 0xff;
     }
 
-    static int blue(int rgb) {
+    public static int blue(int rgb) {
         return rgb & 0xff;
     }
 

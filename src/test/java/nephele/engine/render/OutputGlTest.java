@@ -9,8 +9,8 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.Development;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
@@ -69,7 +69,7 @@ class OutputGlTest {
                             .material("m", TestLevel.grey(radiance))
                             .box("m", new Vec3(0, -0.5, 0), new Vec3(40, 1, 40))
                             .level();
-                    double code = 255 * Development.develop(radiance, Math.pow(2, -0.5), curve);
+                    double code = 255 * ToneMapping.develop(radiance, Math.pow(2, -0.5), curve);
                     int[] pixels = offscreen.pixels(level, view, Output.DIRECT);
                     double mean = Arrays.stream(pixels)
                             .map(Offscreen::green)
@@ -85,10 +85,10 @@ class OutputGlTest {
     /** Mid grey 0.2140 is display code 127.5. */
     @Test
     void middleGreyIsTheMiddleCode() {
-        assertEquals(127.5, 255 * Development.encodeSrgb(0.2140), 0.05);
-        assertEquals(0.2140, Development.decodeSrgb(127.5 / 255), 1e-4);
+        assertEquals(127.5, 255 * ToneMapping.encodeSrgb(0.2140), 0.05);
+        assertEquals(0.2140, ToneMapping.decodeSrgb(127.5 / 255), 1e-4);
         for (double x = 0; x <= 1; x += 0x1p-8) {
-            assertEquals(x, Development.decodeSrgb(Development.encodeSrgb(x)), 1e-6);
+            assertEquals(x, ToneMapping.decodeSrgb(ToneMapping.encodeSrgb(x)), 1e-6);
         }
     }
 

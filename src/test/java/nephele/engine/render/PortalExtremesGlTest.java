@@ -14,7 +14,7 @@ import nephele.engine.render.RenderSettings.Decoration;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.PixelRectangle;
 import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
@@ -67,7 +67,7 @@ class PortalExtremesGlTest {
 
     private static ViewTree grown(Level level, View view, int budget) {
         ViewTree tree = new ViewTree(List.of());
-        tree.grow(view, Moment.atStart(level), WIDTH, HEIGHT, budget);
+        tree.build(view, FrameState.atStart(level), WIDTH, HEIGHT, budget);
         return tree;
     }
 

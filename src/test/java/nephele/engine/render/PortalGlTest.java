@@ -108,7 +108,7 @@ class PortalGlTest {
     /** In the very first frame, too, things cast the shadows that they cast now, whichever view is drawn first. */
     @ParameterizedTest
     @EnumSource
-    void thingsCastTheirShadowsBehindPortals(PortalTechnique technique) {
+    void dynamicObjectsCastTheirShadowsBehindPortals(PortalTechnique technique) {
         try (Offscreen offscreen = new Offscreen(96, 54)) {
             View view = offscreen.view(new Vec3(0, 1.9, 0), new Vec3(0, 0.6, -3));
             int[] shaded = draw(offscreen, shadowBehindAPortal().level(), view, settings(Output.PLAIN));

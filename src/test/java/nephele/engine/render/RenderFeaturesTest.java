@@ -21,7 +21,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.dynamic.CharacterPresence;
 import org.junit.jupiter.api.Test;
 
 /** Only what the scene requires, and a reason for each. */
@@ -62,9 +62,9 @@ class RenderFeaturesTest {
                 new TestLevel().sky(skies().get(Sky.Gradient.class)).level());
         causes.put(
                 "sky.skybox", new TestLevel().sky(skies().get(Sky.Skybox.class)).level());
-        causes.put("thing", new TestLevel().cube(null, Vec3.ZERO, 1).level());
+        causes.put("dynamic", new TestLevel().cube(null, Vec3.ZERO, 1).level());
         causes.put(
-                "shadow.things",
+                "shadow.dynamic",
                 new TestLevel()
                         .castingSun(new Vec3(0, 1, 0), 1)
                         .cube(null, Vec3.ZERO, 1)
@@ -108,16 +108,16 @@ class RenderFeaturesTest {
     @Test
     void whatIsHeldIsDrawnOnlyForWhoeverPlaysWithBodies() {
         Level bodies = new TestLevel().cube(null, Vec3.ZERO, 1).level();
-        assertTrue(isHeldDrawn(bodies, FigurePresence.POSSIBLE));
-        assertFalse(isHeldDrawn(bodies, FigurePresence.NEVER));
-        assertFalse(isHeldDrawn(new TestLevel().level(), FigurePresence.POSSIBLE));
+        assertTrue(isHeldDrawn(bodies, CharacterPresence.POSSIBLE));
+        assertFalse(isHeldDrawn(bodies, CharacterPresence.NEVER));
+        assertFalse(isHeldDrawn(new TestLevel().level(), CharacterPresence.POSSIBLE));
     }
 
-    private static boolean isHeldDrawn(Level level, FigurePresence figure) {
+    private static boolean isHeldDrawn(Level level, CharacterPresence figure) {
         return FramePlan.of(FrameRequest.of(
                         level, StaticShapes.of(level, NoFiles.AT_ALL), Output.DIRECT, Quality.HIGH, figure))
                 .explain()
-                .contains("thing.held: required by player: a body that is held");
+                .contains("dynamic.held: required by player: a body that is held");
     }
 
     @Test

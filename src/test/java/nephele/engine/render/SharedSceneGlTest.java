@@ -22,7 +22,7 @@ import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlKind;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
@@ -57,8 +57,8 @@ class SharedSceneGlTest {
         return offscreen.view(new Vec3(0.4, 1.6, 3), new Vec3(0, -0.5, -1));
     }
 
-    private static int[] drawn(Offscreen offscreen, Renderer renderer, Moment moment) {
-        renderer.draw(view(offscreen), moment, offscreen.picture);
+    private static int[] drawn(Offscreen offscreen, Renderer renderer, FrameState frameState) {
+        renderer.draw(view(offscreen), frameState, offscreen.picture);
         offscreen.gl.requireNoError("frame");
         return offscreen.pixels();
     }
@@ -66,7 +66,7 @@ class SharedSceneGlTest {
     @Test
     void renderersOfOneSceneHaveItsGeometryPicturesAndMapsOnce() {
         Scene scene = Scene.of(room(MORNING, 0.6, 0).level(), TestAssets.NONE);
-        Moment start = Moment.atStart(scene.level());
+        FrameState start = FrameState.atStart(scene.level());
         try (Offscreen offscreen = new Offscreen(64, 48)) {
             var before = offscreen.gl.live().counts();
             Renderer first = Renderer.load(offscreen.gl, scene, DIRECT);
@@ -76,10 +76,10 @@ class SharedSceneGlTest {
             var one = offscreen.gl.live().counts();
             try (Renderer second = Renderer.load(offscreen.gl, scene, DIRECT)) {
                 assertArrayEquals(expected, drawn(offscreen, second, start));
-                int ofThings = 3;
+                int ofDynamicObjects = 3;
                 int textures = offscreen.gl.live().counts().get(GlKind.TEXTURE) - one.get(GlKind.TEXTURE);
                 assertTrue(textures < one.get(GlKind.TEXTURE) - before.get(GlKind.TEXTURE), "textures " + textures);
-                assertTrue(second.draws() < steady + ofThings + 1, "no map of what never moves is drawn again");
+                assertTrue(second.draws() < steady + ofDynamicObjects + 1, "no map of what never moves is drawn again");
                 first.close();
                 assertArrayEquals(expected, drawn(offscreen, second, start), "what is shared outlives the first");
             }
@@ -109,10 +109,11 @@ class SharedSceneGlTest {
             Scene scene = Scene.of(placed, BakedSky.of(placed, done -> {}));
             Renderer renderer = Renderer.load(offscreen.gl, scene, DIRECT);
             for (int i = 0; i < fresh.size(); i++) {
-                drawn(offscreen, renderer, Moment.atStart(renderer.scene().level()));
+                drawn(offscreen, renderer, FrameState.atStart(renderer.scene().level()));
                 placed = placed.edited(edits.get(i));
                 renderer = renderer.edited(renderer.scene().edited(placed, BakedSky.of(placed, done -> {})));
-                assertArrayEquals(fresh.get(i), drawn(offscreen, renderer, Moment.atStart(edits.get(i))), "edit " + i);
+                assertArrayEquals(
+                        fresh.get(i), drawn(offscreen, renderer, FrameState.atStart(edits.get(i))), "edit " + i);
             }
             renderer.close();
             assertEquals(before, offscreen.gl.live().counts());
@@ -121,7 +122,7 @@ class SharedSceneGlTest {
 
     /** A solid moves under one of two lamps: six layers are drawn again, and the sun's map; under none, the sun's alone. */
     @Test
-    void onlyMapsOfLampsNearAnEditAreDrawnAgain() {
+    void onlyMapsOfLightsNearAnEditAreDrawnAgain() {
         Level level = new TestLevel()
                 .castingSun(MORNING, 2)
                 .material("grey", TestLevel.grey(0.5))
@@ -134,7 +135,7 @@ class SharedSceneGlTest {
         try (Offscreen offscreen = new Offscreen(64, 48)) {
             PlacedLevel placed = PlacedLevel.of(level, TestAssets.NONE);
             Renderer renderer = Renderer.load(offscreen.gl, Scene.of(placed, null), DIRECT);
-            Moment start = Moment.atStart(level);
+            FrameState start = FrameState.atStart(level);
             long first = draws(offscreen, renderer, start);
             long steady = draws(offscreen, renderer, start);
             assertTrue(first >= steady + 3, first + " calls, then " + steady);
@@ -182,7 +183,7 @@ class SharedSceneGlTest {
         Level level = room(MORNING, 0.6, 0).level();
         try (Offscreen offscreen = new Offscreen(64, 48);
                 Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, DIRECT)) {
-            int[] expected = drawn(offscreen, renderer, Moment.atStart(level));
+            int[] expected = drawn(offscreen, renderer, FrameState.atStart(level));
             var loaded = offscreen.gl.live().counts();
             Level missing = level.with(
                     new Environment(
@@ -197,7 +198,7 @@ class SharedSceneGlTest {
             Scene scene = Scene.of(missing.with(List.of(), List.of(), List.of()), TestAssets.NONE);
             assertThrows(AssetException.class, () -> renderer.edited(scene));
             assertEquals(loaded, offscreen.gl.live().counts());
-            assertArrayEquals(expected, drawn(offscreen, renderer, Moment.atStart(level)));
+            assertArrayEquals(expected, drawn(offscreen, renderer, FrameState.atStart(level)));
         }
     }
 
@@ -225,21 +226,21 @@ class SharedSceneGlTest {
 
     @ParameterizedTest
     @EnumSource
-    void aMomentsLightLooksAsALevelsOwn(Change change) {
+    void aFrameStatesLightLooksAsALevelsOwn(Change change) {
         Level level = room(MORNING, 0.6, 0).level();
         Level other = change.level();
         for (Output output : List.of(Output.DIRECT, Output.HDR)) {
             RenderSettings settings = RenderSettings.of(output);
             try (Offscreen offscreen = new Offscreen(64, 48);
                     Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
-                Moment moment = Moment.atStart(level);
-                int[] before = drawn(offscreen, renderer, moment);
-                moment.environment(other.environment());
-                int[] after = drawn(offscreen, renderer, moment);
+                FrameState frameState = FrameState.atStart(level);
+                int[] before = drawn(offscreen, renderer, frameState);
+                frameState.environment(other.environment());
+                int[] after = drawn(offscreen, renderer, frameState);
                 assertTrue(!Arrays.equals(before, after));
                 assertArrayEquals(offscreen.pixels(other, TestAssets.NONE, view(offscreen), settings), after);
-                moment.environment(level.environment());
-                assertArrayEquals(before, drawn(offscreen, renderer, moment), "and back");
+                frameState.environment(level.environment());
+                assertArrayEquals(before, drawn(offscreen, renderer, frameState), "and back");
             }
         }
     }
@@ -250,20 +251,20 @@ class SharedSceneGlTest {
         Level level = room(MORNING, 0.6, 0).level();
         try (Offscreen offscreen = new Offscreen(64, 48);
                 Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, DIRECT)) {
-            Moment moment = Moment.atStart(level);
-            long first = draws(offscreen, renderer, moment);
-            long steady = draws(offscreen, renderer, moment);
+            FrameState frameState = FrameState.atStart(level);
+            long first = draws(offscreen, renderer, frameState);
+            long steady = draws(offscreen, renderer, frameState);
             assertTrue(first > steady, first + " calls, then " + steady);
-            moment.environment(Change.EXPOSURE.level().environment());
-            assertEquals(steady, draws(offscreen, renderer, moment), "the sun stands where it stood");
-            moment.environment(Change.SUN.level().environment());
-            assertEquals(steady + 2, draws(offscreen, renderer, moment), "the map of what stays and of what moves");
-            assertEquals(steady, draws(offscreen, renderer, moment));
+            frameState.environment(Change.EXPOSURE.level().environment());
+            assertEquals(steady, draws(offscreen, renderer, frameState), "the sun stands where it stood");
+            frameState.environment(Change.SUN.level().environment());
+            assertEquals(steady + 2, draws(offscreen, renderer, frameState), "the map of what stays and of what moves");
+            assertEquals(steady, draws(offscreen, renderer, frameState));
         }
     }
 
-    private static long draws(Offscreen offscreen, Renderer renderer, Moment moment) {
-        drawn(offscreen, renderer, moment);
+    private static long draws(Offscreen offscreen, Renderer renderer, FrameState frameState) {
+        drawn(offscreen, renderer, frameState);
         return renderer.draws();
     }
 }

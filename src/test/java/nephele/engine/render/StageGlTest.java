@@ -25,7 +25,7 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.dynamic.CharacterPresence;
 import org.junit.jupiter.api.Test;
 
 /** The stages of a frame, and copies of a view for the passes after its opaque surfaces. */
@@ -139,7 +139,7 @@ class StageGlTest {
     @Test
     void onlyWhatIsReadIsCopied() {
         Level level = walls().cube("wall", new Vec3(0, 0, 9), 0.5).level();
-        RenderSettings played = settings(Quality.LOW).with(FigurePresence.POSSIBLE);
+        RenderSettings played = settings(Quality.LOW).with(CharacterPresence.POSSIBLE);
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
             try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
                 var loaded = offscreen.gl.live().counts();
@@ -204,7 +204,7 @@ class StageGlTest {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
             var before = offscreen.gl.live().counts();
             Scene scene = Scene.of(heldCube(), TestAssets.NONE);
-            RenderSettings played = RenderSettings.of(Output.PLAIN).with(FigurePresence.POSSIBLE);
+            RenderSettings played = RenderSettings.of(Output.PLAIN).with(CharacterPresence.POSSIBLE);
             var e = assertThrows(
                     IllegalStateException.class, () -> Renderer.load(offscreen.gl, scene, played, features));
             assertTrue(e.getMessage().startsWith(because), e.getMessage());

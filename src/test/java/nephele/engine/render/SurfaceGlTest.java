@@ -10,8 +10,8 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.frame.Development;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
@@ -181,7 +181,7 @@ class SurfaceGlTest {
                     .box("m", new Vec3(0, -0.5, 0), new Vec3(40, 1, 40))
                     .level();
             float[] linear = offscreen.radiance(level, assets, down(offscreen));
-            assertEquals(Development.decodeSrgb(0xbc / 255.0), linear[0], 1e-3);
+            assertEquals(ToneMapping.decodeSrgb(0xbc / 255.0), linear[0], 1e-3);
             int[] direct = offscreen.pixels(level, assets, down(offscreen), RenderSettings.of(Output.DIRECT));
             assertEquals(
                     0xbc, Arrays.stream(direct).map(Offscreen::red).average().orElse(0), 0.5);

@@ -24,10 +24,10 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.dynamic.CharacterPresence;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -65,7 +65,7 @@ class TargetReadsGlTest {
 
     @ParameterizedTest
     @EnumSource
-    void everyTargetReadIsWrittenEarlier(FigurePresence figure) {
+    void everyTargetReadIsWrittenEarlier(CharacterPresence figure) {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
             levels().forEach((name, level) -> {
                 Set<Target> written = EnumSet.noneOf(Target.class);
@@ -95,15 +95,16 @@ class TargetReadsGlTest {
         Level portals = levels().get("portals");
         try (Offscreen offscreen = new Offscreen(16, 9);
                 BoundTargets bound = new BoundTargets(offscreen.gl)) {
-            assertBinding(offscreen, bound, empty, FigurePresence.POSSIBLE, Set.of("solid"));
-            assertBinding(offscreen, bound, portals, FigurePresence.NEVER, Set.of("solid", "thing"));
-            assertBinding(offscreen, bound, portals, FigurePresence.POSSIBLE, Set.of("solid", "thing", "thing.held"));
+            assertBinding(offscreen, bound, empty, CharacterPresence.POSSIBLE, Set.of("solid"));
+            assertBinding(offscreen, bound, portals, CharacterPresence.NEVER, Set.of("solid", "dynamic"));
+            assertBinding(
+                    offscreen, bound, portals, CharacterPresence.POSSIBLE, Set.of("solid", "dynamic", "dynamic.held"));
         }
     }
 
     /** @param expected names of the passes that bind anything */
     private static void assertBinding(
-            Offscreen offscreen, BoundTargets bound, Level level, FigurePresence figure, Set<String> expected) {
+            Offscreen offscreen, BoundTargets bound, Level level, CharacterPresence figure, Set<String> expected) {
         RenderSettings settings = RenderSettings.of(Output.PLAIN, Quality.LOW).with(figure);
         Set<String> binding = new HashSet<>();
         for (WatchedPass pass : drawWatched(offscreen, bound, level, settings)) {
@@ -130,12 +131,12 @@ class TargetReadsGlTest {
                 .map(feature -> WatchedPass.watch(feature, bound, passes))
                 .toList();
         View view = offscreen.view(new Vec3(0, 1, 3), Vec3.ZERO);
-        Moment moment = Moment.atStart(level);
+        FrameState frameState = FrameState.atStart(level);
         if (!level.bodies().isEmpty()) {
-            moment.held(0, fromEye(view, new Vec3(-1, 0.5, 0)), 1);
+            frameState.held(0, fromEye(view, new Vec3(-1, 0.5, 0)), 1);
         }
         try (Renderer renderer = Renderer.load(offscreen.gl, Scene.of(level, TestAssets.NONE), settings, features)) {
-            renderer.draw(view, moment, offscreen.picture);
+            renderer.draw(view, frameState, offscreen.picture);
         }
         return passes;
     }

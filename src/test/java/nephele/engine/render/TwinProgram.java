@@ -11,9 +11,9 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.ShaderSource;
-import nephele.engine.render.gl.TextureUnit;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 
 /** Runs one include's function over many inputs, a pixel each, into 32-bit floats. */
 public final class TwinProgram {

@@ -16,8 +16,8 @@ class MirrorViewsTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 SILVER = new Vec3(0.9, 0.8, 0.5);
 
-    private static Moment nothing() {
-        return Moment.atStart(new Level(
+    private static FrameState nothing() {
+        return FrameState.atStart(new Level(
                 "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null));
     }
 
@@ -37,7 +37,7 @@ class MirrorViewsTest {
     private static ViewTree grown(Vec3 eye, Vec3 target, int budget, Opening... mirrors) {
         ViewTree tree = new ViewTree(List.of(mirrors));
         View view = View.lookAt(eye, target, UP, new Projection(1, 16 / 9.0, 0.05, 1000));
-        tree.grow(view, nothing(), 1280, 720, budget);
+        tree.build(view, nothing(), 1280, 720, budget);
         return tree;
     }
 
@@ -137,7 +137,7 @@ class MirrorViewsTest {
         List<ViewTree> trees = List.of(new ViewTree(List.of(mirrors)), new ViewTree(List.of(mirrors)));
         View view = View.lookAt(
                 new Vec3(0.25, 0.1, 0), new Vec3(0.2, 0.1, -2), UP, new Projection(1, 16 / 9.0, 0.05, 1000));
-        Moment moment = nothing();
+        FrameState frameState = nothing();
         ViewHistory history = new ViewHistory();
         Stopwatch stopwatch = new Stopwatch();
         long before = 0;
@@ -146,7 +146,7 @@ class MirrorViewsTest {
                 before = stopwatch.allocatedBytes();
             }
             ViewTree tree = trees.get(frame % 2);
-            tree.grow(view, moment, 1280, 720, 6);
+            tree.build(view, frameState, 1280, 720, 6);
             history.match(tree);
             history.remember(tree);
         }

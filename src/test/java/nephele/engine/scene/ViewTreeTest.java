@@ -30,28 +30,28 @@ class ViewTreeTest {
     }
 
     /** Returns a frame state in which successive portals are partners. */
-    private static Moment pairs(Portal... portals) {
+    private static FrameState pairs(Portal... portals) {
         List<Integer> partners = new ArrayList<>();
         for (int i = 0; i < portals.length; i++) {
             partners.add(i ^ 1);
         }
-        Moment moment = Moment.atStart(new Level(
+        FrameState frameState = FrameState.atStart(new Level(
                 "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null));
-        moment.portals(new Portals(List.of(portals), partners));
-        return moment;
+        frameState.portals(new Portals(List.of(portals), partners));
+        return frameState;
     }
 
     private static View view(Vec3 eye, Vec3 target) {
         return View.lookAt(eye, target, UP, new Projection(1, WIDTH / (double) HEIGHT, 0.05, 1000));
     }
 
-    private static ViewTree grown(View view, Moment moment, int budget) {
+    private static ViewTree grown(View view, FrameState frameState, int budget) {
         ViewTree tree = new ViewTree(List.of());
-        tree.grow(view, moment, WIDTH, HEIGHT, budget);
+        tree.build(view, frameState, WIDTH, HEIGHT, budget);
         return tree;
     }
 
-    private static Moment facing(double apart) {
+    private static FrameState facing(double apart) {
         return pairs(
                 portal(new Vec3(0, 0, -apart / 2), new Vec3(0, 0, 1)),
                 portal(new Vec3(0, 0, apart / 2), new Vec3(0, 0, -1)));
@@ -60,17 +60,18 @@ class ViewTreeTest {
     /** A portal's own rear is not visible, neither from behind nor through itself. */
     @Test
     void aPortalIsNotSeenFromBehind() {
-        Moment moment = pairs(portal(Vec3.ZERO, new Vec3(0, 0, 1)), portal(new Vec3(0, 0, -5), new Vec3(0, 0, 1)));
+        FrameState frameState =
+                pairs(portal(Vec3.ZERO, new Vec3(0, 0, 1)), portal(new Vec3(0, 0, -5), new Vec3(0, 0, 1)));
         assertEquals(
                 1,
-                grown(view(new Vec3(0.2, 0, -3), new Vec3(0, 0, 0)), moment, 50)
+                grown(view(new Vec3(0.2, 0, -3), new Vec3(0, 0, 0)), frameState, 50)
                         .views()
                         .size());
-        ViewTree front = grown(view(new Vec3(0.2, 0, 3), new Vec3(0, 0, 0)), moment, 50);
+        ViewTree front = grown(view(new Vec3(0.2, 0, 3), new Vec3(0, 0, 0)), frameState, 50);
         assertTrue(front.views().size() > 1);
         for (ViewNode node : front.views()) {
             if (node.parent() != null) {
-                Portal seen = moment.portals().portal(node.opening().portal());
+                Portal seen = frameState.portals().portal(node.opening().portal());
                 Vec3 eye = node.parent().view().eye();
                 assertTrue(seen.inFront(eye.x(), eye.y(), eye.z()) > 0);
             }
@@ -105,9 +106,9 @@ class ViewTreeTest {
             Vec3 centre = new Vec3(8 * Math.cos(angle), 0.3 * random.nextDouble(), 8 * Math.sin(angle));
             portals[i] = portal(centre, new Vec3(-centre.x(), 0, -centre.z()), 0.7, 2, PortalShape.ARCH);
         }
-        Moment moment = pairs(portals);
+        FrameState frameState = pairs(portals);
         for (int budget : new int[] {0, 1, 12, 32, 254}) {
-            ViewTree tree = grown(view(new Vec3(0.1, 0, 0), new Vec3(1, 0, 0.2)), moment, budget);
+            ViewTree tree = grown(view(new Vec3(0.1, 0, 0), new Vec3(1, 0, 0.2)), frameState, budget);
             assertEquals(budget + 1, tree.views().size());
             assertTrue(!tree.terminals().isEmpty());
         }
@@ -129,12 +130,12 @@ class ViewTreeTest {
     /** An eye 1e-9 m in front of the plane sees only the opening; along the plane, it fills half the picture. */
     @Test
     void anEyeAtThePlaneSeesNothingButTheView() {
-        Moment moment = pairs(
+        FrameState frameState = pairs(
                 portal(Vec3.ZERO, new Vec3(0, 0, 1), 1.2, 2.1, PortalShape.ARCH),
                 portal(new Vec3(50, 0, 0), new Vec3(1, 0, 0), 1.2, 2.1, PortalShape.ARCH));
         for (double metres : new double[] {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
             View straight = view(new Vec3(0.1, -0.2, metres), new Vec3(0.1, -0.2, -1));
-            ViewNode seen = grown(straight, moment, 1).views().get(1);
+            ViewNode seen = grown(straight, frameState, 1).views().get(1);
             double whole = metres > 0.05 ? 0.9 : 1;
             assertTrue(seen.area() >= whole * WIDTH * HEIGHT * (1 - 1e-9), metres + ": " + seen.area());
             assertEquals(0.05, seen.view().projection().nearMetres(), metres > 0.05 ? 0.06 : 0);
@@ -142,7 +143,7 @@ class ViewTreeTest {
         // The eye looks along the plane: its line divides the picture in the middle, and the opening fills one half.
         View along = view(new Vec3(-0.3, 0, 1e-9), new Vec3(1, 0, 1e-9));
         assertEquals(
-                0.5 * WIDTH * HEIGHT, grown(along, moment, 1).views().get(1).area(), 2);
+                0.5 * WIDTH * HEIGHT, grown(along, frameState, 1).views().get(1).area(), 2);
     }
 
     /** The area of an unclipped opening equals that of its corners projected one by one. */
@@ -153,10 +154,10 @@ class ViewTreeTest {
             Portal entry = portal(Vec3.ZERO, new Vec3(0, 0, 1), 1, 1.6, PortalShape.values()[i % 3]);
             Vec3 eye = new Vec3(2 * random.nextDouble() - 1, random.nextDouble() - 0.5, 3 + random.nextDouble());
             View view = view(eye, new Vec3(0.1, 0.1, 0));
-            Moment moment = pairs(entry, portal(new Vec3(90, 0, 0), new Vec3(0, 1, 0.2)));
+            FrameState frameState = pairs(entry, portal(new Vec3(90, 0, 0), new Vec3(0, 1, 0.2)));
             assertEquals(
                     projectedArea(entry, view),
-                    grown(view, moment, 1).views().get(1).area(),
+                    grown(view, frameState, 1).views().get(1).area(),
                     1e-6);
         }
     }
@@ -207,17 +208,17 @@ class ViewTreeTest {
     /** An opening's size is proportional to the portal's openness; a portal without a partner is no opening. */
     @Test
     void anOpeningGrowsAsThePortalOpens() {
-        Moment moment = facing(5);
+        FrameState frameState = facing(5);
         View view = view(new Vec3(0, 0, 1), new Vec3(0, 0, -2.5));
-        double whole = grown(view, moment, 1).views().get(1).area();
-        moment.look(0, 0, 0.5);
-        assertEquals(whole / 4, grown(view, moment, 1).views().get(1).area(), 1e-6 * whole);
-        moment.look(0, 0, 0);
-        assertEquals(1, grown(view, moment, 1).views().size());
-        moment.portals(new Portals(
-                List.of(moment.portals().portal(0), moment.portals().portal(1)),
+        double whole = grown(view, frameState, 1).views().get(1).area();
+        frameState.setPortalLook(0, 0, 0.5);
+        assertEquals(whole / 4, grown(view, frameState, 1).views().get(1).area(), 1e-6 * whole);
+        frameState.setPortalLook(0, 0, 0);
+        assertEquals(1, grown(view, frameState, 1).views().size());
+        frameState.portals(new Portals(
+                List.of(frameState.portals().portal(0), frameState.portals().portal(1)),
                 List.of(Portals.CLOSED, Portals.CLOSED)));
-        assertEquals(1, grown(view, moment, 1).views().size());
+        assertEquals(1, grown(view, frameState, 1).views().size());
     }
 
     /** An opening beyond the far plane is not drawn; one that extends beyond it is clipped there. */
@@ -225,9 +226,10 @@ class ViewTreeTest {
     void anOpeningEndsAtTheFarPlane() {
         View near = View.lookAt(Vec3.ZERO, new Vec3(0, 0, -1), UP, new Projection(1, 16 / 9.0, 0.05, 10));
         Portal elsewhere = portal(new Vec3(0, 0, 90), new Vec3(0, 0, 1));
-        Moment beyond = pairs(portal(new Vec3(0, 0, -11), new Vec3(0, 0, 1)), elsewhere);
+        FrameState beyond = pairs(portal(new Vec3(0, 0, -11), new Vec3(0, 0, 1)), elsewhere);
         assertEquals(1, grown(near, beyond, 9).views().size());
-        Moment along = pairs(portal(new Vec3(-1, 0, -10), new Vec3(1, 0, 0), 4, 2, PortalShape.RECTANGLE), elsewhere);
+        FrameState along =
+                pairs(portal(new Vec3(-1, 0, -10), new Vec3(1, 0, 0), 4, 2, PortalShape.RECTANGLE), elsewhere);
         ViewNode opening = grown(near, along, 9).root().children().get(0);
         double farthest = 0;
         for (int i = 0; i < opening.outline().size(); i++) {
@@ -242,8 +244,8 @@ class ViewTreeTest {
         Portal small = portal(new Vec3(3, 0, -5), new Vec3(0, 0, 1), 1, 1, PortalShape.RECTANGLE);
         Portal elsewhere = portal(new Vec3(0, 0, 90), new Vec3(0, 0, 1));
         Portal large = portal(new Vec3(-2, 0, -5), new Vec3(0, 0, 1));
-        Moment moment = pairs(large, elsewhere, small, elsewhere, small, elsewhere, small, elsewhere);
-        ViewTree tree = grown(view(Vec3.ZERO, new Vec3(0, 0, -1)), moment, 50);
+        FrameState frameState = pairs(large, elsewhere, small, elsewhere, small, elsewhere, small, elsewhere);
+        ViewTree tree = grown(view(Vec3.ZERO, new Vec3(0, 0, -1)), frameState, 50);
         assertEquals(
                 List.of(0, 2, 4, 6),
                 tree.root().children().stream()
@@ -258,10 +260,10 @@ class ViewTreeTest {
         ViewTree before = grown(view, facing(5), 6);
         for (PortalShape shape : PortalShape.values()) {
             for (double width : new double[] {2, 1.9}) {
-                Moment moment = pairs(
+                FrameState frameState = pairs(
                         portal(new Vec3(0, 0, -2.5), new Vec3(0, 0, 1), width, 2, shape),
                         portal(new Vec3(0, 0, 2.5), new Vec3(0, 0, -1), width, 2, shape));
-                ViewTree now = grown(view, moment, 5);
+                ViewTree now = grown(view, frameState, 5);
                 ViewHistory history = new ViewHistory();
                 history.remember(before);
                 history.match(now);
@@ -274,9 +276,9 @@ class ViewTreeTest {
     /** History is found by the path from the eye, also after the eye has passed through a portal. */
     @Test
     void historyIsFoundByThePathFromTheEye() {
-        Moment moment = facing(5);
-        ViewTree before = grown(view(new Vec3(0.4, 0.2, -2.4), new Vec3(0.4, 0.2, -5)), moment, 6);
-        ViewTree stepped = grown(view(new Vec3(0.4, 0.2, 2.4), new Vec3(0.4, 0.2, -5)), moment, 5);
+        FrameState frameState = facing(5);
+        ViewTree before = grown(view(new Vec3(0.4, 0.2, -2.4), new Vec3(0.4, 0.2, -5)), frameState, 6);
+        ViewTree stepped = grown(view(new Vec3(0.4, 0.2, 2.4), new Vec3(0.4, 0.2, -5)), frameState, 5);
         ViewHistory history = new ViewHistory();
         history.match(stepped);
         assertSame(null, history.of(stepped.terminals().get(0)));

@@ -5,9 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.collision.rigid.BodyState;
-import nephele.engine.level.LevelJson;
+import nephele.engine.collision.rigid.body.BodyState;
+import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimLevel;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
 
 /** A body with a motion that is not finite is frozen, reported once, and counted in the state. */
@@ -23,13 +27,13 @@ class BodyFaultTest {
         List<String> told = new ArrayList<>();
         var simulation = new Simulation(SimLevel.of(level), SimSettings.DEFAULT, (tick, what) -> told.add(what));
         SimState state = simulation.start();
-        var bodies = state.around().bodies();
+        var bodies = state.world().bodies();
         BodyState wrong = bodies.state(0).moving(new Vec3(Double.NaN, 0, 0), Vec3.ZERO);
-        state = state.with(state.around().with(bodies.with(0, wrong)));
+        state = state.with(state.world().with(bodies.with(0, wrong)));
         for (int tick = 0; tick < 5; tick++) {
             state = simulation.step(state, PlayerInput.NONE);
         }
-        assertTrue(state.around().bodies().isFrozen(0));
+        assertTrue(state.world().bodies().isFrozen(0));
         assertEquals(1, state.faults());
         assertEquals(1, told.size(), told.toString());
     }

@@ -8,8 +8,11 @@ import java.util.List;
 import java.util.stream.IntStream;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
-import nephele.engine.sim.TickEvent.Handled;
-import nephele.engine.sim.TickEvent.Handled.Kind;
+import nephele.engine.sim.carry.CarryRules;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.TickEvent.Handled;
+import nephele.engine.sim.state.TickEvent.Handled.Kind;
 import org.junit.jupiter.api.Test;
 
 /** Carrying through portals: player or cube first, several portals, one moved in between. */
@@ -98,7 +101,7 @@ final class CarryThroughPortalsTest {
         lab.hold(
                 PlayerInput.FORWARD,
                 7,
-                state -> crossings[0] += state.around().trace().playerCrossed().length());
+                state -> crossings[0] += state.world().trace().playerCrossed().length());
         // Into 0 ahead, out of 1 towards −x, into 2, out of 3 towards −z.
         assertEquals(2, crossings[0]);
         assertEquals(3, lab.player().feet().x(), 0.01);
@@ -131,7 +134,7 @@ final class CarryThroughPortalsTest {
     void athrowGoesThrough() {
         Lab lab = holding(hall().cube(new Vec3(0, 1.65, -5.3), 0.4, 20).startAt(0, 0, -4, 0, 0));
         lab.hold(PlayerInput.NONE, 0.5).press(Action.THROW).hold(PlayerInput.NONE, 0.45);
-        Vec3 speed = lab.state().around().bodies().state(0).velocity();
+        Vec3 speed = lab.state().world().bodies().state(0).velocity();
         assertEquals(-8, speed.x(), 1e-6);
         assertEquals(0, speed.z(), 1e-6);
         assertTrue(lab.body(0).x() < 8 && lab.body(0).x() > 6);
@@ -162,7 +165,7 @@ final class CarryThroughPortalsTest {
         }
         assertEquals(before + 2, lab.told().size(), lab.told().toString());
         assertEquals(new Handled(Kind.LOST, 0), lab.told().get(before + 1));
-        assertTrue(ticks <= (long) (Carry.GRACE_SECONDS * 120) + 1, ticks + " ticks");
+        assertTrue(ticks <= (long) (CarryRules.GRACE_SECONDS * 120) + 1, ticks + " ticks");
         lab.hold(PlayerInput.NONE, 2);
         assertEquals(0.2, lab.body(0).y(), 0.002);
         assertFalse(Math.abs(lab.body(0).x()) > 7.81 || Math.abs(lab.body(0).z()) > 7.81);

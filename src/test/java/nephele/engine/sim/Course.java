@@ -15,6 +15,12 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
+import nephele.engine.sim.state.FaultLog;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimLevel;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 
 /** A small world built by a test, and the player in it. Floors have their top at y = 0 unless stated. */
 final class Course {

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
 
 /** Frame times of 0, below 0, 1e-9 s and 10 s are handled; the states equal those of a replay of the same ticks. */

@@ -7,9 +7,16 @@ import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.RoomLevel;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.HeldBody;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.TickEvent;
 
 /** A {@link RoomLevel} and the player in it. The floor's top is at y = 0. */
-final class Lab {
+public final class Lab {
     private final RoomLevel room;
     private SimSettings settings = SimSettings.DEFAULT;
     private final List<TickEvent> told = new ArrayList<>();
@@ -25,7 +32,7 @@ final class Lab {
     }
 
     /** Returns the room of {@link RoomLevel#hall}. */
-    static Lab hall() {
+    public static Lab hall() {
         return new Lab(RoomLevel.hall());
     }
 
@@ -33,7 +40,7 @@ final class Lab {
      * Returns a hall with the first portal in the wall ahead and the second in the wall to the left, both down to the
      * floor, and a cube aside.
      */
-    static Lab twoPortals(double cubeEdge) {
+    public static Lab twoPortals(double cubeEdge) {
         return hall().gun()
                 .cube(new Vec3(3, cubeEdge / 2, 3), cubeEdge, 10)
                 .startAt(0, 0, 0, 0, -5)
@@ -43,7 +50,7 @@ final class Lab {
     }
 
     /** Adds a box by its lower and upper corner. */
-    Lab box(double x0, double y0, double z0, double x1, double y1, double z1) {
+    public Lab box(double x0, double y0, double z0, double x1, double y1, double z1) {
         return box(x0, y0, z0, x1, y1, z1, true);
     }
 
@@ -52,18 +59,18 @@ final class Lab {
         return this;
     }
 
-    Lab gun() {
+    public Lab gun() {
         room.gun();
         return this;
     }
 
     /** Adds two linked fixed portals of 1.2 m × 2.1 m. */
-    Lab pair(Vec3 centreA, Vec3 normalA, Vec3 centreB, Vec3 normalB) {
+    public Lab pair(Vec3 centreA, Vec3 normalA, Vec3 centreB, Vec3 normalB) {
         room.pair(centreA, normalA, centreB, normalB);
         return this;
     }
 
-    Lab cube(Vec3 centre, double edge, double kilograms) {
+    public Lab cube(Vec3 centre, double edge, double kilograms) {
         room.cube(centre, edge, kilograms);
         return this;
     }
@@ -73,17 +80,17 @@ final class Lab {
         return this;
     }
 
-    Lab startAt(double x, double y, double z, double yawDegrees, double pitchDegrees) {
+    public Lab startAt(double x, double y, double z, double yawDegrees, double pitchDegrees) {
         room.startAt(x, y, z, yawDegrees, pitchDegrees);
         return this;
     }
 
-    Lab with(SimSettings changed) {
+    public Lab with(SimSettings changed) {
         settings = changed;
         return this;
     }
 
-    Level level() {
+    public Level level() {
         return room.level();
     }
 
@@ -95,45 +102,45 @@ final class Lab {
         return simulation;
     }
 
-    SimState state() {
+    public SimState state() {
         simulation();
         return state;
     }
 
-    Lab set(SimState replaced) {
+    public Lab set(SimState replaced) {
         simulation();
         state = replaced;
         return this;
     }
 
-    PlayerState player() {
+    public PlayerState player() {
         return state().player();
     }
 
-    Holding holding() {
-        return state().around().holding();
+    public HeldBody holding() {
+        return state().world().holding();
     }
 
-    Vec3 body(int body) {
-        return state().around().bodies().state(body).centre();
+    public Vec3 body(int body) {
+        return state().world().bodies().state(body).centre();
     }
 
     /** Returns all events so far. */
-    List<TickEvent> told() {
+    public List<TickEvent> told() {
         return told;
     }
 
-    Lab tick(PlayerInput input) {
+    public Lab tick(PlayerInput input) {
         state = simulation().step(state(), input);
-        told.addAll(state.around().trace().events());
+        told.addAll(state.world().trace().events());
         return this;
     }
 
-    Lab hold(PlayerInput input, double seconds) {
+    public Lab hold(PlayerInput input, double seconds) {
         return hold(input, seconds, ignored -> {});
     }
 
-    Lab hold(PlayerInput input, double seconds, Consumer<SimState> look) {
+    public Lab hold(PlayerInput input, double seconds, Consumer<SimState> look) {
         long ticks = Math.round(seconds * settings.ticksPerSecond());
         for (long i = 0; i < ticks; i++) {
             tick(input);
@@ -143,12 +150,12 @@ final class Lab {
     }
 
     /** Presses an action for one tick and releases it. */
-    Lab press(Action action) {
+    public Lab press(Action action) {
         return tick(PlayerInput.NONE.holding(action)).tick(PlayerInput.NONE);
     }
 
     /** Turns within one tick. */
-    Lab turn(double leftDegrees, double upDegrees) {
+    public Lab turn(double leftDegrees, double upDegrees) {
         return tick(PlayerInput.NONE.turning((int) Math.round(1000 * leftDegrees), (int) Math.round(1000 * upDegrees)));
     }
 }

@@ -4,10 +4,16 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import nephele.engine.level.LevelJson;
+import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.NoFiles;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.FaultLog;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimLevel;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 
 /** A level of models in the form that an author writes, and the player in it. */
 final class ModelRoom {
@@ -91,7 +97,7 @@ final class ModelRoom {
     }
 
     Vec3 body(int body) {
-        return state().around().bodies().state(body).centre();
+        return state().world().bodies().state(body).centre();
     }
 
     ModelRoom hold(PlayerInput input, double seconds) {

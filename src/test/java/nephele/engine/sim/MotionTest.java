@@ -4,6 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.player.ExponentialApproach;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerDimensions;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -27,7 +32,7 @@ class MotionTest {
                 player -> highest[0] = Math.max(highest[0], player.feet().y()));
         double missed = 9.81 / 8 / rate / rate;
         double bound = rate >= 60 ? 0.0005 : missed + 1e-9;
-        assertEquals(PlayerBody.JUMP_HEIGHT, highest[0], bound * PlayerBody.JUMP_HEIGHT);
+        assertEquals(PlayerDimensions.JUMP_METRES, highest[0], bound * PlayerDimensions.JUMP_METRES);
     }
 
     /** The positions of a fall are on the parabola at every tick. */
@@ -48,22 +53,22 @@ class MotionTest {
     @Test
     void dampingNeverOvershoots() {
         for (double product = 1e-6; product <= 1000; product *= 1.7) {
-            Damping damping = Damping.of(product * 120, 1.0 / 120);
+            ExponentialApproach damping = ExponentialApproach.of(product * 120, 1.0 / 120);
             double after = damping.approach(-3, 5);
             assertTrue(after >= -3 && after <= 5, "k dt = " + product);
-            assertTrue(damping.way(0, 5) >= 0 && damping.way(0, 5) <= 5.0 / 120);
+            assertTrue(damping.displacement(0, 5) >= 0 && damping.displacement(0, 5) <= 5.0 / 120);
         }
-        assertEquals(5, Damping.of(1000 * 120, 1.0 / 120).approach(-3, 5), 1e-12);
-        assertEquals(0.25, Damping.of(0, 0.5).way(0.5, 9), 0);
+        assertEquals(5, ExponentialApproach.of(1000 * 120, 1.0 / 120).approach(-3, 5), 1e-12);
+        assertEquals(0.25, ExponentialApproach.of(0, 0.5).displacement(0.5, 9), 0);
     }
 
     @Test
     void twoHalfTicksOfDampingAreOneWhole() {
-        Damping whole = Damping.of(12, 1.0 / 60);
-        Damping half = Damping.of(12, 1.0 / 120);
+        ExponentialApproach whole = ExponentialApproach.of(12, 1.0 / 60);
+        ExponentialApproach half = ExponentialApproach.of(12, 1.0 / 120);
         double between = half.approach(1, 4);
         assertEquals(whole.approach(1, 4), half.approach(between, 4), 1e-14);
-        assertEquals(whole.way(1, 4), half.way(1, 4) + half.way(between, 4), 1e-14);
+        assertEquals(whole.displacement(1, 4), half.displacement(1, 4) + half.displacement(between, 4), 1e-14);
     }
 
     @Test

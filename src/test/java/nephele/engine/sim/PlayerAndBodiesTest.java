@@ -5,8 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.collision.Sweep;
-import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerDimensions;
+import nephele.engine.sim.state.PlayerInput;
 import org.joml.Quaterniond;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,7 +26,7 @@ final class PlayerAndBodiesTest {
         Lab lab = cubeAhead(2000).hold(PlayerInput.FORWARD, 2);
         assertEquals(-2, lab.body(0).z(), 1e-3);
         assertEquals(
-                -1.5 + PlayerBody.RADIUS + Sweep.SKIN_METRES,
+                -1.5 + PlayerDimensions.RADIUS_METRES + Sweep.SKIN_METRES,
                 lab.player().feet().z(),
                 2e-3);
     }
@@ -36,9 +39,11 @@ final class PlayerAndBodiesTest {
         assertEquals(acceleration * 0.1, speedGained(lab, 0.1), 0.01);
         lab.hold(PlayerInput.FORWARD, 0.6);
         assertTrue(lab.body(0).z() < -3.5, "pushed only to " + lab.body(0));
-        double gap = lab.player().feet().z() - PlayerBody.RADIUS - (lab.body(0).z() + 0.5);
+        double gap = lab.player().feet().z()
+                - PlayerDimensions.RADIUS_METRES
+                - (lab.body(0).z() + 0.5);
         assertTrue(gap > 0 && gap < 0.05, "gap " + gap);
-        assertTrue(Math.abs(lab.player().velocity().z()) <= PlayerBody.WALK_SPEED + 1e-9);
+        assertTrue(Math.abs(lab.player().velocity().z()) <= PlayerDimensions.WALK_METRES_PER_SECOND + 1e-9);
     }
 
     private static double speedGained(Lab lab, double seconds) {
@@ -71,7 +76,7 @@ final class PlayerAndBodiesTest {
         lab.hold(PlayerInput.NONE, 1);
         Vec3 right = new Vec3(1, 0, 0);
         double slope = Vec3.of(
-                        lab.state().around().bodies().state(0).orientation().transform(right.toVector()))
+                        lab.state().world().bodies().state(0).orientation().transform(right.toVector()))
                 .y();
         assertTrue(slope < -0.1, "the plank's slope is " + slope);
     }
@@ -82,13 +87,13 @@ final class PlayerAndBodiesTest {
         Lab lab = Lab.hall().cube(new Vec3(0, 1, -3), 0.6, kilograms);
         BodyState thrown = new BodyState(new Vec3(0, 1, -3), new Quaterniond(), new Vec3(0, 1, 8), Vec3.ZERO);
         lab.set(lab.state()
-                .with(lab.state().around().with(lab.state().around().bodies().with(0, thrown))));
+                .with(lab.state().world().with(lab.state().world().bodies().with(0, thrown))));
         double fastest = 0;
         for (int i = 0; i < 60; i++) {
             lab.tick(PlayerInput.NONE);
             fastest = Math.max(fastest, lab.player().velocity().z());
         }
-        double together = kilograms * 8 / (kilograms + PlayerBody.MASS_KILOGRAMS);
+        double together = kilograms * 8 / (kilograms + PlayerDimensions.MASS_KILOGRAMS);
         assertTrue(fastest > 0.6 * together && fastest < 1.1 * together, fastest + " m/s of " + together);
     }
 
@@ -113,7 +118,7 @@ final class PlayerAndBodiesTest {
         lab.hold(PlayerInput.FORWARD, 2);
         // The cube's near face is 10 cm before the exit: the capsule's front reaches that far through.
         assertEquals(
-                -8 + PlayerBody.RADIUS - 0.1 + Sweep.SKIN_METRES,
+                -8 + PlayerDimensions.RADIUS_METRES - 0.1 + Sweep.SKIN_METRES,
                 lab.player().feet().z(),
                 3e-3);
         assertEquals(-7.4, lab.body(0).x(), 1e-3);

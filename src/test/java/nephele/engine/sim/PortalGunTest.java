@@ -11,11 +11,18 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.portal.placement.Placed;
+import nephele.engine.portal.placement.PlacementResult;
 import nephele.engine.portal.placement.Refusal;
-import nephele.engine.sim.Shots.Colour;
-import nephele.engine.sim.TickEvent.PortalOpened;
-import nephele.engine.sim.TickEvent.PortalRefused;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.GunPortals;
+import nephele.engine.sim.state.GunPortals.Colour;
+import nephele.engine.sim.state.HeldBody;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.TickEvent.PortalOpened;
+import nephele.engine.sim.state.TickEvent.PortalRefused;
+import nephele.engine.sim.state.TickTrace;
+import nephele.engine.sim.state.WorldState;
 import org.junit.jupiter.api.Test;
 
 /** The effects of shots: the portals that they place or refuse, and the occupants of portals that they move. */
@@ -36,13 +43,13 @@ final class PortalGunTest {
     }
 
     private static Portals portals(Lab lab) {
-        return lab.state().around().portals();
+        return lab.state().world().portals();
     }
 
     @Test
     void withoutAGunNothingIsShot() {
         Lab lab = Lab.hall().press(Action.FIRE_FIRST).press(Action.FIRE_SECOND);
-        assertEquals(Changeable.NOTHING, lab.state().around());
+        assertEquals(WorldState.NOTHING, lab.state().world());
         assertNull(lab.simulation().aim(lab.state(), Colour.FIRST));
     }
 
@@ -58,7 +65,7 @@ final class PortalGunTest {
         assertEquals(-8 + 0.3 + 0.001, lab.player().feet().z(), 1e-4);
 
         lab = twoPortals();
-        assertEquals(new Shots(0, 1), lab.state().around().shots());
+        assertEquals(new GunPortals(0, 1), lab.state().world().shots());
         assertEquals(1, portals(lab).partner(0));
         assertEquals(0, portals(lab).partner(1));
         lab.turn(90, 0).hold(FORWARD, 3);
@@ -84,7 +91,7 @@ final class PortalGunTest {
         Vec3 n = new Vec3(0, 0, 1);
         Lab lab = Lab.hall().gun().pair(a, n, b, n);
         lab.turn(90, 0).press(Action.FIRE_SECOND).turn(-180, 0).press(Action.FIRE_FIRST);
-        assertEquals(new Shots(3, 2), lab.state().around().shots());
+        assertEquals(new GunPortals(3, 2), lab.state().world().shots());
         assertEquals(
                 List.of(1, 0, 3, 2),
                 List.of(0, 1, 2, 3).stream().map(portals(lab)::partner).toList());
@@ -99,9 +106,9 @@ final class PortalGunTest {
         assertEquals(Refusal.NOT_PORTALABLE, told.reason());
         assertEquals(-2, told.where().z(), 1e-9);
         assertEquals(portalsBefore, portals(lab).size());
-        assertEquals(List.of(told), lab.state().around().trace().events());
+        assertEquals(List.of(told), lab.state().world().trace().events());
         lab.tick(PlayerInput.NONE);
-        assertEquals(List.of(), lab.state().around().trace().events());
+        assertEquals(List.of(), lab.state().world().trace().events());
     }
 
     @Test
@@ -112,11 +119,11 @@ final class PortalGunTest {
 
     /** The portal preview shows the portal that the shot places. */
     @Test
-    void theGhostIsTheShot() {
+    void thePreviewIsTheShot() {
         Lab lab = Lab.hall().gun().startAt(1, 0, 2, 37, -20);
-        Placed.Fits ghost = (Placed.Fits) lab.simulation().aim(lab.state(), Colour.FIRST);
+        PlacementResult.Fits preview = (PlacementResult.Fits) lab.simulation().aim(lab.state(), Colour.FIRST);
         lab.press(Action.FIRE_FIRST);
-        assertEquals(ghost.portal(), portals(lab).portal(0));
+        assertEquals(preview.portal(), portals(lab).portal(0));
     }
 
     /** A shot goes through no portal: aimed into one, it ends in this room. */
@@ -193,16 +200,16 @@ final class PortalGunTest {
 
     @Test
     void everyPartOfWhatCanChangeIsInTheHash() {
-        Changeable around = twoPortals().state().around();
+        WorldState around = twoPortals().state().world();
         CrossingWord word = CrossingWord.EMPTY.then(0, around.portals());
-        Holding held = new Holding(0, CrossingWord.EMPTY, 0);
-        List<Changeable> all = List.of(
+        HeldBody held = new HeldBody(0, CrossingWord.EMPTY, 0);
+        List<WorldState> all = List.of(
                 around,
-                Changeable.NOTHING,
+                WorldState.NOTHING,
                 around.with(Portals.NONE, around.shots()),
-                around.with(around.portals(), new Shots(1, 0)),
+                around.with(around.portals(), new GunPortals(1, 0)),
                 around.with(held),
-                around.with(new Holding(0, word, 0)),
+                around.with(new HeldBody(0, word, 0)),
                 around.with(held.unseenFor(1)),
                 around.with(held.released()),
                 around.with(TickTrace.of(8, CrossingWord.EMPTY, List.of())),
@@ -212,6 +219,6 @@ final class PortalGunTest {
         assertEquals(
                 all.size(),
                 all.stream().mapToLong(part -> part.hash(1)).distinct().count());
-        assertEquals(1, Changeable.NOTHING.hash(1));
+        assertEquals(1, WorldState.NOTHING.hash(1));
     }
 }

@@ -4,6 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.state.PlayerDimensions;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.ViewAngles;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -13,7 +18,7 @@ final class PortalLoopTest {
     private static final Vec3 UP = new Vec3(0, 1, 0);
     private static final Vec3 DOWN = new Vec3(0, -1, 0);
     private static final Vec3 NORTH = new Vec3(0, 0, -1);
-    private static final double G = PlayerBody.GRAVITY;
+    private static final double G = PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED;
 
     private static double speedSquared(PlayerState p) {
         Vec3 v = p.velocity();
@@ -34,7 +39,7 @@ final class PortalLoopTest {
     void floorToFloorKeepsItsHeight(int rate) {
         Course course = Course.onFloor()
                 .pair(new Vec3[] {new Vec3(-3, 0, 0), UP, NORTH}, new Vec3[] {new Vec3(3, 0, 0), UP, NORTH})
-                .startAt(-3, 2 - PlayerBody.Stance.STANDING.centreAboveFeet(), 0)
+                .startAt(-3, 2 - PlayerDimensions.Stance.STANDING.centreAboveFeet(), 0)
                 .ticksPerSecond(rate);
         int[] passes = new int[1];
         double[] side = {-1};
@@ -114,13 +119,13 @@ final class PortalLoopTest {
                     .pair(
                             new Vec3[] {new Vec3(0, 0, 0), new Vec3(0, 0, 1), UP},
                             new Vec3[] {new Vec3(100, 30, 50), new Vec3(1, 0, 0), UP})
-                    .startAt(0, -PlayerBody.Stance.STANDING.centreAboveFeet(), 1e-3 * Math.min(speed, 1))
+                    .startAt(0, -PlayerDimensions.Stance.STANDING.centreAboveFeet(), 1e-3 * Math.min(speed, 1))
                     .ticksPerSecond(rate);
             SimState state = course.state();
             course.set(state.withPlayer(state.player().withVelocity(new Vec3(0, 0, -speed))));
             course.hold(PlayerInput.NONE, 0.1);
             Vec3 feet = course.feet();
-            assertEquals(Heading.ofDegrees(-90, 0), course.state().player().heading());
+            assertEquals(ViewAngles.ofDegrees(-90, 0), course.state().player().heading());
             first = first == null ? feet : first;
             assertEquals(first.x(), feet.x(), 1e-3);
             assertEquals(first.y(), feet.y(), 1e-3);

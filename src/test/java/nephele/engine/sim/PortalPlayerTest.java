@@ -5,14 +5,23 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.collision.Recovery;
-import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.Depenetration;
+import nephele.engine.collision.PortalWorld;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
-import nephele.engine.portal.Passage;
-import nephele.engine.sim.PlayerBody.Stance;
+import nephele.engine.portal.PortalTransform;
+import nephele.engine.sim.player.PlayerMotion;
+import nephele.engine.sim.player.PlayerView;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerDimensions;
+import nephele.engine.sim.state.PlayerDimensions.Stance;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.Tilt;
+import nephele.engine.sim.state.ViewAngles;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,13 +40,13 @@ final class PortalPlayerTest {
 
     /** The capsule is free of the solids of the opened world after every tick, and on the floor or above. */
     private static Course walkFreely(Course course, PlayerInput input, double seconds) {
-        Recovery recovery = new Recovery();
-        SeamedWorld seamed = SeamedWorld.of(course.world(), course.portals());
+        Depenetration depenetration = new Depenetration();
+        PortalWorld portalWorld = PortalWorld.of(course.world(), course.portals());
         return course.hold(input, seconds, player -> {
             Vector3d centre = player.centre().toVector();
             var shape = PlayerMotion.shape(player.stance(), player.tilt().up());
-            var around = seamed.around(seamed.active(shape, centre, new Vector3d()));
-            assertTrue(recovery.isFree(around, shape, centre), () -> "in a solid: " + player);
+            var around = portalWorld.openedFor(portalWorld.active(shape, centre, new Vector3d()));
+            assertTrue(depenetration.isFree(around, shape, centre), () -> "in a solid: " + player);
             assertTrue(player.centre().y() > -1e-9, () -> "below the floor: " + player);
         });
     }
@@ -57,7 +66,7 @@ final class PortalPlayerTest {
                     .startAt(x, 0, 0.8);
             walkFreely(course, PlayerInput.FORWARD, 2);
             PlayerState end = course.state().player();
-            assertTrue(horizontalSpeed(end) <= PlayerBody.WALK_SPEED + 1e-9, "no explosion: " + end);
+            assertTrue(horizontalSpeed(end) <= PlayerDimensions.WALK_METRES_PER_SECOND + 1e-9, "no explosion: " + end);
             if (x != 0) {
                 // In at one and out of the other, looking back: it walks away to the south.
                 assertTrue(end.feet().z() > 3, "through: " + end);
@@ -82,11 +91,13 @@ final class PortalPlayerTest {
         assertEquals(new Vec3(0, 0, 0.1), course.feet(), "stands still");
         walkFreely(course, PlayerInput.FORWARD, 2);
         PlayerState walking = course.state().player();
-        assertEquals(PlayerBody.WALK_SPEED, horizontalSpeed(walking), 1e-6, "walks round and round");
+        assertEquals(PlayerDimensions.WALK_METRES_PER_SECOND, horizontalSpeed(walking), 1e-6, "walks round and round");
         assertEquals(0, walking.feet().y(), 1e-6);
         assertEquals(0, course.state().faults());
         walkFreely(course, PlayerInput.NONE.walking(30, 100), 2);
-        assertTrue(horizontalSpeed(course.state().player()) <= PlayerBody.WALK_SPEED + 1e-9, "energy not increased");
+        assertTrue(
+                horizontalSpeed(course.state().player()) <= PlayerDimensions.WALK_METRES_PER_SECOND + 1e-9,
+                "energy not increased");
     }
 
     /** A player does not get stuck at two portals in a corner that share an edge. */
@@ -193,7 +204,7 @@ final class PortalPlayerTest {
         course.set(state.withPlayer(new PlayerState(
                 player.feet(),
                 new Vec3(0, 0, -4),
-                new Heading(7_654, pitch * 1000),
+                new ViewAngles(7_654, pitch * 1000),
                 player.eyeMetres(),
                 player.stance(),
                 null,
@@ -203,13 +214,13 @@ final class PortalPlayerTest {
         int[] crossed = {0};
         course.hold(PlayerInput.FORWARD, 3, now -> {
             Basis view = view(now);
-            CrossingWord word = course.state().around().trace().playerCrossed();
+            CrossingWord word = course.state().world().trace().playerCrossed();
             if (word.length() == 1) {
                 crossed[0]++;
-                Passage passage = course.portals().passage(word.entry(0));
-                assertEquals(0, Directions.angle(passage.direction(last[0].back()), view.back()), 1e-12);
-                assertEquals(0, Directions.angle(passage.direction(last[0].up()), view.up()), 1e-12);
-                Vec3 body = passage.direction(lastUp[0]);
+                PortalTransform transform = course.portals().transform(word.entry(0));
+                assertEquals(0, Directions.angle(transform.direction(last[0].back()), view.back()), 1e-12);
+                assertEquals(0, Directions.angle(transform.direction(last[0].up()), view.up()), 1e-12);
+                Vec3 body = transform.direction(lastUp[0]);
                 assertEquals(0, Directions.angle(body, now.tilt().up()), 1e-12);
             } else {
                 double most = 2 * Math.PI / 120 + 1e-9;
@@ -225,7 +236,7 @@ final class PortalPlayerTest {
     }
 
     private static Basis view(PlayerState player) {
-        return new Look(player.heading(), player.tilt()).view();
+        return new PlayerView(player.heading(), player.tilt()).view();
     }
 
     /** A tilted body without head room stays tilted, and turns upright in the open. */
@@ -233,10 +244,10 @@ final class PortalPlayerTest {
     void turnsAsRoomAllows() {
         Course course = Course.onFloor().box(-3, 0.8, -3, 3, 1, 3).startAt(0, 0, 0);
         Tilt lying = Tilt.of(EAST, new org.joml.Quaterniond());
-        double feet = PlayerBody.RADIUS + 0.001 - Stance.STANDING.centreAboveFeet();
+        double feet = PlayerDimensions.RADIUS_METRES + 0.001 - Stance.STANDING.centreAboveFeet();
         SimState state = course.state();
         PlayerState player = new PlayerState(
-                new Vec3(0, feet, 0), Vec3.ZERO, new Heading(0, 0), 1.65, Stance.STANDING, null, false, lying);
+                new Vec3(0, feet, 0), Vec3.ZERO, new ViewAngles(0, 0), 1.65, Stance.STANDING, null, false, lying);
         course.set(state.withPlayer(player));
         walkFreely(course, PlayerInput.NONE, 1);
         PlayerState under = course.state().player();

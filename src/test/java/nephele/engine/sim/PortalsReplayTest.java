@@ -9,10 +9,15 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelJson;
-import nephele.engine.sim.TickEvent.Handled;
-import nephele.engine.sim.TickEvent.Handled.Kind;
-import nephele.engine.sim.TickEvent.PortalOpened;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.replay.TickHashes;
+import nephele.engine.sim.state.GunPortals;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.TickEvent.Handled;
+import nephele.engine.sim.state.TickEvent.Handled.Kind;
+import nephele.engine.sim.state.TickEvent.PortalOpened;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -32,8 +37,8 @@ class PortalsReplayTest {
         var lines = new TickHashes(600, replay.ticks(), hashes::add);
         return replay.play(new Simulation(level, replay.settings()), state -> {
             lines.ticked(state);
-            told.addAll(state.around().trace().events());
-            crossings += state.around().trace().playerCrossed().length();
+            told.addAll(state.world().trace().events());
+            crossings += state.world().trace().playerCrossed().length();
         });
     }
 
@@ -60,10 +65,10 @@ class PortalsReplayTest {
                 List.of(
                         new Handled(Kind.PICKED_UP, 0),
                         new Handled(Kind.THROWN, 0),
-                        new PortalOpened(Shots.Colour.FIRST, 2),
-                        new PortalOpened(Shots.Colour.SECOND, 3),
-                        new PortalOpened(Shots.Colour.SECOND, 3)),
+                        new PortalOpened(GunPortals.Colour.FIRST, 2),
+                        new PortalOpened(GunPortals.Colour.SECOND, 3),
+                        new PortalOpened(GunPortals.Colour.SECOND, 3)),
                 told);
-        assertEquals(-7, end.around().portals().portal(3).centre().x(), 1e-9);
+        assertEquals(-7, end.world().portals().portal(3).centre().x(), 1e-9);
     }
 }

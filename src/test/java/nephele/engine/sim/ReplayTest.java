@@ -8,9 +8,17 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import nephele.engine.level.LevelFormatException;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.replay.ReplayRecorder;
+import nephele.engine.sim.replay.TickHashes;
+import nephele.engine.sim.state.Assist;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.ViewAngles;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -60,7 +68,7 @@ class ReplayTest {
         var recorder = new ReplayRecorder("room.json", SimSettings.DEFAULT, null);
         Replay replay = recorder.turn(PlayerInput.FORWARD, 100.0, -7, 0.7).replay();
         SimState end = replay.play(Course.onFloor().simulation(), state -> {});
-        assertEquals(new Heading(100_000, -7_000), end.player().heading());
+        assertEquals(new ViewAngles(100_000, -7_000), end.player().heading());
     }
 
     @Test

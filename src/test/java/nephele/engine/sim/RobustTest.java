@@ -9,8 +9,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.math.Vec3;
-import nephele.lab.prove.BruteForce;
-import nephele.lab.prove.Parcours;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
+import nephele.lab.prove.geometry.BruteForce;
+import nephele.lab.prove.geometry.ObstacleCourse;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,12 +26,12 @@ class RobustTest {
     @ParameterizedTest
     @CsvSource({"1048576, 0, -1048576", "-1000000, 1000, 1000000", "1000000.3, 0.7, 999999.9"})
     void farOutIsAsNearTheOrigin(double x, double y, double z) {
-        Course near = new Course(Parcours.at(Vec3.ZERO), Vec3.ZERO);
-        Course far = new Course(Parcours.at(new Vec3(x, y, z)), new Vec3(x, y, z));
+        Course near = new Course(ObstacleCourse.at(Vec3.ZERO), Vec3.ZERO);
+        Course far = new Course(ObstacleCourse.at(new Vec3(x, y, z)), new Vec3(x, y, z));
         var random = new SplittableRandom(4);
         double worst = 0;
         for (int i = 0; i < 60; i++) {
-            PlayerInput input = Parcours.anything(random);
+            PlayerInput input = ObstacleCourse.anything(random);
             near.hold(input, 0.25);
             far.hold(input, 0.25);
             worst = Math.max(worst, Math.abs(far.feet().x() - x - near.feet().x()));
@@ -135,10 +139,10 @@ class RobustTest {
     /** The simulation allocates at most 4 KiB a tick. */
     @Test
     void aTickAllocatesLittle() {
-        Course course = new Course(Parcours.at(Vec3.ZERO), Vec3.ZERO);
+        Course course = new Course(ObstacleCourse.at(Vec3.ZERO), Vec3.ZERO);
         var random = new SplittableRandom(11);
         PlayerInput[] inputs =
-                random.ints(100).mapToObj(i -> Parcours.anything(random)).toArray(PlayerInput[]::new);
+                random.ints(100).mapToObj(i -> ObstacleCourse.anything(random)).toArray(PlayerInput[]::new);
         Simulation simulation = course.simulation();
         var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
         SimState state = run(simulation, course.state(), inputs, 5000);

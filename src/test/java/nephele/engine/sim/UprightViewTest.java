@@ -7,6 +7,13 @@ import java.util.List;
 import nephele.engine.math.Basis;
 import nephele.engine.math.Rotations;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.player.PlayerEye;
+import nephele.engine.sim.player.PlayerPose;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.replay.ReplayRecorder;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -66,7 +73,7 @@ final class UprightViewTest {
                     SimState before = lab.state();
                     SimState after = lab.tick(crossed ? PlayerInput.NONE : PlayerInput.FORWARD)
                             .state();
-                    crossed |= after.around().trace().playerCrossed().length() > 0;
+                    crossed |= after.world().trace().playerCrossed().length() > 0;
                     double turned = angle(
                             PlayerPose.between(before, after, 0).later(),
                             PlayerPose.between(before, after, 1).later());
@@ -99,7 +106,7 @@ final class UprightViewTest {
         for (int tick = 0; tick < 700; tick++) {
             SimState after =
                     lab.tick(crossed ? PlayerInput.NONE : PlayerInput.FORWARD).state();
-            crossed |= after.around().trace().playerCrossed().length() > 0;
+            crossed |= after.world().trace().playerCrossed().length() > 0;
             leaning += after.player().tilt().isViewLevel() ? 0 : 1;
         }
         assertTrue(lab.player().tilt().isViewLevel(), "level in the end");
@@ -122,7 +129,7 @@ final class UprightViewTest {
                 Vec3 before = lab.player().velocity();
                 Basis view = PlayerEye.view(lab.player());
                 Vec3 after = lab.tick(PlayerInput.FORWARD).player().velocity();
-                boolean crossed = lab.state().around().trace().playerCrossed().length() > 0;
+                boolean crossed = lab.state().world().trace().playerCrossed().length() > 0;
                 Vector3d gained = after.toVector().sub(before.toVector());
                 gained.y = 0;
                 Vector3d ahead = view.back().toVector().negate().add(view.up().toVector());

@@ -9,8 +9,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelJson;
+import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.replay.TickHashes;
+import nephele.engine.sim.state.PlayerDimensions;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimSettings;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -69,7 +74,7 @@ class WalkingReplayTest {
             feet.add(state.player().feet());
         });
         assertTrue(feet.stream().anyMatch(f -> f.y() > 1.59 && f.z() < -4.5), "on the stairs");
-        assertTrue(states.stream().anyMatch(s -> s.stance() == PlayerBody.Stance.CROUCHED), "under the beam");
+        assertTrue(states.stream().anyMatch(s -> s.stance() == PlayerDimensions.Stance.CROUCHED), "under the beam");
         assertTrue(feet.stream().anyMatch(f -> Math.abs(f.x()) < 0.04 && f.z() < -15), "in the slot");
         assertTrue(feet.stream().anyMatch(f -> Math.abs(f.y() - 0.9) < 1e-6 && f.z() < -19), "on the crate");
         assertTrue(feet.stream().anyMatch(f -> f.y() > 3), "up the slope");

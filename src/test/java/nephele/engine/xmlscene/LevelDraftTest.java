@@ -13,13 +13,13 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelJson;
-import nephele.engine.level.LevelRules;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.ModelPlacement.TransformStep;
 import nephele.engine.level.Solid;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.rule.LevelRules;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.LevelDraft.Part;
@@ -129,7 +129,7 @@ class LevelDraftTest {
     }
 
     @Test
-    void lampsAreAsBrightAsTheyWereAtTheModelsDistance() {
+    void lightsAreAsBrightAsTheyWereAtTheModelsDistance() {
         Level level = draft(read("<scene><group><translate y='5'/><lights><light type='point' posy='-2'/><light"
                         + " type='spot' spotdiry='-1' cutoff='40' exponent='2'/><light type='directional' posx='3'/>"
                         + "</lights></group>" + SOMETHING + "</scene>"))
@@ -144,7 +144,7 @@ class LevelDraftTest {
     }
 
     @Test
-    void aLampInAModelShinesOutOfIt() {
+    void aLightInAModelShinesOutOfIt() {
         Level level = draft(
                         read("<scene><lights><light type='point' posx='0.9'/><light type='point' posx='1.1'/></lights>"
                                 + SOMETHING + "</scene>"))

@@ -12,6 +12,12 @@ import java.util.Arrays;
 import java.util.Map;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import nephele.lab.art.bench.BenchPixels;
+import nephele.lab.art.material.TextureRecipe;
+import nephele.lab.art.material.Textures;
+import nephele.lab.art.paint.Surface;
+import nephele.lab.art.picture.SignPainter;
+import nephele.lab.art.picture.SkyPainter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -71,7 +77,7 @@ class ArtFilesTest {
     @MethodSource("recipes")
     void textureTilesWithoutASeam(String name) throws IOException {
         BufferedImage picture = committed(recipe(name).colourFile());
-        int last = Surface.SIDE - 1;
+        int last = Surface.SIDE_TEXELS - 1;
         double acrossX = columnStep(picture, last, 0);
         double acrossY = rowStep(picture, last, 0);
         double insideX = 0;
@@ -106,18 +112,18 @@ class ArtFilesTest {
 
     private static double columnStep(BufferedImage picture, int a, int b) {
         double sum = 0;
-        for (int row = 0; row < Surface.SIDE; row++) {
+        for (int row = 0; row < Surface.SIDE_TEXELS; row++) {
             sum += difference(picture.getRGB(a, row), picture.getRGB(b, row));
         }
-        return sum / Surface.SIDE;
+        return sum / Surface.SIDE_TEXELS;
     }
 
     private static double rowStep(BufferedImage picture, int a, int b) {
         double sum = 0;
-        for (int column = 0; column < Surface.SIDE; column++) {
+        for (int column = 0; column < Surface.SIDE_TEXELS; column++) {
             sum += difference(picture.getRGB(column, a), picture.getRGB(column, b));
         }
-        return sum / Surface.SIDE;
+        return sum / Surface.SIDE_TEXELS;
     }
 
     private static double difference(int a, int b) {

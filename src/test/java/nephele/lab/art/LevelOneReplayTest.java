@@ -7,10 +7,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
-import nephele.engine.sim.Replay;
-import nephele.engine.sim.SimState;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
 
 /** The recorded walk of level 01 still leads from the hall to the board above the court. */

@@ -6,11 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
-import nephele.engine.sim.PlayerInput;
-import nephele.engine.sim.SimSettings;
-import nephele.engine.sim.SimState;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -50,9 +50,9 @@ class PortalSamplesReplayTest {
         SimState end = left(level);
         assertEquals(0, end.faults());
         assertTrue(!level.portals().isEmpty()
-                && level.portals().size() == end.around().portals().size());
+                && level.portals().size() == end.world().portals().size());
         for (int i = 0; i < level.portals().size(); i++) {
-            assertTrue(end.around().portals().isOpen(i), level.portals().get(i).id() + " is closed");
+            assertTrue(end.world().portals().isOpen(i), level.portals().get(i).id() + " is closed");
         }
         assertEquals(level.player().feet().y(), end.player().feet().y(), 0.01);
     }
@@ -64,7 +64,7 @@ class PortalSamplesReplayTest {
         SimState end = left(level);
         for (int i = 0; i < level.bodies().size(); i++) {
             Body body = level.bodies().get(i);
-            Vector3d centre = end.around().bodies().centre(i, new Vector3d());
+            Vector3d centre = end.world().bodies().centre(i, new Vector3d());
             assertEquals(0, centre.distance(body.centre().toVector()), 2e-3, body.id());
         }
     }
@@ -74,7 +74,7 @@ class PortalSamplesReplayTest {
     void whatFallsFromFloorToCeilingFallsForEver() {
         SimState end = left(level("floor-to-ceiling"));
         for (int i = 0; i < 2; i++) {
-            double speed = end.around().bodies().state(i).velocity().y();
+            double speed = end.world().bodies().state(i).velocity().y();
             assertEquals(-9.81 * TICKS / 120, speed, 1e-6);
         }
     }

@@ -17,10 +17,10 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
-import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.dynamic.CharacterPresence;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -40,26 +40,26 @@ class FrameAllocationGlTest {
      */
     private static long bytesPerFrame(String level, Output output, Quality quality) {
         OpenedLevel opened = new LevelName("levels/" + level).open();
-        RenderSettings settings = RenderSettings.of(output, quality).with(FigurePresence.POSSIBLE);
+        RenderSettings settings = RenderSettings.of(output, quality).with(CharacterPresence.POSSIBLE);
         try (GlContext gl = GlContext.offscreen();
                 RenderTarget picture = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, 64, 36);
                 Renderer renderer = Renderer.load(gl, Scene.of(opened.level(), opened.assets()), settings)) {
             List<View> views = views(opened);
-            List<Moment.Posture> postures = postures(opened, views);
-            Moment moment = Moment.atStart(opened.level());
-            List<Vec3> held = fromEyes(moment, views);
+            List<FrameState.Posture> postures = postures(opened, views);
+            FrameState frameState = FrameState.atStart(opened.level());
+            List<Vec3> held = fromEyes(frameState, views);
             Stopwatch stopwatch = new Stopwatch();
             long before = 0;
             for (int frame = 0; frame < WARM_FRAMES + FRAMES; frame++) {
                 if (frame == WARM_FRAMES) {
                     before = stopwatch.allocatedBytes();
                 }
-                move(moment, frame);
-                if (moment.bodies() > 0) {
-                    moment.held(0, held.get(frame), 1);
+                move(frameState, frame);
+                if (frameState.bodies() > 0) {
+                    frameState.held(0, held.get(frame), 1);
                 }
-                moment.figure(postures.get(frame));
-                renderer.draw(views.get(frame), moment, picture);
+                frameState.figure(postures.get(frame));
+                renderer.draw(views.get(frame), frameState, picture);
             }
             long bytes = (stopwatch.allocatedBytes() - before) / FRAMES;
             gl.requireNoError("frames");
@@ -82,10 +82,10 @@ class FrameAllocationGlTest {
     }
 
     /** Returns the first body's place relative to each eye; its small motion is neglected. */
-    private static List<Vec3> fromEyes(Moment moment, List<View> views) {
+    private static List<Vec3> fromEyes(FrameState frameState, List<View> views) {
         List<Vec3> places = new ArrayList<>();
-        for (View view : moment.bodies() == 0 ? List.<View>of() : views) {
-            Vector3d way = moment.centre(0, new Vector3d()).sub(view.eye().toVector());
+        for (View view : frameState.bodies() == 0 ? List.<View>of() : views) {
+            Vector3d way = frameState.centre(0, new Vector3d()).sub(view.eye().toVector());
             places.add(new Vec3(
                     view.alongRight(way.x, way.y, way.z),
                     view.alongUp(way.x, way.y, way.z),
@@ -94,26 +94,26 @@ class FrameAllocationGlTest {
         return places;
     }
 
-    private static List<Moment.Posture> postures(OpenedLevel opened, List<View> views) {
-        List<Moment.Posture> postures = new ArrayList<>();
+    private static List<FrameState.Posture> postures(OpenedLevel opened, List<View> views) {
+        List<FrameState.Posture> postures = new ArrayList<>();
         for (int frame = 0; frame < views.size(); frame++) {
             Vector3d feet = views.get(frame)
                     .eye()
                     .toVector()
                     .fma(-3, views.get(0).back().toVector());
-            postures.add(new Moment.Posture(
+            postures.add(new FrameState.Posture(
                     Vec3.of(feet), new Vec3(0, 1, 0), 0.01 * frame, 0, 1.8, 0.02 * frame % 1, 0.7, 0, 0, 0));
         }
         return postures;
     }
 
-    private static void move(Moment moment, int frame) {
-        moment.seconds(frame / 60.0);
+    private static void move(FrameState frameState, int frame) {
+        frameState.seconds(frame / 60.0);
         Vector3d centre = new Vector3d();
         Quaterniond turn = new Quaterniond();
-        for (int body = 0; body < moment.bodies(); body++) {
-            moment.centre(body, centre);
-            moment.body(body, centre.add(0.004 * Math.sin(0.2 * frame), 0, 0), turn.rotationY(0.05 * frame));
+        for (int body = 0; body < frameState.bodies(); body++) {
+            frameState.centre(body, centre);
+            frameState.body(body, centre.add(0.004 * Math.sin(0.2 * frame), 0, 0), turn.rotationY(0.05 * frame));
         }
     }
 
@@ -145,12 +145,12 @@ class FrameAllocationGlTest {
     }
 
     @Test
-    void whileManyThingsMove() {
+    void whileManyDynamicObjectsMove() {
         assertLittle("bench/bodies-200.json", Output.DIRECT, Quality.HIGH);
     }
 
     @Test
-    void whileThingsMoveThroughPortals() {
+    void whileDynamicObjectsMoveThroughPortals() {
         assertLittle("samples/straddling-cube.json", Output.DIRECT, Quality.HIGH);
     }
 }

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import nephele.lab.prove.proof.Proof;
 import org.junit.jupiter.api.Test;
 
 /** Every row of docs/proofs.md belongs to an existing proof and states its current claim and the count. */

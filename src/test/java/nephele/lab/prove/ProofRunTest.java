@@ -12,6 +12,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import nephele.lab.prove.proof.Claim;
+import nephele.lab.prove.proof.Figure;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

@@ -5,15 +5,20 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import nephele.engine.collision.SeamedWorld;
-import nephele.engine.collision.rigid.Bodies;
-import nephele.engine.collision.rigid.BodyTable;
-import nephele.engine.collision.rigid.Influences;
+import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.rigid.RigidStep;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.collision.rigid.body.BodyInfluences;
+import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.PlayerBody;
+import nephele.engine.sim.state.PlayerDimensions;
+import nephele.lab.prove.bodies.BoxPile;
+import nephele.lab.prove.bodies.DroppedPile;
+import nephele.lab.prove.bodies.DroppedPileRun;
+import nephele.lab.prove.bodies.EnergyLedger;
+import nephele.lab.prove.bodies.EnergyLimits;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -36,16 +41,16 @@ class ThinBodiesTest {
         BodyTable table = new BodyTable(List.of(
                 body("plate", new Vec3(-.1215, 1.6, -.0196), new Vec3(.05, 2.5, 2.5)),
                 body("rod", new Vec3(-.1195, 3.95, .0594), new Vec3(.001, 1.5, .001))));
-        RigidStep step = new RigidStep(table, new Vec3(0, -PlayerBody.GRAVITY, 0));
-        SeamedWorld room = SeamedWorld.of(BoxPile.closedRoom(6, 12, 1));
+        RigidStep step = new RigidStep(table, new Vec3(0, -PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED, 0));
+        PortalWorld room = PortalWorld.of(BoxPile.closedRoom(6, 12, 1));
         EnergyLedger ledger = new EnergyLedger(table, Portals.NONE, 1.0 / RATE);
-        EnergyBars bars = new EnergyBars(table);
-        double most = Math.sqrt(2 * PlayerBody.GRAVITY * FALL_METRES);
+        EnergyLimits bars = new EnergyLimits(table);
+        double most = Math.sqrt(2 * PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED * FALL_METRES);
         Bodies bodies = table.start();
         bars.start(ledger.joules(bodies));
         for (int tick = 1; tick <= 10 * RATE; tick++) {
-            bodies = step.step(bodies, room, Influences.none(), 1.0 / RATE);
-            bars.see(tick, ledger.joules(bodies));
+            bodies = step.step(bodies, room, BodyInfluences.none(), 1.0 / RATE);
+            bars.record(tick, ledger.joules(bodies));
             for (int i = 0; i < bodies.size(); i++) {
                 double speed = bodies.velocity(i, new Vector3d()).length();
                 assertTrue(speed <= most, table.body(i).id() + " at " + speed + " m/s at tick " + tick);
@@ -65,7 +70,7 @@ class ThinBodiesTest {
     @ValueSource(
             longs = {581, 595, 2163, 2293, 2526, 2970, 3498, 3735, 3765, 3846, 86545, 200203, 202659, 204096, 207215})
     void pilesThatOnceFailed(long number) {
-        DroppedCourse.Seen seen = DroppedCourse.run(DroppedPile.of(number));
+        DroppedPileRun.Seen seen = DroppedPileRun.run(DroppedPile.of(number));
         assertEquals(List.of(), seen.failures());
     }
 

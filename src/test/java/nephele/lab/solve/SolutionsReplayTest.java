@@ -12,13 +12,13 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.Action;
-import nephele.engine.sim.Replay;
-import nephele.engine.sim.SimSettings;
-import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -105,7 +105,7 @@ class SolutionsReplayTest {
     void withoutTheCrateTheTerraceIsTooHigh() throws IOException {
         Solution solution = Solutions.ALL.get(2);
         Level level = level(solution);
-        Vec3 crate = play(recorded(solution), level).around().bodies().state(0).centre();
+        Vec3 crate = play(recorded(solution), level).world().bodies().state(0).centre();
         assertEquals(0.3, crate.y(), 0.01);
         assertTrue(crate.z() < -2.6 && crate.x() < 2.5 && crate.x() > 1.9, crate.toString());
         without(Set.of(Action.CARRY), recorded(solution)).play(new Simulation(level, SimSettings.DEFAULT), state -> {

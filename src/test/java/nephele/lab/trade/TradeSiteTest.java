@@ -12,10 +12,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.level.LevelFile;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
-import nephele.lab.oracle.LevelState;
+import nephele.lab.oracle.LevelHash;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -60,9 +60,9 @@ class TradeSiteTest {
     @Test
     void aPictureThatIsPaintedAnewMakesAnotherLevel() {
         var textured = new LevelName("levels/samples/material-textures.json").open();
-        assertEquals(LevelState.key(textured), LevelState.key(with(textured, 0)));
-        assertNotEquals(LevelState.key(textured), LevelState.key(with(textured, 1)));
-        assertNotEquals(LevelState.key(textured), LevelState.key(CAMERAS));
+        assertEquals(LevelHash.key(textured), LevelHash.key(with(textured, 0)));
+        assertNotEquals(LevelHash.key(textured), LevelHash.key(with(textured, 1)));
+        assertNotEquals(LevelHash.key(textured), LevelHash.key(CAMERAS));
     }
 
     /** @param change is added to the last byte of every asset */
@@ -88,13 +88,13 @@ class TradeSiteTest {
     void otherCodeHasAnotherKey() throws IOException {
         Path nested = Files.createDirectories(folder.resolve("a/b")).resolve("C.class");
         Files.writeString(nested, "one");
-        String before = CodeState.of(List.of(folder));
-        assertEquals(before, CodeState.of(List.of(folder, folder.resolve("none"))));
+        String before = CodeHash.of(List.of(folder));
+        assertEquals(before, CodeHash.of(List.of(folder, folder.resolve("none"))));
         var time = Files.getLastModifiedTime(nested);
         Files.writeString(nested, "two");
         Files.setLastModifiedTime(nested, time);
-        assertNotEquals(before, CodeState.of(List.of(folder)));
-        assertNotEquals(CodeState.of(List.of(folder)), CodeState.of(List.of(nested)));
-        assertEquals(CodeState.key(), CodeState.key());
+        assertNotEquals(before, CodeHash.of(List.of(folder)));
+        assertNotEquals(CodeHash.of(List.of(folder)), CodeHash.of(List.of(nested)));
+        assertEquals(CodeHash.key(), CodeHash.key());
     }
 }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
-import nephele.engine.sim.Assist;
+import nephele.engine.sim.state.Assist;
 import nephele.engine.terminal.CommandFailure;
 
 /** Parses the assists named on the command line. */

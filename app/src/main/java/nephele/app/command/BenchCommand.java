@@ -4,7 +4,7 @@ import java.util.stream.IntStream;
 import nephele.app.scenes.OpenedScene;
 import nephele.app.scenes.SceneName;
 import nephele.engine.measure.FrameTimes;
-import nephele.engine.named.AssetComplaint;
+import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
@@ -107,7 +107,7 @@ final class BenchCommand implements Command {
 
     private void measure(OpenedLevel opened, Terminal terminal) {
         try (var gl = GlContext.offscreen();
-                var drawing = AssetComplaint.named(opened, () -> drawing(opened, gl))) {
+                var drawing = AssetProblems.named(opened, () -> drawing(opened, gl))) {
             print(times(gl, drawing), terminal);
             gl.requireNoError("bench");
             if (perPass) {

@@ -17,7 +17,7 @@ final class ExplainCommand implements Command {
     @Override
     public ExitCode run(Terminal terminal) {
         var opened = new LevelName(level).open();
-        FramePlan.of(FrameRequest.of(opened.placed(), Outputs.requiredBy(opened.level())))
+        FramePlan.of(FrameRequest.of(opened.placed(), Outputs.defaultFor(opened.level())))
                 .explain()
                 .forEach(terminal.out()::println);
         return ExitCode.DONE;

@@ -6,8 +6,8 @@ import java.nio.file.NoSuchFileException;
 import java.time.Instant;
 import java.util.List;
 import nephele.engine.asset.AssetException;
-import nephele.engine.asset.WholeFile;
-import nephele.engine.level.LevelFormatException;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.render.gl.GlUnavailableException;
 import nephele.engine.terminal.CommandFailure;
@@ -33,11 +33,11 @@ record Explanation(ExitCode exitCode, String message, Throwable failure) {
             return new Explanation(ExitCode.INPUT, missing.getFile() + ": no such file", failure);
         }
         if (failure instanceof FileSystemException refused) {
-            var message = refused.getFile() + ": " + WholeFile.reason(refused);
+            var message = refused.getFile() + ": " + AtomicFile.reason(refused);
             return new Explanation(ExitCode.ENVIRONMENT, message, failure);
         }
         if (failure instanceof IOException failed) {
-            return new Explanation(ExitCode.ENVIRONMENT, WholeFile.reason(failed), failure);
+            return new Explanation(ExitCode.ENVIRONMENT, AtomicFile.reason(failed), failure);
         }
         if (failure instanceof UnsatisfiedLinkError) {
             return new Explanation(ExitCode.ENVIRONMENT, withoutLibrary(failure), failure);

@@ -5,15 +5,15 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
-import nephele.engine.asset.WholeFile;
-import nephele.engine.model.BezierPatches;
-import nephele.engine.model.BezierShape;
-import nephele.engine.model.MeshText;
-import nephele.engine.model.PlaneShape;
-import nephele.engine.model.PlaneShape.Sides;
-import nephele.engine.model.Shape;
-import nephele.engine.model.ShapeKind;
-import nephele.engine.model.ShapeParameter;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.model.file.MeshText;
+import nephele.engine.model.shape.BezierPatches;
+import nephele.engine.model.shape.BezierShape;
+import nephele.engine.model.shape.PlaneShape;
+import nephele.engine.model.shape.PlaneShape.Sides;
+import nephele.engine.model.shape.Shape;
+import nephele.engine.model.shape.ShapeKind;
+import nephele.engine.model.shape.ShapeParameter;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
@@ -69,7 +69,7 @@ final class GenerateCommand implements Command {
         List<String> numbers = words.subList(1, words.size() - 1);
         Shape shape = patch ? patch(numbers) : primitive(ShapeKind.named(kind).get(), numbers);
         byte[] text = text(shape);
-        WrittenFile.write(out, file -> WholeFile.write(file, text));
+        WrittenFile.write(out, file -> AtomicFile.write(file, text));
         return ExitCode.DONE;
     }
 
@@ -103,9 +103,9 @@ final class GenerateCommand implements Command {
 
     private static BezierPatches patches(String file) {
         try {
-            return BezierPatches.read(file, WholeFile.read(path(file), LARGEST_PATCHES));
+            return BezierPatches.read(file, AtomicFile.read(path(file), LARGEST_PATCHES));
         } catch (IOException missing) {
-            throw CommandFailure.input(file + ": can't be read: " + WholeFile.reason(missing));
+            throw CommandFailure.input(file + ": can't be read: " + AtomicFile.reason(missing));
         }
     }
 

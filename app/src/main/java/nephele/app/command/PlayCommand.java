@@ -9,11 +9,11 @@ import nephele.app.play.StartProfile;
 import nephele.app.play.WindowedGame;
 import nephele.app.window.SystemDisplay;
 import nephele.engine.level.PlayerStart;
+import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
-import nephele.engine.named.LevelShelf;
 import nephele.engine.named.ReplayOrigin;
-import nephele.engine.sim.Replay;
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.SimSettings;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
@@ -109,7 +109,7 @@ final class PlayCommand implements Command {
     }
 
     private PlayRequest request(Terminal terminal) {
-        var name = level == null ? LevelShelf.first() : new LevelName(level);
+        var name = level == null ? LevelCatalogue.first() : new LevelName(level);
         var picture = new PlayRequest.Picture(size.width(), size.height(), fullScreen);
         Replay shown = replay == null ? null : LevelName.replay(replay);
         if (shown != null && (shown.levelName() != null || shown.levelSha256() != null)) {

@@ -8,12 +8,12 @@ import java.util.stream.Collectors;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.prove.Proof;
-import nephele.lab.prove.ProofResult;
+import nephele.lab.prove.ProofEnvironment;
 import nephele.lab.prove.ProofRun;
 import nephele.lab.prove.ProofTable;
 import nephele.lab.prove.Proofs;
-import nephele.lab.prove.Surroundings;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -85,7 +85,7 @@ final class ProveCommand implements Command {
     }
 
     private ProofResult prove(Proof proof, Terminal terminal) throws Exception {
-        String commit = Surroundings.commit();
+        String commit = ProofEnvironment.commit();
         long wanted = count == null
                 ? proof.claim().fullCount()
                 : Math.min(count, proof.claim().fullCount());
@@ -103,7 +103,7 @@ final class ProveCommand implements Command {
         if (record || result.units() >= proof.claim().fullCount()) {
             String date = LocalDate.now(ZoneOffset.UTC).toString();
             new ProofTable(TABLE)
-                    .write(proof, result, new ProofTable.Circumstances(date, commit, Surroundings.machine()));
+                    .write(proof, result, new ProofTable.Circumstances(date, commit, ProofEnvironment.machine()));
         }
         return result;
     }

@@ -1,7 +1,7 @@
 package nephele.app.command;
 
-import nephele.engine.level.appearance.Decoding;
-import nephele.engine.named.AssetComplaint;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.named.AssetProblems;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.reference.ReferencePicture;
 import nephele.engine.reference.TraceSettings;
@@ -11,7 +11,7 @@ import nephele.engine.scene.View;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.PrintedProgress;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.oracle.ReferenceEye;
+import nephele.lab.oracle.PinholeViews;
 import picocli.CommandLine.Option;
 
 /** The options of the reference path tracer, which traces rays on all cores instead of drawing with OpenGL. */
@@ -47,8 +47,8 @@ final class ReferenceOptions {
      */
     float[] trace(OpenedLevel opened, View view, PictureOptions picture, Terminal terminal) {
         var shown = picture.choice().shown(opened);
-        var decoding = picture.output(opened) == Output.PLAIN ? Decoding.AS_STORED : Decoding.SRGB;
-        var level = AssetComplaint.named(opened, () -> TracedLevel.of(shown, decoding));
+        var decoding = picture.output(opened) == Output.PLAIN ? ColourDecoding.AS_STORED : ColourDecoding.SRGB;
+        var level = AssetProblems.named(opened, () -> TracedLevel.of(shown, decoding));
         int usual = samples == null ? USUAL_SAMPLES : samples;
         var settings = new TraceSettings(
                 picture.size().width(),
@@ -56,6 +56,6 @@ final class ReferenceOptions {
                 picture.choice().showsIds() ? 1 : usual,
                 seed == null ? 1 : seed,
                 Runtime.getRuntime().availableProcessors());
-        return ReferencePicture.trace(level, ReferenceEye.of(view), settings, PrintedProgress.ofTrace(terminal.err()));
+        return ReferencePicture.trace(level, PinholeViews.of(view), settings, PrintedProgress.ofTrace(terminal.err()));
     }
 }

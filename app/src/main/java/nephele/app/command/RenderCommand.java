@@ -6,13 +6,13 @@ import java.util.Locale;
 import java.util.Optional;
 import nephele.engine.level.CloudTechnique;
 import nephele.engine.math.Vec3;
-import nephele.engine.named.AssetComplaint;
+import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
 import nephele.engine.render.Capture;
-import nephele.engine.render.DevelopedPicture;
 import nephele.engine.render.Renderer;
+import nephele.engine.render.ToneMappedPicture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -76,7 +76,7 @@ final class RenderCommand implements Command {
         }
         try (var gl = GlContext.offscreen();
                 var target = picture.target(gl);
-                var renderer = AssetComplaint.named(opened, () -> renderer(opened, gl, terminal))) {
+                var renderer = AssetProblems.named(opened, () -> renderer(opened, gl, terminal))) {
             for (int frame = 0; frame < frames; frame++) {
                 renderer.draw(viewpoint.view(0), target);
             }
@@ -128,7 +128,7 @@ final class RenderCommand implements Command {
                 Capture.pfm(radiance, width, picture.size().height(), file);
             } else {
                 var environment = opened.level().environment();
-                Capture.png(DevelopedPicture.of(radiance, width, environment, picture.output(opened)), file);
+                Capture.png(ToneMappedPicture.of(radiance, width, environment, picture.output(opened)), file);
             }
         });
     }

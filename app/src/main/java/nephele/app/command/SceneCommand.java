@@ -15,7 +15,7 @@ import nephele.app.window.SystemDisplay;
 import nephele.engine.render.Capture;
 import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.fixed.LightTerm;
-import nephele.engine.render.fixed.SceneLook;
+import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -147,13 +147,13 @@ final class SceneCommand implements Command {
                 description = "Only these of ambient, diffuse, specular and emissive (default: all).")
         private List<LightTerm> terms;
 
-        SceneLook look() {
+        SceneAppearance look() {
             if (wireframe && shading != null) {
                 throw CommandFailure.usage("--wireframe and --shading exclude each other");
             }
-            var shown = SceneLook.USUAL
+            var shown = SceneAppearance.USUAL
                     .with(wireframe ? Shading.WIREFRAME : shading == null ? Shading.GOURAUD : shading)
-                    .with(axes ? SceneLook.Axes.SHOWN : SceneLook.Axes.HIDDEN);
+                    .with(axes ? SceneAppearance.Axes.SHOWN : SceneAppearance.Axes.HIDDEN);
             return terms == null ? shown : shown.with(EnumSet.copyOf(terms));
         }
     }

@@ -6,13 +6,13 @@ import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.List;
-import nephele.engine.asset.WholeFile;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
-import nephele.engine.named.LevelShelf;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
-import nephele.lab.prove.Surroundings;
+import nephele.lab.prove.ProofEnvironment;
 import nephele.lab.trade.TradeSite;
 import nephele.lab.trade.report.Circumstances;
 import nephele.lab.trade.report.Report;
@@ -112,7 +112,7 @@ final class TradeCommand implements Command {
     }
 
     private static String usualLevel() {
-        return LevelShelf.numbered().stream()
+        return LevelCatalogue.numbered().stream()
                 .filter(name -> name.fileName().startsWith("02-"))
                 .map(LevelName::typed)
                 .findFirst()
@@ -123,7 +123,7 @@ final class TradeCommand implements Command {
         try {
             Files.createDirectories(out);
         } catch (IOException failure) {
-            throw CommandFailure.environment("--out " + out + ": can't be made: " + WholeFile.reason(failure)
+            throw CommandFailure.environment("--out " + out + ": can't be made: " + AtomicFile.reason(failure)
                     + "; name a folder that can be written to");
         }
         if (!Files.isWritable(out)) {
@@ -140,9 +140,9 @@ final class TradeCommand implements Command {
                 request.level(),
                 extent.width() + "×" + extent.height() + " pixels, oracle of " + extent.samples() + " rays a pixel, "
                         + run.camera(),
-                Surroundings.machine(),
+                ProofEnvironment.machine(),
                 run.graphics(),
-                Surroundings.commit(),
+                ProofEnvironment.commit(),
                 LocalDate.now(ZoneOffset.UTC).toString());
     }
 }

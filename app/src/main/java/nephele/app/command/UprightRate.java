@@ -1,6 +1,6 @@
 package nephele.app.command;
 
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.state.SimSettings;
 import nephele.engine.terminal.CommandFailure;
 
 /** Parses the rate of {@code --upright-rate}, in degrees per second. */

@@ -3,7 +3,7 @@ package nephele.app.command;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import nephele.engine.asset.WholeFile;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.terminal.CommandFailure;
 
 /** Writes the files that a user requested; a missing folder is made. */
@@ -17,7 +17,7 @@ final class WrittenFile {
     }
 
     static void text(Path file, String content) {
-        write(file, to -> WholeFile.write(to, content.getBytes(StandardCharsets.UTF_8)));
+        write(file, to -> AtomicFile.write(to, content.getBytes(StandardCharsets.UTF_8)));
     }
 
     /** Writes a file; a failure is reported as one of the environment (exit code 3). */

@@ -1,18 +1,18 @@
 package nephele.app.play;
 
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.state.SimSettings;
 import nephele.engine.terminal.CommandFailure;
 
 /** The level being played, if any, with its figures and its recording. */
 final class CurrentLevel implements AutoCloseable {
-    private final FiguresControl figures;
+    private final FrameStatisticsControl figures;
     private final Recordings recordings;
     private final Message message;
     private Session session;
 
     CurrentLevel(GlContext gl, Recordings recordings, Message message) {
-        figures = new FiguresControl(gl);
+        figures = new FrameStatisticsControl(gl);
         this.recordings = recordings;
         this.message = message;
     }
@@ -22,7 +22,7 @@ final class CurrentLevel implements AutoCloseable {
         return session;
     }
 
-    FiguresControl figures() {
+    FrameStatisticsControl figures() {
         return figures;
     }
 

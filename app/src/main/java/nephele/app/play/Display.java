@@ -43,7 +43,7 @@ final class Display implements AutoCloseable {
         if (walk.takeCut()) {
             session.renderer().forget();
         }
-        session.renderer().draw(walk.view(aspect), walk.moment(), picture, listener);
+        session.renderer().draw(walk.view(aspect), walk.frameState(), picture, listener);
         String saved = shot == Shot.WITHOUT_OVERLAY ? screenshots.take(picture) : null;
         overlay.draw(hud.canvas(content, area(), window.scale()), picture);
         if (shot == Shot.WITH_OVERLAY) {

@@ -2,8 +2,8 @@ package nephele.app.play;
 
 import java.util.Optional;
 import nephele.engine.portal.placement.Refusal;
-import nephele.engine.sim.TickEvent;
-import nephele.engine.sim.TickEvent.Handled;
+import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.TickEvent.Handled;
 
 /** The message for an event of a tick: only events that prevented an action have one. */
 final class EventText {

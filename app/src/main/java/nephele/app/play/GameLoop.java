@@ -45,7 +45,7 @@ public final class GameLoop implements AutoCloseable {
 
     /** Runs until the player quits. */
     public void run() {
-        while (!stages.in(Stage.LEAVING)) {
+        while (!stages.in(GameStage.LEAVING)) {
             frame();
         }
     }
@@ -60,7 +60,7 @@ public final class GameLoop implements AutoCloseable {
         draw();
     }
 
-    Stage stage() {
+    GameStage stage() {
         return stages.current();
     }
 
@@ -69,10 +69,10 @@ public final class GameLoop implements AutoCloseable {
         if (!window.isDrawable()) {
             window.waitForEvents(HIDDEN_WAIT_SECONDS);
         }
-        if (window.closeRequested() && !stages.in(Stage.LEAVING)) {
-            stages.change(Stage.LEAVING);
+        if (window.closeRequested() && !stages.in(GameStage.LEAVING)) {
+            stages.change(GameStage.LEAVING);
         }
-        window.captureMouse(stages.in(Stage.RUNNING) && window.hasFocus());
+        window.captureMouse(stages.in(GameStage.RUNNING) && window.hasFocus());
     }
 
     private void obeyKeys() {
@@ -89,13 +89,13 @@ public final class GameLoop implements AutoCloseable {
     }
 
     private void obeyStageKey(Control key) {
-        if (stages.in(Stage.MENU)) {
+        if (stages.in(GameStage.MENU)) {
             chooseByKey(key);
-        } else if (stages.in(Stage.RUNNING) && key == Control.RESTART) {
-            stages.change(Stage.RESTARTING);
-        } else if (stages.in(Stage.RUNNING) && key == Control.PERSON) {
+        } else if (stages.in(GameStage.RUNNING) && key == Control.RESTART) {
+            stages.change(GameStage.RESTARTING);
+        } else if (stages.in(GameStage.RUNNING) && key == Control.PERSON) {
             current.session().walk().changePerson();
-        } else if (stages.in(Stage.RUNNING) && key == Control.MENU) {
+        } else if (stages.in(GameStage.RUNNING) && key == Control.MENU) {
             openMenuOrClosePage();
         }
     }
@@ -118,11 +118,11 @@ public final class GameLoop implements AutoCloseable {
             return;
         }
         menu.open();
-        stages.change(Stage.MENU);
+        stages.change(GameStage.MENU);
     }
 
     private void obeyPointer() {
-        if (stages.in(Stage.MENU)) {
+        if (stages.in(GameStage.MENU)) {
             choose(menu.choiceOf(display.area(), window.scale()));
         }
     }
@@ -130,11 +130,11 @@ public final class GameLoop implements AutoCloseable {
     /** @param choice null if nothing was chosen */
     private void choose(Menu.Choice choice) {
         if (choice instanceof Menu.Choice.Continue) {
-            resume(Stage.RUNNING);
+            resume(GameStage.RUNNING);
         } else if (choice instanceof Menu.Choice.Restart) {
-            resume(Stage.RESTARTING);
+            resume(GameStage.RESTARTING);
         } else if (choice instanceof Menu.Choice.Quit) {
-            resume(Stage.LEAVING);
+            resume(GameStage.LEAVING);
         } else if (choice instanceof Menu.Choice.Start next) {
             menu.close();
             start(request.of(next.level()));
@@ -156,7 +156,7 @@ public final class GameLoop implements AutoCloseable {
                 + current.session().settingsHold());
     }
 
-    private void resume(Stage stage) {
+    private void resume(GameStage stage) {
         menu.close();
         input.forgetMouse();
         stages.change(stage);
@@ -165,15 +165,15 @@ public final class GameLoop implements AutoCloseable {
     private void start(PlayRequest next) {
         request = next;
         loading = Loading.begin(next);
-        stages.change(Stage.STARTING);
+        stages.change(GameStage.STARTING);
     }
 
     private void changeLevel() {
-        if (stages.in(Stage.STARTING)) {
+        if (stages.in(GameStage.STARTING)) {
             loadWhenPrepared();
-        } else if (stages.in(Stage.RESTARTING)) {
+        } else if (stages.in(GameStage.RESTARTING)) {
             current.restart(request.simulation());
-            stages.change(Stage.RUNNING);
+            stages.change(GameStage.RUNNING);
         }
     }
 
@@ -197,7 +197,7 @@ public final class GameLoop implements AutoCloseable {
         try {
             current.become(loading.session(gl, input));
             lastNanos = System.nanoTime();
-            stages.change(Stage.RUNNING);
+            stages.change(GameStage.RUNNING);
         } catch (RuntimeException problem) {
             var told = LoadProblem.line(problem);
             if (current.session() == null || told.isEmpty()) {
@@ -205,16 +205,16 @@ public final class GameLoop implements AutoCloseable {
             }
             message.say(told.get());
             menu.open();
-            stages.change(Stage.MENU);
+            stages.change(GameStage.MENU);
         }
     }
 
     private void simulate() {
         long now = System.nanoTime();
-        if (stages.in(Stage.RUNNING)) {
+        if (stages.in(GameStage.RUNNING)) {
             var walk = current.session().walk();
             walk.advance(now - lastNanos);
-            walk.takeNews().forEach(event -> EventText.of(event).ifPresent(message::say));
+            walk.takeEvents().forEach(event -> EventText.of(event).ifPresent(message::say));
             if (walk.isFinished()) {
                 message.say("The replay is over");
                 openMenuOrClosePage();

@@ -2,10 +2,10 @@ package nephele.app.play;
 
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.engine.sim.Action;
-import nephele.engine.sim.MouseLook;
-import nephele.engine.sim.PlayerInput;
-import nephele.engine.walk.TickInput;
+import nephele.engine.playthrough.TickInput;
+import nephele.engine.sim.player.MouseLook;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerInput;
 
 /**
  * Converts keyboard and mouse to the integer input of a tick. All motion since the last tick belongs to the next one.

@@ -2,9 +2,9 @@ package nephele.app.play;
 
 import java.util.Optional;
 import nephele.engine.asset.AssetException;
-import nephele.engine.level.LevelFormatException;
-import nephele.engine.render.gl.GlException;
+import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.render.gl.GlUnavailableException;
+import nephele.engine.render.gl.shader.GlException;
 
 /** The message for a level that cannot be loaded. */
 final class LoadProblem {

@@ -5,7 +5,7 @@ import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.MenuPanel;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.engine.named.LevelShelf;
+import nephele.engine.named.LevelCatalogue;
 
 /** Maps keys and pointer to choices in the menu, and switches between its pages. */
 final class MenuControl {
@@ -78,7 +78,7 @@ final class MenuControl {
     /** Handles choices that only open a page; returns the others. */
     private Menu.Choice followed(Menu.Choice choice) {
         if (choice instanceof Menu.Choice.SelectLevel) {
-            turnTo(Menu.levels(LevelShelf.numbered()));
+            turnTo(Menu.levels(LevelCatalogue.numbered()));
             return null;
         }
         if (choice instanceof Menu.Choice.Back) {

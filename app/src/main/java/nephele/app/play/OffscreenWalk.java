@@ -8,15 +8,15 @@ import nephele.engine.draw.Preparation;
 import nephele.engine.level.Level;
 import nephele.engine.measure.FrameTimes;
 import nephele.engine.measure.Stopwatch;
+import nephele.engine.playthrough.Playthrough;
+import nephele.engine.playthrough.ReplayInput;
 import nephele.engine.render.Capture;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.sim.Replay;
+import nephele.engine.sim.replay.Replay;
 import nephele.engine.terminal.PrintedProgress;
-import nephele.engine.walk.ReplayInput;
-import nephele.engine.walk.Walk;
 
 /** Runs `play` without a display: draws the recorded walk offscreen, and saves three pictures and figures. */
 public final class OffscreenWalk {
@@ -46,13 +46,13 @@ public final class OffscreenWalk {
                 var target = target(gl);
                 var renderer = Session.renderer(gl, request, preparation.get())) {
             var replay = replay();
-            var walk = walk(preparation.get(), replay);
+            var playthrough = walk(preparation.get(), replay);
             out.println(
                     request.level().typed() + ": " + replay.ticks() + " ticks of a recorded walk, drawn offscreen by "
                             + gl.limits().renderer());
-            drawAll(gl, renderer, target, walk);
+            drawAll(gl, renderer, target, playthrough);
             gl.requireNoError("play");
-            save(walk, preparation.get().opened().level());
+            save(playthrough, preparation.get().opened().level());
         }
     }
 
@@ -67,8 +67,8 @@ public final class OffscreenWalk {
             profile.done("waiting for the level");
             try (var renderer = Session.renderer(gl, request, prepared)) {
                 profile.done("upload and compile");
-                var walk = walk(prepared, replay());
-                renderer.draw(walk.view(aspect()), walk.moment(), target);
+                var playthrough = walk(prepared, replay());
+                renderer.draw(playthrough.view(aspect()), playthrough.frameState(), target);
                 gl.finish();
                 profile.done("first frame");
                 profile.beside("level", prepared.nanos());
@@ -77,7 +77,8 @@ public final class OffscreenWalk {
         }
     }
 
-    private void drawAll(GlContext gl, Renderer renderer, RenderTarget target, Walk walk) throws IOException {
+    private void drawAll(GlContext gl, Renderer renderer, RenderTarget target, Playthrough playthrough)
+            throws IOException {
         long ticks = Math.max(1, replay().ticks());
         int ticksPerFrame = (int) Math.max(1, (ticks + MOST_FRAMES - 1) / MOST_FRAMES);
         var stopwatch = new Stopwatch();
@@ -85,25 +86,25 @@ public final class OffscreenWalk {
         int nextPicture = 0;
         long cpuStartNanos = stopwatch.processCpuNanos();
         for (long tick = 0; tick <= ticks; tick += ticksPerFrame) {
-            figures.add(drawOne(gl, renderer, target, walk), renderer);
+            figures.add(drawOne(gl, renderer, target, playthrough), renderer);
             if (nextPicture < PICTURES_AT.length && tick >= PICTURES_AT[nextPicture] * (ticks - ticksPerFrame)) {
                 long before = stopwatch.processCpuNanos();
                 savePicture(target, ++nextPicture);
                 cpuStartNanos += stopwatch.processCpuNanos() - before;
             }
-            for (int i = 0; i < ticksPerFrame && !walk.isFinished(); i++) {
-                walk.tick();
+            for (int i = 0; i < ticksPerFrame && !playthrough.isFinished(); i++) {
+                playthrough.tick();
             }
         }
         out.println(figures.text((stopwatch.processCpuNanos() - cpuStartNanos) / 1e6));
     }
 
-    private long drawOne(GlContext gl, Renderer renderer, RenderTarget target, Walk walk) {
+    private long drawOne(GlContext gl, Renderer renderer, RenderTarget target, Playthrough playthrough) {
         long start = System.nanoTime();
-        if (walk.takeCut()) {
+        if (playthrough.takeCut()) {
             renderer.forget();
         }
-        renderer.draw(walk.view(aspect()), walk.moment(), target);
+        renderer.draw(playthrough.view(aspect()), playthrough.frameState(), target);
         gl.finish();
         return System.nanoTime() - start;
     }
@@ -114,18 +115,19 @@ public final class OffscreenWalk {
         out.println("picture: " + pictures.resolve(name));
     }
 
-    private void save(Walk walk, Level level) {
-        new Recordings(request.record()).keep(() -> walk.recorder().replay().recordedIn(level));
+    private void save(Playthrough playthrough, Level level) {
+        new Recordings(request.record())
+                .keep(() -> playthrough.recorder().replay().recordedIn(level));
     }
 
     private Replay replay() {
         return request.replay() != null ? request.replay() : request.level().recordedWalk();
     }
 
-    private Walk walk(Preparation.Prepared prepared, Replay replay) {
+    private Playthrough walk(Preparation.Prepared prepared, Replay replay) {
         var from = request.from() != null ? request.from() : replay.start();
-        var beginning = new Walk.Beginning(request.level().fileName(), replay.settings(), from);
-        return new Walk(prepared.opened().level(), prepared.world(), beginning, new ReplayInput(replay));
+        var beginning = new Playthrough.Beginning(request.level().fileName(), replay.settings(), from);
+        return new Playthrough(prepared.opened().level(), prepared.world(), beginning, new ReplayInput(replay));
     }
 
     private RenderTarget target(GlContext gl) {

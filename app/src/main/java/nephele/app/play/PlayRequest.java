@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelName;
-import nephele.engine.sim.Replay;
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.SimSettings;
 
 /**
  * The options of a game.

@@ -5,8 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
-import nephele.engine.asset.WholeFile;
-import nephele.engine.sim.Replay;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.sim.replay.Replay;
 import nephele.engine.terminal.CommandFailure;
 
 /**
@@ -30,7 +30,7 @@ final class Recordings {
         var replay = recording.get();
         var next = kept == 0 ? file : numbered(kept + 1);
         try {
-            WholeFile.write(next, replay.write().getBytes(StandardCharsets.UTF_8));
+            AtomicFile.write(next, replay.write().getBytes(StandardCharsets.UTF_8));
         } catch (IOException failure) {
             throw CommandFailure.environment(failure.getMessage(), failure);
         }

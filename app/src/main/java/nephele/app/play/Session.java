@@ -4,15 +4,15 @@ import java.util.Optional;
 import nephele.app.window.Input;
 import nephele.engine.draw.Preparation;
 import nephele.engine.level.Level;
-import nephele.engine.named.AssetComplaint;
+import nephele.engine.named.AssetProblems;
+import nephele.engine.playthrough.Playthrough;
+import nephele.engine.playthrough.ReplayInput;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.scene.thing.FigurePresence;
-import nephele.engine.sim.Replay;
-import nephele.engine.sim.SimLevel;
-import nephele.engine.sim.SimSettings;
-import nephele.engine.walk.ReplayInput;
-import nephele.engine.walk.Walk;
+import nephele.engine.scene.dynamic.CharacterPresence;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.SimLevel;
+import nephele.engine.sim.state.SimSettings;
 
 /** One level being played: its renderer and its simulation. */
 final class Session implements AutoCloseable {
@@ -22,7 +22,7 @@ final class Session implements AutoCloseable {
     private final Renderer renderer;
     private final Input input;
     private final Optional<String> notice;
-    private Walk walk;
+    private Playthrough playthrough;
 
     private Session(PlayRequest request, Preparation.Prepared prepared, Renderer renderer, Input input) {
         this.request = request;
@@ -43,8 +43,8 @@ final class Session implements AutoCloseable {
     static Renderer renderer(GlContext gl, PlayRequest request, Preparation.Prepared prepared) {
         var output = request.quality().output(prepared.opened().level());
         var settings =
-                request.quality().settings(output, gl.limits().software()).with(FigurePresence.POSSIBLE);
-        return AssetComplaint.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
+                request.quality().settings(output, gl.limits().software()).with(CharacterPresence.POSSIBLE);
+        return AssetProblems.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 
     /** Restarts the level; a replay uses its own settings. */
@@ -53,7 +53,8 @@ final class Session implements AutoCloseable {
         SimSettings settings = replay != null ? replay.settings() : asked;
         var from = request.from() == null && replay != null ? replay.start() : request.from();
         var hands = replay != null ? new ReplayInput(replay) : new LiveInput(input);
-        walk = new Walk(level, world, new Walk.Beginning(request.level().fileName(), settings, from), hands);
+        playthrough = new Playthrough(
+                level, world, new Playthrough.Beginning(request.level().fileName(), settings, from), hands);
     }
 
     /** Returns in words when changed settings take effect. */
@@ -61,13 +62,13 @@ final class Session implements AutoCloseable {
         return request.settingsHold();
     }
 
-    Walk walk() {
-        return walk;
+    Playthrough walk() {
+        return playthrough;
     }
 
     /** Returns the replay since the start or the last restart. */
     Replay recording() {
-        return walk.recorder().replay().recordedIn(level);
+        return playthrough.recorder().replay().recordedIn(level);
     }
 
     Renderer renderer() {

@@ -1,18 +1,18 @@
 package nephele.app.play;
 
-/** The current stage; rejects a change that {@link Stage#next} does not list. */
+/** The current stage; rejects a change that {@link GameStage#next} does not list. */
 final class StageMachine {
-    private Stage current = Stage.INITIALISING;
+    private GameStage current = GameStage.INITIALISING;
 
-    Stage current() {
+    GameStage current() {
         return current;
     }
 
-    boolean in(Stage stage) {
+    boolean in(GameStage stage) {
         return current == stage;
     }
 
-    void change(Stage to) {
+    void change(GameStage to) {
         if (!current.next().contains(to)) {
             throw new IllegalStateException("the game can't go from " + current + " to " + to);
         }

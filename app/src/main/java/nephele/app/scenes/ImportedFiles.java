@@ -12,10 +12,10 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.LevelAssets;
-import nephele.engine.asset.WholeFile;
 import nephele.engine.model.Mesh;
-import nephele.engine.model.MeshText;
+import nephele.engine.model.file.MeshText;
 
 /**
  * Makes a scene's meshes and pictures available to a level. A file that the level already finds with identical bytes is
@@ -99,7 +99,7 @@ final class ImportedFiles {
         Path file = folder.resolve(id);
         expect(file);
         written.add(file);
-        WholeFile.write(file, bytes);
+        AtomicFile.write(file, bytes);
         return id;
     }
 
@@ -109,7 +109,7 @@ final class ImportedFiles {
      */
     private static String allowed(String file) {
         String name = file.substring(file.lastIndexOf('/') + 1).replace(' ', '_');
-        return AssetId.objection(file) == null ? file : name;
+        return AssetId.rejectionReason(file) == null ? file : name;
     }
 
     private boolean isTaken(String id) {

@@ -8,9 +8,9 @@ import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetId;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.asset.WholeFile;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.render.fixed.FixedSceneDrawing.Source;
 import nephele.engine.render.fixed.FixedSceneDrawing.Sources;
@@ -69,11 +69,12 @@ public record OpenedScene(Sources sources) {
     /** Returns the picture, or {@code null} if it cannot be read: the scene is shown without it. */
     private static Picture picture(String name, AssetSource assets, Consumer<String> complaints) {
         try {
-            boolean isAsset = !Files.exists(Path.of(name)) && AssetId.objection(name) == null && assets.exists(name);
-            byte[] bytes = isAsset ? assets.bytes(name) : WholeFile.read(Path.of(name), MOST_BACKGROUND_BYTES);
+            boolean isAsset =
+                    !Files.exists(Path.of(name)) && AssetId.rejectionReason(name) == null && assets.exists(name);
+            byte[] bytes = isAsset ? assets.bytes(name) : AtomicFile.read(Path.of(name), MOST_BACKGROUND_BYTES);
             return PictureDecoder.decode(name, bytes);
         } catch (IOException problem) {
-            complaints.accept(name + ": can't be read: " + WholeFile.reason(problem));
+            complaints.accept(name + ": can't be read: " + AtomicFile.reason(problem));
         } catch (AssetException problem) {
             complaints.accept(problem.getMessage());
         } catch (InvalidPathException problem) {

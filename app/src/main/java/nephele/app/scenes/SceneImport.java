@@ -10,17 +10,17 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.Picture;
-import nephele.engine.asset.WholeFile;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
-import nephele.engine.level.LevelFormatException;
-import nephele.engine.level.LevelRules;
-import nephele.engine.level.LevelSaveException;
 import nephele.engine.level.Problem;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.LevelSaveException;
 import nephele.engine.level.placed.PlacedModels;
+import nephele.engine.level.rule.LevelRules;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.Mesh;
@@ -36,7 +36,7 @@ import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
 /** Converts an XML scene to a level with its files beside it. */
 public final class SceneImport {
-    private static final double[] LINEAR = Decoding.SRGB.table();
+    private static final double[] LINEAR = ColourDecoding.SRGB.table();
 
     private static final Vec3 WHITE = new Vec3(1, 1, 1);
 
@@ -89,7 +89,7 @@ public final class SceneImport {
             Files.createDirectories(target.toAbsolutePath().getParent());
             LevelFile.save(target, level);
         } catch (IOException failure) {
-            throw CommandFailure.environment(target + ": can't be written: " + WholeFile.reason(failure), failure);
+            throw CommandFailure.environment(target + ": can't be written: " + AtomicFile.reason(failure), failure);
         } catch (LevelSaveException failure) {
             throw CommandFailure.environment(failure.getMessage(), failure);
         } catch (LevelFormatException wrong) {

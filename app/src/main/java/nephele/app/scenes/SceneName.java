@@ -44,7 +44,7 @@ public record SceneName(String typed) {
     }
 
     private boolean isInJar() {
-        return !Files.exists(path()) && AssetId.objection(inScenes()) == null && jar().exists(inScenes());
+        return !Files.exists(path()) && AssetId.rejectionReason(inScenes()) == null && jar().exists(inScenes());
     }
 
     private static AssetSource jar() {

@@ -1,7 +1,7 @@
 package nephele.app.view;
 
 import java.util.List;
-import nephele.app.play.hud.Palette;
+import nephele.app.play.hud.HudPalette;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /** The key hints in lines along the lower edge, and a message in the upper left corner. Lengths are in points. */
@@ -42,19 +42,19 @@ final class KeyHints {
         }
         int lines = 1 + walk(canvas, width, (hint, x, line) -> {});
         double top = height - 2 * PADDING - lines * LINE;
-        canvas.rectangle(0, top, width, height - top, Palette.VEIL.withAlpha(0.55 * opacity));
+        canvas.rectangle(0, top, width, height - top, HudPalette.VEIL.withAlpha(0.55 * opacity));
         walk(canvas, width, (hint, x, line) -> {
             double baseline = top + PADDING + (line + 0.7) * LINE;
-            double after = canvas.text(x, baseline, EM, Palette.ACCENT.withAlpha(opacity), hint.keys);
-            canvas.text(after + KEY_GAP, baseline, EM, Palette.INK.withAlpha(opacity), hint.meaning);
+            double after = canvas.text(x, baseline, EM, HudPalette.ACCENT.withAlpha(opacity), hint.keys);
+            canvas.text(after + KEY_GAP, baseline, EM, HudPalette.INK.withAlpha(opacity), hint.meaning);
         });
     }
 
     /** Draws a message in the upper left corner. */
     static void say(OverlayCanvas canvas, String message) {
         double width = canvas.width(EM, message) + 2 * PADDING;
-        canvas.rectangle(PADDING, PADDING, width, LINE + PADDING, Palette.VEIL.withAlpha(0.55));
-        canvas.text(2 * PADDING, PADDING + LINE, EM, Palette.INK, message);
+        canvas.rectangle(PADDING, PADDING, width, LINE + PADDING, HudPalette.VEIL.withAlpha(0.55));
+        canvas.text(2 * PADDING, PADDING + LINE, EM, HudPalette.INK, message);
     }
 
     private interface Placing {

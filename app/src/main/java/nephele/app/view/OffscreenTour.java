@@ -34,18 +34,18 @@ public final class OffscreenTour {
 
     /** @param name the prefix of the pictures' names */
     public void save(Path folder, String name, int width, int height) throws IOException {
-        var viewing = start.viewing();
+        var viewer = start.viewing();
         try (var gl = GlContext.offscreen();
                 var target = RenderTarget.picture(gl, "picture", PixelFormat.RGBA8, width, height);
                 var drawing = FixedSceneDrawing.load(gl, start.opened().sources())) {
             out.println(name + ": drawn offscreen by " + gl.limits().renderer());
             for (int i = 0; i < LEGS.size(); i++) {
-                pass(viewing, LEGS.get(i));
+                pass(viewer, LEGS.get(i));
                 drawing.draw(
-                        viewing.view((double) width / height),
-                        viewing.sceneSeconds(),
-                        viewing.place().worldFromEntity(),
-                        viewing.look(),
+                        viewer.view((double) width / height),
+                        viewer.sceneSeconds(),
+                        viewer.place().worldFromEntity(),
+                        viewer.look(),
                         target);
                 Path file = folder.resolve(name + "-" + (i + 1) + ".png");
                 Capture.png(target, file);
@@ -55,14 +55,14 @@ public final class OffscreenTour {
         }
     }
 
-    private void pass(Viewing viewing, Leg leg) {
+    private void pass(ViewerState viewer, Leg leg) {
         if (start.opened().sources().entity() == null) {
-            viewing.advance(leg.seconds, Set.of());
+            viewer.advance(leg.seconds, Set.of());
             return;
         }
         for (int i = 0; i < leg.turns; i++) {
-            viewing.press(ViewerKey.TURN_LEFT);
+            viewer.press(ViewerKey.TURN_LEFT);
         }
-        viewing.advance(leg.seconds, leg.held);
+        viewer.advance(leg.seconds, leg.held);
     }
 }

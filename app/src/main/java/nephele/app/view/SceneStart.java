@@ -1,7 +1,7 @@
 package nephele.app.view;
 
 import nephele.app.scenes.OpenedScene;
-import nephele.engine.render.fixed.SceneLook;
+import nephele.engine.render.fixed.SceneAppearance;
 import org.joml.Matrix4dc;
 
 /**
@@ -9,15 +9,15 @@ import org.joml.Matrix4dc;
  *
  * @param seconds the scene's initial clock
  */
-public record SceneStart(OpenedScene opened, SceneLook look, double seconds) {
+public record SceneStart(OpenedScene opened, SceneAppearance look, double seconds) {
     /** Returns the transform of an entity at rest before the scene's own camera. */
     public Matrix4dc worldFromEntity() {
         return viewing().place().worldFromEntity();
     }
 
-    Viewing viewing() {
+    ViewerState viewing() {
         var eye = opened.scene().eye();
         boolean hasEntity = opened.sources().entity() != null;
-        return hasEntity ? Viewing.towing(eye, look, seconds) : Viewing.alone(eye, look, seconds);
+        return hasEntity ? ViewerState.towing(eye, look, seconds) : ViewerState.alone(eye, look, seconds);
     }
 }

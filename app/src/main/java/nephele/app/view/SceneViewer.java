@@ -15,7 +15,7 @@ public final class SceneViewer implements AutoCloseable {
     private final GlContext gl;
     private final FixedSceneDrawing drawing;
     private final ViewerOverlay overlay;
-    private final Viewing viewing;
+    private final ViewerState viewing;
     private final Screenshots screenshots = Screenshots.inUsualFolder();
     private RenderTarget target;
     /** {@code null} before the first frame, so that loading time does not count as scene time. */
@@ -65,7 +65,7 @@ public final class SceneViewer implements AutoCloseable {
         return leaving;
     }
 
-    Viewing viewing() {
+    ViewerState viewing() {
         return viewing;
     }
 

@@ -13,7 +13,7 @@ public final class AssetException extends RuntimeException {
     }
 
     public AssetException(String assetId, String reason, String remedy, Throwable cause) {
-        super(ShownText.shortened(assetId) + ": " + ShownText.shortened(reason) + "; " + remedy, cause);
+        super(MessageText.shortened(assetId) + ": " + MessageText.shortened(reason) + "; " + remedy, cause);
         this.assetId = assetId;
         this.reason = reason;
         this.remedy = remedy;

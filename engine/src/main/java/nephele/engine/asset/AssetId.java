@@ -10,7 +10,7 @@ import java.util.Set;
  */
 public final class AssetId {
     /** Maximum length of an id in characters. */
-    public static final int MAX_LENGTH = 128;
+    public static final int MAX_CHARACTERS = 128;
 
     private static final Set<String> DEVICES = Set.of("con", "prn", "aux", "nul");
     private static final String REMEDY =
@@ -19,9 +19,9 @@ public final class AssetId {
     private AssetId() {}
 
     /** Returns the reason why {@code id} is not an asset id, or {@code null} if it is one. */
-    public static String objection(String id) {
-        if (id.isEmpty() || id.length() > MAX_LENGTH) {
-            return "an asset id has 1 to " + MAX_LENGTH + " characters";
+    public static String rejectionReason(String id) {
+        if (id.isEmpty() || id.length() > MAX_CHARACTERS) {
+            return "an asset id has 1 to " + MAX_CHARACTERS + " characters";
         }
         for (int i = 0; i < id.length(); i++) {
             if (!allowed(id.charAt(i))) {
@@ -39,7 +39,7 @@ public final class AssetId {
 
     /** Throws an {@link AssetException} unless {@code id} is an asset id. */
     public static void check(String id) {
-        String objection = objection(id);
+        String objection = rejectionReason(id);
         if (objection != null) {
             throw new AssetException(printable(id), objection, REMEDY);
         }
@@ -75,7 +75,7 @@ public final class AssetId {
 
     /** Returns an id shortened and in printable ASCII, for messages. */
     static String printable(String id) {
-        String shortened = id.length() <= MAX_LENGTH ? id : id.substring(0, MAX_LENGTH) + "…";
+        String shortened = id.length() <= MAX_CHARACTERS ? id : id.substring(0, MAX_CHARACTERS) + "…";
         return shortened.replaceAll("[^\\x20-\\x7e…]", "?");
     }
 }

@@ -15,7 +15,7 @@ public interface AssetSource {
 
     /** Returns the reason why a name is never looked up, or {@code null} if it is. */
     default String objection(String assetId) {
-        return AssetId.objection(assetId);
+        return AssetId.rejectionReason(assetId);
     }
 
     /** Returns true if {@link #bytes} would find the asset. */

@@ -18,7 +18,7 @@ public final class FolderAssets implements AssetSource {
 
     @Override
     public boolean exists(String assetId) {
-        return AssetId.objection(assetId) == null && Files.isRegularFile(root.resolve(assetId));
+        return AssetId.rejectionReason(assetId) == null && Files.isRegularFile(root.resolve(assetId));
     }
 
     @Override

@@ -5,7 +5,7 @@ import java.io.IOException;
 /** Decodes picture files in pure Java; size limits are enforced before pixels are allocated. */
 public final class PictureDecoder {
     /** Maximum width and height in pixels. */
-    public static final int MAX_SIDE = 8192;
+    public static final int MAX_SIDE_PIXELS = 8192;
 
     private static final long MAX_PIXELS = 64L << 20;
     private static final int MAX_FILE_BYTES = 64 << 20;
@@ -41,7 +41,7 @@ public final class PictureDecoder {
         PngFile file = PngFile.of(bytes);
         return PngPixels.canDecode(file)
                 ? PngPixels.decode(file)
-                : ImageIoPictures.decode(PictureFormat.PNG, file.essence());
+                : ImageIoPictures.decode(PictureFormat.PNG, file.withoutAncillaryChunks());
     }
 
     private static void checkHeader(String assetId, PictureFormat format, byte[] bytes) {
@@ -56,11 +56,11 @@ public final class PictureDecoder {
         if (size.width() < 1 || size.height() < 1) {
             throw new AssetException(assetId, "has no pixels", "save it with a width and height of at least 1");
         }
-        if (size.width() > MAX_SIDE || size.height() > MAX_SIDE || pixels > MAX_PIXELS) {
+        if (size.width() > MAX_SIDE_PIXELS || size.height() > MAX_SIDE_PIXELS || pixels > MAX_PIXELS) {
             throw new AssetException(
                     assetId,
                     "claims " + size.width() + " x " + size.height() + " pixels",
-                    "at most " + MAX_SIDE + " on a side are read");
+                    "at most " + MAX_SIDE_PIXELS + " on a side are read");
         }
         if (4 * pixels > (long) MAX_EXPANSION * bytes.length) {
             throw new AssetException(

@@ -71,7 +71,7 @@ record PngFile(byte[] bytes, Header header, boolean hasTransparency, List<Span> 
     }
 
     /** Returns the file without the chunks that do not determine pixels. */
-    byte[] essence() {
+    byte[] withoutAncillaryChunks() {
         ByteArrayOutputStream essence = new ByteArrayOutputStream(bytes.length);
         essence.write(bytes, 0, SIGNATURE_BYTES);
         kept.forEach(span -> essence.write(bytes, span.offset(), span.length()));

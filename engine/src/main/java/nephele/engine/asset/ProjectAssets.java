@@ -37,7 +37,7 @@ public final class ProjectAssets implements AssetSource {
 
     @Override
     public String objection(String name) {
-        if (AssetId.objection(name) == null) {
+        if (AssetId.rejectionReason(name) == null) {
             return null;
         }
         String[] segments = name.split("/", -1);
@@ -49,7 +49,7 @@ public final class ProjectAssets implements AssetSource {
                 .filter(segment -> !segment.equals(UP))
                 .map(segment -> segment.replace(" ", ""))
                 .collect(Collectors.joining("/"));
-        String objection = AssetId.objection(name.length() > AssetId.MAX_LENGTH ? name : likened);
+        String objection = AssetId.rejectionReason(name.length() > AssetId.MAX_CHARACTERS ? name : likened);
         if (objection != null) {
             return objection;
         }
@@ -63,7 +63,7 @@ public final class ProjectAssets implements AssetSource {
 
     @Override
     public byte[] bytes(String name) {
-        if (AssetId.objection(name) == null) {
+        if (AssetId.rejectionReason(name) == null) {
             return strict.bytes(name);
         }
         String objection = objection(name);

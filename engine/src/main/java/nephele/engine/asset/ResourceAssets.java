@@ -14,7 +14,7 @@ public final class ResourceAssets implements AssetSource {
 
     @Override
     public boolean exists(String assetId) {
-        return AssetId.objection(assetId) == null && ResourceAssets.class.getResource(name(assetId)) != null;
+        return AssetId.rejectionReason(assetId) == null && ResourceAssets.class.getResource(name(assetId)) != null;
     }
 
     @Override

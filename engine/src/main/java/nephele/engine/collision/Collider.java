@@ -10,8 +10,8 @@ import nephele.engine.math.Vec3;
  * A solid convex obstacle: a polyhedron, or a segment with a radius around it. It is stored relative to its own centre,
  * so that a level a thousand kilometres from the origin keeps the precision of one at the origin.
  */
-public final class Collider implements ConvexPoints {
-    private final ColliderForm form;
+public final class Collider implements SupportPoints {
+    private final ColliderShape form;
     private final String solidId;
     private final Vec3 centre;
     private final double[] vertices;
@@ -24,15 +24,15 @@ public final class Collider implements ConvexPoints {
 
     /** Makes a collider from a polyhedron in world coordinates, in metres. */
     public Collider(String solidId, ConvexPolyhedron shape) {
-        this(solidId, new ColliderForm.Solid(shape), shape);
+        this(solidId, new ColliderShape.Solid(shape), shape);
     }
 
-    /** Makes a {@link ThinSheet} from its four corners. */
+    /** Makes a {@link TriangleCollider} from its four corners. */
     Collider(String solidId, Vec3[] sheet) {
-        this(solidId, new ColliderForm.Sheet(sheet), ThinSheet.shape(sheet));
+        this(solidId, new ColliderShape.Sheet(sheet), TriangleCollider.shape(sheet));
     }
 
-    private Collider(String solidId, ColliderForm form, ConvexPolyhedron shape) {
+    private Collider(String solidId, ColliderShape form, ConvexPolyhedron shape) {
         this.solidId = solidId;
         this.form = form;
         bounds = shape.bounds();
@@ -48,7 +48,7 @@ public final class Collider implements ConvexPoints {
         this.solidId = solidId;
         this.centre = centre;
         this.radiusMetres = radiusMetres;
-        form = new ColliderForm.Round(halfAxis);
+        form = new ColliderShape.Round(halfAxis);
         vertices = new double[] {-halfAxis.x(), -halfAxis.y(), -halfAxis.z(), halfAxis.x(), halfAxis.y(), halfAxis.z()};
         planes = new double[0];
         edges = form.edges(vertices);
@@ -133,7 +133,7 @@ public final class Collider implements ConvexPoints {
     }
 
     /** Returns true if a point in world coordinates is strictly inside. */
-    boolean holds(double x, double y, double z) {
+    boolean containsStrictly(double x, double y, double z) {
         for (int i = 0; i < faces(); i++) {
             if (inFrontOf(i, x - centre.x(), y - centre.y(), z - centre.z()) >= 0) {
                 return false;

@@ -1,11 +1,11 @@
 package nephele.engine.collision;
 
 import nephele.engine.math.Aabb;
-import nephele.engine.math.ItemRayTest;
-import nephele.engine.math.ItemVisitor;
 import nephele.engine.math.Ray;
-import nephele.engine.math.RayHit;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.math.bvh.ItemVisitor;
+import nephele.engine.math.bvh.RayHit;
 
 /** Some of a world's colliders, numbered from 0 and indexed by their bounding boxes. */
 sealed interface ColliderSet permits ListedColliders, HeightFieldColliders {

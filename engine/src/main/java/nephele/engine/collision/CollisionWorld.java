@@ -5,12 +5,12 @@ import nephele.engine.level.Level;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.ItemList;
-import nephele.engine.math.ItemRayTest;
-import nephele.engine.math.ItemVisitor;
 import nephele.engine.math.Ray;
-import nephele.engine.math.RayHit;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemList;
+import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.math.bvh.ItemVisitor;
+import nephele.engine.math.bvh.RayHit;
 import org.joml.Vector3dc;
 
 /**

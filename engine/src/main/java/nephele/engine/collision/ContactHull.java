@@ -10,7 +10,7 @@ import nephele.engine.math.Vec3;
  * face's edges perpendicular to the face, and every edge direction once. All are relative to the collider's centre.
  */
 public final class ContactHull {
-    private static final double PARALLEL = 1e-9;
+    private static final double PARALLEL_SINE_SQUARED = 1e-9;
 
     private final double[] corners;
     private final double[] planes;
@@ -117,7 +117,7 @@ public final class ContactHull {
             double x = found[3 * i + 1] * found[3 * at + 2] - found[3 * i + 2] * found[3 * at + 1];
             double y = found[3 * i + 2] * found[3 * at] - found[3 * i] * found[3 * at + 2];
             double z = found[3 * i] * found[3 * at + 1] - found[3 * i + 1] * found[3 * at];
-            if (x * x + y * y + z * z < PARALLEL) {
+            if (x * x + y * y + z * z < PARALLEL_SINE_SQUARED) {
                 return false;
             }
         }

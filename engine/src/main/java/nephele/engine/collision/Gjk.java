@@ -38,7 +38,7 @@ final class Gjk {
     }
 
     /** Returns one coordinate of the collider's nearest point, relative to the collider's centre. */
-    double onCollider(ConvexPoints collider, int axis) {
+    double onCollider(SupportPoints collider, int axis) {
         return simplex.onCollider(collider, axis);
     }
 
@@ -47,7 +47,7 @@ final class Gjk {
      *
      * @param x coordinate of the shape's origin relative to the collider's centre; likewise y and z
      */
-    void measure(RoundedHull shape, double x, double y, double z, ConvexPoints collider) {
+    void measure(RoundedHull shape, double x, double y, double z, SupportPoints collider) {
         simplex.clear();
         distance = Double.NEGATIVE_INFINITY;
         boolean startsCentred = x == 0 && y == 0 && z == 0;

@@ -58,7 +58,7 @@ final class GjkSimplex {
     }
 
     /** Returns one coordinate of the nearest point on the collider, relative to the collider's centre. */
-    double onCollider(ConvexPoints collider, int axis) {
+    double onCollider(SupportPoints collider, int axis) {
         double sum = 0;
         for (int i = 0; i < size; i++) {
             sum += weight[i] * collider.vertex(vertex[i], axis);

@@ -1,15 +1,15 @@
 package nephele.engine.collision;
 
 import nephele.engine.math.Aabb;
-import nephele.engine.math.HeightField;
-import nephele.engine.math.ItemRayTest;
-import nephele.engine.math.ItemVisitor;
 import nephele.engine.math.Ray;
-import nephele.engine.math.RayHit;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.math.bvh.ItemVisitor;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.heightfield.HeightField;
 
 /**
- * The triangles of a height field, each a {@link ThinSheet} built on request and not stored. Rays are tested against
+ * The triangles of a height field, each a {@link TriangleCollider} built on request and not stored. Rays are tested against
  * the triangles themselves, so that none passes through along an edge.
  */
 final class HeightFieldColliders implements ColliderSet {
@@ -28,13 +28,13 @@ final class HeightFieldColliders implements ColliderSet {
 
     @Override
     public Collider collider(int item) {
-        return ThinSheet.of(
+        return TriangleCollider.of(
                 id, field.corner(item, 0), field.corner(item, 1), field.corner(item, 2), field.normal(item));
     }
 
     @Override
     public Aabb bounds() {
-        return field.bounds().grown(ThinSheet.DEPTH_METRES);
+        return field.bounds().grown(TriangleCollider.DEPTH_METRES);
     }
 
     @Override
@@ -50,7 +50,7 @@ final class HeightFieldColliders implements ColliderSet {
     @Override
     public void overlapping(Aabb box, ItemVisitor found) {
         if (!box.isEmpty()) {
-            Aabb reached = box.grown(ThinSheet.DEPTH_METRES);
+            Aabb reached = box.grown(TriangleCollider.DEPTH_METRES);
             field.passing(reached::overlaps, found);
         }
     }
@@ -63,7 +63,7 @@ final class HeightFieldColliders implements ColliderSet {
     @Override
     public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
         if (!box.isEmpty()) {
-            field.swept(box.grown(ThinSheet.DEPTH_METRES), motion, found);
+            field.swept(box.grown(TriangleCollider.DEPTH_METRES), motion, found);
         }
     }
 }

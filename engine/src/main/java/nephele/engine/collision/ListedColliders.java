@@ -2,13 +2,13 @@ package nephele.engine.collision;
 
 import java.util.List;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.ItemRayTest;
-import nephele.engine.math.ItemVisitor;
-import nephele.engine.math.Kept;
+import nephele.engine.math.IdentityDiff;
 import nephele.engine.math.Ray;
-import nephele.engine.math.RayHit;
-import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.math.bvh.ItemVisitor;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.bvh.SpatialIndex;
 
 /** Colliders stored one by one, in a spatial index. */
 final class ListedColliders implements ColliderSet {
@@ -30,7 +30,7 @@ final class ListedColliders implements ColliderSet {
 
     /** Returns a set of other colliders, or this one when all are the same. */
     ListedColliders edited(List<Collider> others) {
-        return Kept.list(colliders, others) == colliders
+        return IdentityDiff.list(colliders, others) == colliders
                 ? this
                 : new ListedColliders(others, index.edited(boxes(others)));
     }

@@ -1,7 +1,7 @@
 package nephele.engine.collision;
 
 import nephele.engine.math.Ray;
-import nephele.engine.math.RayHit;
+import nephele.engine.math.bvh.RayHit;
 
 /**
  * The first face that a ray enters: clipping against the half spaces of each solid (Cyrus and Beck 1978). Only entering

@@ -6,7 +6,7 @@ import nephele.engine.math.Vec3;
  * A moving shape: the convex hull of a few core points, inflated by a radius. A sphere has one core point, a capsule
  * two, a box eight and no radius. Core points are relative to the shape's own origin.
  */
-public final class RoundedHull implements ConvexPoints {
+public final class RoundedHull implements SupportPoints {
     private final double[] core;
     private final double radiusMetres;
     private final double reachMetres;

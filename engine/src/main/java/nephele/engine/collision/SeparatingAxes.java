@@ -6,7 +6,7 @@ package nephele.engine.collision;
  * nearly zero length are skipped: parallel edges add no axis that the faces do not give.
  */
 final class SeparatingAxes {
-    private static final double PARALLEL = 1e-10;
+    private static final double PARALLEL_SINE = 1e-10;
 
     private RoundedHull shape;
     private Collider collider;
@@ -85,7 +85,7 @@ final class SeparatingAxes {
             double eX = collider.edge(i, 0);
             double eY = collider.edge(i, 1);
             double eZ = collider.edge(i, 2);
-            double smallest = PARALLEL * PARALLEL * s2 * (eX * eX + eY * eY + eZ * eZ);
+            double smallest = PARALLEL_SINE * PARALLEL_SINE * s2 * (eX * eX + eY * eY + eZ * eZ);
             bothWays(eY * sZ - eZ * sY, eZ * sX - eX * sZ, eX * sY - eY * sX, smallest);
         }
     }

@@ -7,7 +7,7 @@ import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.placed.WorldTriangles;
-import nephele.engine.math.Kept;
+import nephele.engine.math.IdentityDiff;
 
 /**
  * Sorts static shapes by their kind of collider: convex, a sheet for each triangle, or ground. Colliders of shapes that
@@ -19,7 +19,7 @@ final class StaticColliders implements StaticShape.Cases {
     private final List<StaticShape.HeightGrid> ground = new ArrayList<>();
     private final CollisionWorld world;
     private final int solidsBefore;
-    /** The place that each solid and each model had in the list before, {@link Kept#NEW} for new ones. */
+    /** The place that each solid and each model had in the list before, {@link IdentityDiff#NEW} for new ones. */
     private final int[] placeOfSolid;
 
     private final int[] placeOfModel;
@@ -29,8 +29,8 @@ final class StaticColliders implements StaticShape.Cases {
     private StaticColliders(StaticShapes shapes, StaticShapes before, CollisionWorld world) {
         this.world = world;
         solidsBefore = before.solids().size();
-        placeOfSolid = Kept.places(before.solids(), shapes.solids());
-        placeOfModel = Kept.places(triangles(before), triangles(shapes));
+        placeOfSolid = IdentityDiff.previousIndices(before.solids(), shapes.solids());
+        placeOfModel = IdentityDiff.previousIndices(triangles(before), triangles(shapes));
         itemOfModel = itemOfModel(before);
         shapes.all().forEach(shape -> shape.select(this));
     }
@@ -65,8 +65,8 @@ final class StaticColliders implements StaticShape.Cases {
     public void convexHull(StaticShape.ConvexHull hull) {
         int index = hull.index();
         // A solid with a changed surface is another brush of the same shape, at the same place.
-        int place = placeOfSolid[index] == Kept.NEW && index < solidsBefore ? index : placeOfSolid[index];
-        convex.add(place == Kept.NEW ? collider(hull.brush()) : same(place, hull.brush()));
+        int place = placeOfSolid[index] == IdentityDiff.NEW && index < solidsBefore ? index : placeOfSolid[index];
+        convex.add(place == IdentityDiff.NEW ? collider(hull.brush()) : same(place, hull.brush()));
     }
 
     @Override
@@ -74,9 +74,9 @@ final class StaticColliders implements StaticShape.Cases {
         PlacedModel model = mesh.model();
         int place = placeOfModel[model.index()];
         if (model.solid() != null) {
-            convex.add(place == Kept.NEW ? collider(model.solid()) : same(itemOfModel[place], model.solid()));
-        } else if (place == Kept.NEW) {
-            sheets.addAll(ThinSheet.of(model.said().id(), model.triangles()));
+            convex.add(place == IdentityDiff.NEW ? collider(model.solid()) : same(itemOfModel[place], model.solid()));
+        } else if (place == IdentityDiff.NEW) {
+            sheets.addAll(TriangleCollider.of(model.said().id(), model.triangles()));
         } else {
             for (int i = 0; i < model.triangles().count(); i++) {
                 sheets.add(world.collider(itemOfModel[place] + i));

@@ -1,6 +1,6 @@
 package nephele.engine.collision;
 
-import nephele.engine.math.ItemList;
+import nephele.engine.math.bvh.ItemList;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -19,7 +19,7 @@ public final class Sweep {
     private static final double TOUCH_METRES = 1e-8;
     private static final int MAX_STEPS = 64;
     /** Approach per metre travelled below which the shape is sliding: the rounding error of a tangent direction. */
-    private static final double SLIDING = 1e-9;
+    private static final double SLIDING_METRES_PER_METRE = 1e-9;
 
     private static final double SAME_POINT_METRES = 1e-6;
 
@@ -81,7 +81,7 @@ public final class Sweep {
             double approach =
                     -(separation.normalX() * way.x() + separation.normalY() * way.y() + separation.normalZ() * way.z());
             double gap = separation.metres() - SKIN_METRES;
-            if (approach <= (gap <= TOUCH_METRES ? SLIDING * length : 0)) {
+            if (approach <= (gap <= TOUCH_METRES ? SLIDING_METRES_PER_METRE * length : 0)) {
                 return;
             }
             if (gap <= TOUCH_METRES || i == MAX_STEPS - 1) {

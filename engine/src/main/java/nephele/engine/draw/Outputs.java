@@ -9,7 +9,7 @@ public final class Outputs {
     private Outputs() {}
 
     /** Returns HDR if something in the level adds light to the image, otherwise DIRECT. */
-    public static Output requiredBy(Level level) {
+    public static Output defaultFor(Level level) {
         return LinearLight.because(level).isPresent() ? Output.HDR : Output.DIRECT;
     }
 }

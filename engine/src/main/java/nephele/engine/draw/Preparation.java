@@ -3,12 +3,12 @@ package nephele.engine.draw;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.DoubleConsumer;
-import nephele.engine.named.AssetComplaint;
+import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
-import nephele.engine.sim.SimLevel;
+import nephele.engine.sim.state.SimLevel;
 
 /** Reads a level and builds its scene on a separate thread, while another thread opens the window and its context. */
 public final class Preparation {
@@ -36,7 +36,7 @@ public final class Preparation {
             var opened = level.open();
             var shown = quality.shown(opened);
             var sky = BakedSky.of(shown, bakeProgress);
-            var scene = AssetComplaint.named(opened, () -> Scene.of(shown, sky));
+            var scene = AssetProblems.named(opened, () -> Scene.of(shown, sky));
             return new Prepared(opened, scene, SimLevel.of(opened.placed()), System.nanoTime() - start);
         });
         var thread = new Thread(task, "level");

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.PlacedLevel;
-import nephele.engine.named.AssetComplaint;
+import nephele.engine.named.AssetProblems;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.render.RenderSettings;
 import nephele.engine.render.RenderSettings.Culling;
@@ -104,13 +104,13 @@ public record QualityChoice(String preset, Map<String, String> settings) {
     /** Returns the level to draw with its derived data. */
     public PlacedLevel shown(OpenedLevel opened) {
         return showsIds()
-                ? AssetComplaint.named(opened, () -> opened.placed().edited(shown(opened.level())))
+                ? AssetProblems.named(opened, () -> opened.placed().edited(shown(opened.level())))
                 : opened.placed();
     }
 
     /** Returns the output that the level requires; PLAIN for ids, so that colours are drawn unchanged. */
     public Output output(Level level) {
-        return showsIds() ? Output.PLAIN : Outputs.requiredBy(level);
+        return showsIds() ? Output.PLAIN : Outputs.defaultFor(level);
     }
 
     /** Returns true if each surface is drawn in a unique flat colour. */

@@ -1,6 +1,6 @@
 package nephele.engine.level;
 
-import nephele.engine.asset.ShownText;
+import nephele.engine.asset.MessageText;
 
 /**
  * Something wrong in a level.
@@ -9,8 +9,8 @@ import nephele.engine.asset.ShownText;
  */
 public record Problem(Severity severity, String path, String message) {
     public Problem {
-        path = ShownText.shortened(path);
-        message = ShownText.shortened(message);
+        path = MessageText.shortened(path);
+        message = MessageText.shortened(message);
     }
 
     /** An ERROR keeps the level from being played, a WARNING does not. */

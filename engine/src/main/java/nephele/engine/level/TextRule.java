@@ -11,7 +11,7 @@ public enum TextRule {
     /** Names a record, or refers to one. */
     ID(1, 128),
     /** A file, after {@link AssetId}. */
-    ASSET(1, AssetId.MAX_LENGTH),
+    ASSET(1, AssetId.MAX_CHARACTERS),
     /** A hash in hexadecimal digits. */
     SHA256(64, 64);
 
@@ -23,11 +23,11 @@ public enum TextRule {
         this.longest = longest;
     }
 
-    int shortest() {
+    public int shortest() {
         return shortest;
     }
 
-    int longest() {
+    public int longest() {
         return longest;
     }
 }

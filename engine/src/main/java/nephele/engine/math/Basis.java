@@ -12,7 +12,7 @@ public record Basis(Vec3 right, Vec3 up, Vec3 back) {
     public static final Basis WORLD = new Basis(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1));
 
     /** Sine of the angle between up and back below which rounding dominates the right direction. */
-    private static final double PARALLEL = 1e-6;
+    private static final double PARALLEL_SINE = 1e-6;
 
     /**
      * Returns the frame that looks from {@code eye} at {@code target}. If up is parallel to the view direction, zero or
@@ -26,7 +26,7 @@ public record Basis(Vec3 right, Vec3 up, Vec3 back) {
         }
         Vec3 unitUp = Directions.unit(up);
         Vec3 right = unitUp == null ? null : unitUp.cross(back);
-        if (right == null || right.length() < PARALLEL) {
+        if (right == null || right.length() < PARALLEL_SINE) {
             right = Directions.farthestAxis(back).cross(back);
         }
         right = Directions.unit(right);

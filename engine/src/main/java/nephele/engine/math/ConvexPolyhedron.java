@@ -10,12 +10,12 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
     public static final int MAX_PLANES = 64;
 
     /** Corners closer than this are merged; relative to the solid's extent. */
-    private static final double WELD = 1e-9;
+    private static final double RELATIVE_WELD_DISTANCE = 1e-9;
 
     /**
      * Fraction of the weld distance, above rounding. Tests whether the planes enclose a volume with unmerged corners.
      */
-    private static final double FINER = 1e-4;
+    private static final double FINER_WELD_SHARE = 1e-4;
 
     /** The corners of a box's faces; bits 0, 1 and 2 of a corner are set if it has the greater x, y, z. */
     private static final int[][] BOX_FACES = {
@@ -108,7 +108,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
         if (planes.size() < 4 || planes.size() > MAX_PLANES) {
             throw new IllegalArgumentException("a solid needs 4 to " + MAX_PLANES + " planes, not " + planes.size());
         }
-        double epsilon = WELD * extent(planes);
+        double epsilon = RELATIVE_WELD_DISTANCE * extent(planes);
         List<Vec3> corners = corners(planes, epsilon);
         List<Face> faces = faces(planes, corners, epsilon);
         if (!isClosed(faces)) {
@@ -130,7 +130,7 @@ public record ConvexPolyhedron(List<Face> faces, List<Vec3> vertices, Aabb bound
 
     /** Explains why the planes enclose nothing; planes that do with finer welding are too close to each other. */
     private static String whyOpen(List<Plane> planes, List<Face> faces, double epsilon) {
-        double finer = epsilon * FINER;
+        double finer = epsilon * FINER_WELD_SHARE;
         if (isClosed(faces(planes, corners(planes, finer), finer))) {
             return "the solid is too thin for its size and its distance from the origin: corners less than "
                     + 8 * epsilon + " m apart are not told apart; make it thicker or shorter, or move it nearer";

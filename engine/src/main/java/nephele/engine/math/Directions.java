@@ -63,7 +63,7 @@ public final class Directions {
      *
      * @param share fraction of the angle, clamped to 0 … 1
      */
-    public static Vec3 turned(Vec3 from, Vec3 to, double share) {
+    public static Vec3 slerp(Vec3 from, Vec3 to, double share) {
         double t = Double.isNaN(share) ? 0 : Math.max(0, Math.min(1, share));
         double angle = angle(from, to);
         if (angle < 1e-3) {

@@ -9,7 +9,7 @@ import org.joml.Matrix4dc;
  */
 public final class Frustum {
     /** The result of {@link #classify} for a box that is outside. */
-    static final int OUTSIDE = -1;
+    public static final int OUTSIDE = -1;
 
     /** Slack relative to the magnitudes involved: four times the float rounding of 2⁻²⁴. */
     private static final double RELATIVE_SLACK = 0x1p-22;
@@ -115,7 +115,7 @@ public final class Frustum {
      * Returns false only if no part of the box can be visible; always false for an empty box, true for an unbounded
      * one.
      */
-    public boolean maySee(Aabb box) {
+    public boolean mayIntersect(Aabb box) {
         if (box.isEmpty()) {
             return false;
         }
@@ -124,18 +124,18 @@ public final class Frustum {
     }
 
     /** Returns false only if no part of the bounding sphere of a box can be visible. */
-    boolean maySeeSphere(double[] bounds, int at) {
+    public boolean maySeeSphere(double[] bounds, int at) {
         double x = (bounds[at] + bounds[at + 3]) / 2;
         double y = (bounds[at + 1] + bounds[at + 4]) / 2;
         double z = (bounds[at + 2] + bounds[at + 5]) / 2;
         double halfX = bounds[at + 3] - bounds[at];
         double halfY = bounds[at + 4] - bounds[at + 1];
         double halfZ = bounds[at + 5] - bounds[at + 2];
-        return maySee(x, y, z, Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ) / 2);
+        return mayIntersect(x, y, z, Math.sqrt(halfX * halfX + halfY * halfY + halfZ * halfZ) / 2);
     }
 
     /** Returns false only if no part of the ball can be visible; allocates nothing. */
-    public boolean maySee(double centreX, double centreY, double centreZ, double radius) {
+    public boolean mayIntersect(double centreX, double centreY, double centreZ, double radius) {
         double x = centreX - eyeX;
         double y = centreY - eyeY;
         double z = centreZ - eyeZ;
@@ -152,20 +152,20 @@ public final class Frustum {
         return true;
     }
 
-    double eyeX() {
+    public double eyeX() {
         return eyeX;
     }
 
-    double eyeY() {
+    public double eyeY() {
         return eyeY;
     }
 
-    double eyeZ() {
+    public double eyeZ() {
         return eyeZ;
     }
 
     /** Returns a mask with one bit for each plane. */
-    int allPlanes() {
+    public int allPlanes() {
         return (1 << count) - 1;
     }
 
@@ -176,7 +176,7 @@ public final class Frustum {
      * @param mask the planes that intersect an enclosing box
      * @return the planes that intersect this box, 0 if it is inside all of them, or {@link #OUTSIDE}
      */
-    int classify(double[] bounds, int at, int mask) {
+    public int classify(double[] bounds, int at, int mask) {
         double minX = bounds[at] - eyeX;
         double minY = bounds[at + 1] - eyeY;
         double minZ = bounds[at + 2] - eyeZ;

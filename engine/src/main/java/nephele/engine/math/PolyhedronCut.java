@@ -6,14 +6,14 @@ import java.util.List;
 /**
  * A convex solid cut in two by a plane. Every face is clipped by Sutherland and Hodgman (1974); a lid closes the
  * section. A corner nearer to the plane than {@link #ON_PLANE_METRES} counts as on it, so no thinner part results. Both
- * parts have the same bits along the cut, faces keep their plane index, and the lid has {@link #LID}.
+ * parts have the same bits along the cut, faces keep their plane index, and the lid has {@link #CAP}.
  *
  * @param behind the part behind the plane, {@code null} if empty
  * @param inFront the part in front of the plane, {@code null} if empty
  */
 public record PolyhedronCut(ConvexPolyhedron behind, ConvexPolyhedron inFront) {
     /** The plane index of the face that a cut adds. */
-    public static final int LID = -1;
+    public static final int CAP = -1;
 
     /** Far above the rounding of a plane 1000 km from the origin, far below the collision skin of a body. */
     public static final double ON_PLANE_METRES = 1e-7;
@@ -51,7 +51,7 @@ public record PolyhedronCut(ConvexPolyhedron behind, ConvexPolyhedron inFront) {
                 faces.add(new ConvexPolyhedron.Face(face.planeIndex(), face.plane(), polygon));
             }
         }
-        faces.add(new ConvexPolyhedron.Face(LID, plane, ConvexPolyhedron.counterClockwise(plane, section)));
+        faces.add(new ConvexPolyhedron.Face(CAP, plane, ConvexPolyhedron.counterClockwise(plane, section)));
         List<Vec3> corners = new ArrayList<>();
         for (ConvexPolyhedron.Face face : faces) {
             face.polygon().forEach(corner -> addOnce(corners, corner));

@@ -3,17 +3,17 @@ package nephele.engine.math;
 import org.joml.Vector3d;
 
 /**
- * The reflection at a plane. Points are mapped relative to {@code place}, so that a plane far from the origin costs no
+ * The reflection at a plane. Points are mapped relative to {@code point}, so that a plane far from the origin costs no
  * precision.
  *
- * @param place any point of the plane
+ * @param point any point of the plane
  * @param normal unit length
  */
-public record Reflection(Vec3 place, Vec3 normal) implements Isometry {
+public record Reflection(Vec3 point, Vec3 normal) implements Isometry {
     @Override
     public Vector3d point(Vector3d p) {
         double before =
-                normal.x() * (p.x - place.x()) + normal.y() * (p.y - place.y()) + normal.z() * (p.z - place.z());
+                normal.x() * (p.x - point.x()) + normal.y() * (p.y - point.y()) + normal.z() * (p.z - point.z());
         return moved(p, -2 * before);
     }
 

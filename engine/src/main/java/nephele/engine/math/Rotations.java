@@ -29,19 +29,19 @@ public final class Rotations {
     public static Quaterniond ofAxes(Vec3 x, Vec3 y, Vec3 z) {
         double trace = x.x() + y.y() + z.z();
         if (trace >= Math.max(x.x(), Math.max(y.y(), z.z()))) {
-            return renormalised(new Quaterniond(y.z() - z.y(), z.x() - x.z(), x.y() - y.x(), 1 + trace));
+            return normalised(new Quaterniond(y.z() - z.y(), z.x() - x.z(), x.y() - y.x(), 1 + trace));
         }
         if (x.x() >= y.y() && x.x() >= z.z()) {
-            return renormalised(new Quaterniond(1 + 2 * x.x() - trace, y.x() + x.y(), z.x() + x.z(), y.z() - z.y()));
+            return normalised(new Quaterniond(1 + 2 * x.x() - trace, y.x() + x.y(), z.x() + x.z(), y.z() - z.y()));
         }
         if (y.y() >= z.z()) {
-            return renormalised(new Quaterniond(y.x() + x.y(), 1 + 2 * y.y() - trace, z.y() + y.z(), z.x() - x.z()));
+            return normalised(new Quaterniond(y.x() + x.y(), 1 + 2 * y.y() - trace, z.y() + y.z(), z.x() - x.z()));
         }
-        return renormalised(new Quaterniond(z.x() + x.z(), z.y() + y.z(), 1 + 2 * z.z() - trace, x.y() - y.x()));
+        return normalised(new Quaterniond(z.x() + x.z(), z.y() + y.z(), 1 + 2 * z.z() - trace, x.y() - y.x()));
     }
 
     /** Returns the quaternion scaled to length 1; the identity if its length is zero or not finite. */
-    public static Quaterniond renormalised(Quaterniondc q) {
+    public static Quaterniond normalised(Quaterniondc q) {
         double largest =
                 Math.max(Math.max(Math.abs(q.x()), Math.abs(q.y())), Math.max(Math.abs(q.z()), Math.abs(q.w())));
         if (!(largest > 0 && largest <= Double.MAX_VALUE)) {
@@ -65,8 +65,8 @@ public final class Rotations {
      */
     public static Quaterniond slerp(Quaterniondc from, Quaterniondc to, double share) {
         double t = Double.isNaN(share) ? 0 : Math.max(0, Math.min(1, share));
-        Quaterniond a = renormalised(from);
-        Quaterniond b = renormalised(to);
+        Quaterniond a = normalised(from);
+        Quaterniond b = normalised(to);
         if (dot(a, b) < 0) {
             b.set(-b.x, -b.y, -b.z, -b.w);
         }
@@ -78,7 +78,7 @@ public final class Rotations {
             weightA = StrictMath.sin((1 - t) * angle) / sin;
             weightB = StrictMath.sin(t * angle) / sin;
         }
-        return renormalised(new Quaterniond(
+        return normalised(new Quaterniond(
                 weightA * a.x + weightB * b.x,
                 weightA * a.y + weightB * b.y,
                 weightA * a.z + weightB * b.z,

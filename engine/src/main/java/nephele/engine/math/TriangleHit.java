@@ -3,7 +3,7 @@ package nephele.engine.math;
 /** A ray–triangle hit, reused by its owner for every test. The barycentric weights of the corners sum to 1. */
 public final class TriangleHit {
     /** γ₇ for double: the rounding of an interpolated point (Pharr, Jakob, Humphreys 2016, section 3.9.4). */
-    private static final double POINT_ERROR = 7 * 0x1p-53 / (1 - 7 * 0x1p-53);
+    private static final double RELATIVE_POINT_ERROR = 7 * 0x1p-53 / (1 - 7 * 0x1p-53);
 
     private double distance = Double.POSITIVE_INFINITY;
     private double weightA;
@@ -56,7 +56,7 @@ public final class TriangleHit {
      * Jakob, Humphreys 2016, section 3.9.5). Unlike a fixed offset, this bound scales with the coordinates.
      */
     public Vec3 originTowards(Vec3 direction, double[] corners, int at) {
-        Vec3 normal = TriangleRay.normal(corners, at);
+        Vec3 normal = WatertightRay.normal(corners, at);
         if (normal == null) {
             return point(corners, at);
         }
@@ -74,7 +74,7 @@ public final class TriangleHit {
         double size = Math.abs(weightA * corners[at])
                 + Math.abs(weightB * corners[at + 3])
                 + Math.abs(weightC * corners[at + 6]);
-        return POINT_ERROR * size + Double.MIN_NORMAL;
+        return RELATIVE_POINT_ERROR * size + Double.MIN_NORMAL;
     }
 
     private static double away(double value, double offset) {

@@ -31,7 +31,7 @@ public record ExposureRange(double startStops, double stopStops, int count) {
         }
         Arrays.sort(luminances);
         double median = luminances[luminances.length / 2];
-        double bright = ToneCurve.inverse(BRIGHTEST);
+        double bright = DisplayToneCurve.inverse(BRIGHTEST);
         double start = log2(bright / Math.max(luminances[luminances.length - 1], DARKEST));
         double stop = Math.max(start, log2(bright / Math.max(median, DARKEST)));
         return new ExposureRange(start, stop, Math.max(2, (int) Math.ceil(stop - start)));

@@ -25,7 +25,7 @@ public final class HdrFlip {
         double exposure = Math.pow(2, stops);
         float[] rgb = radiance.rgb().clone();
         for (int i = 0; i < rgb.length; i++) {
-            rgb[i] = (float) ToneCurve.map(exposure * Math.max(rgb[i], 0));
+            rgb[i] = (float) DisplayToneCurve.map(exposure * Math.max(rgb[i], 0));
         }
         return new LinearPicture(radiance.width(), radiance.height(), rgb);
     }

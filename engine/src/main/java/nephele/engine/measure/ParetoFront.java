@@ -40,7 +40,7 @@ public final class ParetoFront {
         this.costStep = costStep;
     }
 
-    public boolean holds(int index) {
+    public boolean contains(int index) {
         return dominating(index).isEmpty();
     }
 

@@ -56,7 +56,7 @@ public final class CatmullRom {
      * derivatives it allocates nothing.
      */
     public Vector3d position(double parameter, Vector3d into) {
-        double at = knots.within(parameter);
+        double at = knots.wrapOrClamp(parameter);
         int from = knots.spanOf(at);
         double span = knots.span(from);
         if (span < LEAST_SPAN) {
@@ -69,7 +69,7 @@ public final class CatmullRom {
 
     /** Evaluates the first derivative by the parameter; 0 where the curve is constant. */
     public Vector3d derivative(double parameter, Vector3d into) {
-        double at = knots.within(parameter);
+        double at = knots.wrapOrClamp(parameter);
         int from = knots.spanOf(at);
         double span = knots.span(from);
         if (stands(parameter, at, span)) {
@@ -82,7 +82,7 @@ public final class CatmullRom {
 
     /** Evaluates the second derivative by the parameter; it is discontinuous at knots. */
     public Vector3d secondDerivative(double parameter, Vector3d into) {
-        double at = knots.within(parameter);
+        double at = knots.wrapOrClamp(parameter);
         int from = knots.spanOf(at);
         double span = knots.span(from);
         if (stands(parameter, at, span)) {

@@ -74,7 +74,7 @@ record CurveKnots(List<Vector3d> points, double[] knots, boolean closed) {
     }
 
     /** Maps a parameter to the curve: wrapped if closed, otherwise clamped; NaN maps to the start. */
-    double within(double parameter) {
+    double wrapOrClamp(double parameter) {
         double first = knots[0];
         double last = knots[spans()];
         if (Double.isNaN(parameter) || last <= first) {

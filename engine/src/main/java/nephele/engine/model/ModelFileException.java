@@ -1,6 +1,6 @@
 package nephele.engine.model;
 
-import nephele.engine.asset.ShownText;
+import nephele.engine.asset.MessageText;
 
 /** An unusable mesh, curve or scene file: file, line, reason, and remedy for its author. */
 public final class ModelFileException extends RuntimeException {
@@ -21,7 +21,7 @@ public final class ModelFileException extends RuntimeException {
      * @param cause {@code null} if there is none
      */
     public ModelFileException(String file, int line, String reason, String remedy, Throwable cause) {
-        super(file + (line > 0 ? ":" + line : "") + ": " + ShownText.shortened(reason) + "; " + remedy, cause);
+        super(file + (line > 0 ? ":" + line : "") + ": " + MessageText.shortened(reason) + "; " + remedy, cause);
         this.file = file;
         this.line = line;
         this.reason = reason;

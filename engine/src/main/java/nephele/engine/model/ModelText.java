@@ -8,7 +8,7 @@ import java.util.List;
  * Splits a text file into lines of words; errors name file and line. Lines end in LF, CRLF or CR; {@code #} begins a
  * comment.
  */
-final class ModelText {
+public final class ModelText {
     /** The corners of a polygon, the keyword before them, and a continuation mark. */
     private static final int MOST_WORDS = 2 + MeshLimits.MAX_CORNERS;
 
@@ -22,7 +22,7 @@ final class ModelText {
     private int line;
 
     /** @param separators characters that separate words in addition to white space */
-    ModelText(String file, byte[] bytes, String separators) {
+    public ModelText(String file, byte[] bytes, String separators) {
         this.file = file;
         this.bytes = bytes;
         for (char c : (" \t\f" + separators).toCharArray()) {
@@ -46,16 +46,16 @@ final class ModelText {
                 && bytes[2] == (byte) 0xbf;
     }
 
-    int line() {
+    public int line() {
         return line;
     }
 
-    boolean hasNext() {
+    public boolean hasNext() {
         return at < bytes.length;
     }
 
     /** Returns the words of the next line that is not only a comment; none if it is blank, or at the end. */
-    List<String> nextLine() {
+    public List<String> nextLine() {
         List<String> words = new ArrayList<>(4);
         boolean comment;
         do {
@@ -69,7 +69,7 @@ final class ModelText {
      *
      * @param row receives the first numbers
      */
-    int nextNumbers(float[] row) {
+    public int nextNumbers(float[] row) {
         int[] count = new int[1];
         boolean comment;
         do {
@@ -102,16 +102,16 @@ final class ModelText {
         return comment;
     }
 
-    ModelFileException wrong(String reason, String remedy) {
+    public ModelFileException error(String reason, String remedy) {
         return wrongAt(line, reason, remedy);
     }
 
-    ModelFileException wrongAt(int where, String reason, String remedy) {
+    public ModelFileException wrongAt(int where, String reason, String remedy) {
         return new ModelFileException(file, where, reason, remedy);
     }
 
     /** Parses a number in the range of coordinates. */
-    float coordinate(String word) {
+    public float coordinate(String word) {
         float value = number(word);
         if (!isCoordinate(value)) {
             throw notACoordinate(line, value);
@@ -119,24 +119,24 @@ final class ModelText {
         return value;
     }
 
-    static boolean isCoordinate(float value) {
-        return Math.abs(value) <= MeshLimits.MAX_COORDINATE;
+    public static boolean isCoordinate(float value) {
+        return Math.abs(value) <= MeshLimits.MAX_COORDINATE_UNITS;
     }
 
-    ModelFileException notACoordinate(int where, float value) {
-        return wrongAt(where, ShownNumber.of(value) + " is no coordinate", "keep within a million units");
+    public ModelFileException notACoordinate(int where, float value) {
+        return wrongAt(where, NumberFormatting.of(value) + " is no coordinate", "keep within a million units");
     }
 
     float number(String word) {
         try {
             return Float.parseFloat(decimal(word));
         } catch (NumberFormatException notANumber) {
-            throw wrong(quoted(word) + " is not a number", "write it as 1.5 or -2e-3");
+            throw error(quoted(word) + " is not a number", "write it as 1.5 or -2e-3");
         }
     }
 
     /** Returns the word unless only Java accepts it as a number, such as 1f, 0x1p3 or NaN. */
-    static String decimal(String word) {
+    public static String decimal(String word) {
         for (int i = 0; i < word.length(); i++) {
             if ("0123456789+-.eE".indexOf(word.charAt(i)) < 0) {
                 throw new NumberFormatException(word);
@@ -146,15 +146,15 @@ final class ModelText {
     }
 
     /** Parses an integer in the range of int. */
-    int whole(String word) {
+    public int whole(String word) {
         try {
             return Integer.parseInt(word);
         } catch (NumberFormatException notWhole) {
-            throw wrong(quoted(word) + " is not a whole number", "write it as 12, without a point");
+            throw error(quoted(word) + " is not a whole number", "write it as 12, without a point");
         }
     }
 
-    static String quoted(String word) {
+    public static String quoted(String word) {
         var shown = new StringBuilder("\"");
         word.codePoints().limit(24).forEach(c -> shown.appendCodePoint(c < ' ' || c > '~' ? '?' : c));
         return shown.append(word.length() > 24 ? "…\"" : "\"").toString();
@@ -184,13 +184,13 @@ final class ModelText {
         int length = Math.min(at - start, LONGEST_WORD + 1);
         String word = new String(bytes, start, length, StandardCharsets.UTF_8);
         if (length > LONGEST_WORD) {
-            throw wrong(quoted(word) + " is longer than any number", "check that the file is a mesh in text form");
+            throw error(quoted(word) + " is longer than any number", "check that the file is a mesh in text form");
         }
         return word;
     }
 
     /** Returns the words unless there are too many. */
-    List<String> atMost(List<String> words) {
+    public List<String> atMost(List<String> words) {
         if (words.size() > MOST_WORDS) {
             throw tooManyWords();
         }
@@ -198,7 +198,7 @@ final class ModelText {
     }
 
     private ModelFileException tooManyWords() {
-        return wrong(
+        return error(
                 "has more than " + MeshLimits.MAX_CORNERS + " corners or numbers in a line",
                 "cut the polygon into smaller ones");
     }

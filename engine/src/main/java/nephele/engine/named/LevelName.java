@@ -4,13 +4,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.LevelAssets;
 import nephele.engine.asset.ResourceAssets;
-import nephele.engine.asset.WholeFile;
-import nephele.engine.level.LevelFile;
-import nephele.engine.level.LevelFormatException;
-import nephele.engine.sim.Replay;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.sim.WorldRules;
+import nephele.engine.sim.replay.Replay;
 import nephele.engine.terminal.CommandFailure;
 
 /**
@@ -69,7 +69,7 @@ public record LevelName(String typed) {
      */
     public static Replay replay(String file) {
         try {
-            byte[] bytes = WholeFile.read(Path.of(file), LARGEST_REPLAY_BYTES);
+            byte[] bytes = AtomicFile.read(Path.of(file), LARGEST_REPLAY_BYTES);
             if (bytes.length > LARGEST_REPLAY_BYTES) {
                 throw CommandFailure.input(file + ": is larger than " + (LARGEST_REPLAY_BYTES >> 20) + " MiB");
             }

@@ -3,7 +3,7 @@ package nephele.engine.named;
 import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.placed.PlacedLevel;
 
 /** A checked level that a user named. Derived data is computed lazily and once. */
@@ -38,11 +38,11 @@ public final class OpenedLevel {
     /**
      * Returns the level with derived transforms and meshes; thread-safe.
      *
-     * @throws nephele.engine.level.LevelFormatException if the level names an unusable mesh
+     * @throws nephele.engine.level.json.LevelFormatException if the level names an unusable mesh
      */
     public synchronized PlacedLevel placed() {
         if (placed == null) {
-            placed = AssetComplaint.named(this, () -> PlacedLevel.of(level(), assets()));
+            placed = AssetProblems.named(this, () -> PlacedLevel.of(level(), assets()));
         }
         return placed;
     }

@@ -2,10 +2,10 @@ package nephele.engine.named;
 
 import java.io.PrintStream;
 import java.util.List;
-import nephele.engine.level.LevelFormatException;
-import nephele.engine.level.LevelJson;
 import nephele.engine.level.Problem;
-import nephele.engine.sim.Replay;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.sim.replay.Replay;
 
 /** Compares the level in which a replay was recorded with the one in which it is played. */
 public final class ReplayOrigin {

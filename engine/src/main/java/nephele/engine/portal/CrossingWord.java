@@ -1,7 +1,7 @@
 package nephele.engine.portal;
 
 import java.util.Arrays;
-import nephele.engine.math.BitHash;
+import nephele.engine.math.Hash64;
 
 /**
  * The portals between two places, in order and without any pair that goes through and back: a reduced word of the free
@@ -50,9 +50,9 @@ public final class CrossingWord {
 
     /** Joins the length and the letters to a hash. */
     public long hash(long before) {
-        long hash = BitHash.join(before, (long) entries.length);
+        long hash = Hash64.combine(before, (long) entries.length);
         for (int entry : entries) {
-            hash = BitHash.join(hash, (long) entry);
+            hash = Hash64.combine(hash, (long) entry);
         }
         return hash;
     }

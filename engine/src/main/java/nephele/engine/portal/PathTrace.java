@@ -35,7 +35,7 @@ public final class PathTrace {
 
     private final Portals portals;
     private final Obstacles obstacles;
-    private final Crossing crossing = new Crossing();
+    private final PortalCrossing crossing = new PortalCrossing();
     private final Vector3d place = new Vector3d();
     private final Vector3d rest = new Vector3d();
     private final Vector3d piece = new Vector3d();
@@ -51,12 +51,12 @@ public final class PathTrace {
     }
 
     /** Follows the segment from a point along {@code way}, through every portal on it, up to the first obstacle. */
-    public End walk(Vector3dc from, Vector3dc way) {
-        return walk(from, way, Legs.NOBODY);
+    public End trace(Vector3dc from, Vector3dc way) {
+        return trace(from, way, Legs.NOBODY);
     }
 
     /** Does the same and reports each piece before the next one. */
-    public End walk(Vector3dc from, Vector3dc way, Legs legs) {
+    public End trace(Vector3dc from, Vector3dc way, Legs legs) {
         place.set(from);
         rest.set(way);
         crossings = 0;
@@ -88,10 +88,10 @@ public final class PathTrace {
             end = End.TOO_MANY_CROSSINGS;
             return;
         }
-        Passage passage = portals.passage(crossing.portal());
-        passage.point(place.set(crossing.place()));
+        PortalTransform transform = portals.transform(crossing.portal());
+        transform.point(place.set(crossing.place()));
         rest.mul(1 - crossing.seconds());
-        passage.direction(rest);
+        transform.direction(rest);
         entered[crossings++] = crossing.portal();
     }
 
@@ -127,7 +127,7 @@ public final class PathTrace {
     /** Maps a direction from the path's start to its end, in place, and returns it. */
     public Vector3d carryDirection(Vector3d direction) {
         for (int i = 0; i < crossings; i++) {
-            portals.passage(entered[i]).direction(direction);
+            portals.transform(entered[i]).direction(direction);
         }
         return direction;
     }
@@ -135,7 +135,7 @@ public final class PathTrace {
     /** Maps a point through the portals of the path, in place, and returns it. */
     public Vector3d carryPoint(Vector3d point) {
         for (int i = 0; i < crossings; i++) {
-            portals.passage(entered[i]).point(point);
+            portals.transform(entered[i]).point(point);
         }
         return point;
     }

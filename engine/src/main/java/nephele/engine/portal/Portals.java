@@ -20,18 +20,18 @@ public final class Portals {
 
     private final List<Portal> portals;
     private final List<Integer> partners;
-    private final Passage[] passages;
+    private final PortalTransform[] transforms;
     private final Plane[] planes;
 
     /** @param partners for each portal the index of its partner, or {@link #CLOSED} */
     public Portals(List<Portal> portals, List<Integer> partners) {
         this.portals = List.copyOf(portals);
         this.partners = List.copyOf(partners);
-        passages = new Passage[portals.size()];
+        transforms = new PortalTransform[portals.size()];
         planes = portals.stream().map(Portals::planeOf).toArray(Plane[]::new);
-        for (int i = 0; i < passages.length; i++) {
+        for (int i = 0; i < transforms.length; i++) {
             int partner = partners.get(i);
-            passages[i] = partner == CLOSED ? null : Passage.between(portals.get(i), portals.get(partner));
+            transforms[i] = partner == CLOSED ? null : PortalTransform.between(portals.get(i), portals.get(partner));
         }
     }
 
@@ -105,11 +105,11 @@ public final class Portals {
 
     /** Returns true if a portal has a partner. */
     public boolean isOpen(int index) {
-        return passages[index] != null;
+        return transforms[index] != null;
     }
 
     /** Returns the map from an open portal to its partner, {@code null} for a closed one. */
-    public Passage passage(int index) {
-        return passages[index];
+    public PortalTransform transform(int index) {
+        return transforms[index];
     }
 }

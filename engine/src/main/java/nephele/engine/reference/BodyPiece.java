@@ -5,7 +5,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
-import nephele.engine.reference.BodyForm.Span;
+import nephele.engine.reference.BodyShape.Span;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -16,7 +16,7 @@ import org.joml.Vector3dc;
  * @param body index in the level
  * @param cuts only the part in front of all these planes exists
  */
-record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, List<Plane> cuts)
+record BodyPiece(int body, BodyShape form, Vec3 centre, Matrix3d worldFromBody, List<Plane> cuts)
         implements TracedShape {
     /** Returns infinity also for a ray that enters through a cut. */
     @Override
@@ -32,7 +32,7 @@ record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, L
     }
 
     @Override
-    public boolean meets(Ray ray, double limit) {
+    public boolean intersects(Ray ray, double limit) {
         Span inside = span(ray);
         double enter = Math.max(inside.enter(), 0);
         double leave = Math.min(inside.leave(), limit);
@@ -56,7 +56,7 @@ record BodyPiece(int body, BodyForm form, Vec3 centre, Matrix3d worldFromBody, L
     }
 
     @Override
-    public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceLooks looks) {
+    public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
         return looks.bodies().at(path.item(), this, place, toEye);
     }
 

@@ -7,8 +7,8 @@ import nephele.engine.level.Level;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Aperture;
-import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
@@ -24,7 +24,7 @@ final class BodyPieces {
         List<BodyPiece> pieces = new ArrayList<>();
         for (int i = 0; i < level.bodies().size(); i++) {
             Body body = level.bodies().get(i);
-            add(new BodyPiece(i, BodyForm.of(body), body.centre(), new Matrix3d(), List.of()), portals, pieces);
+            add(new BodyPiece(i, BodyShape.of(body), body.centre(), new Matrix3d(), List.of()), portals, pieces);
         }
         return pieces;
     }
@@ -34,15 +34,15 @@ final class BodyPieces {
         for (int i = 0; i < portals.size(); i++) {
             if (portals.isOpen(i) && reachesThrough(whole, portals.portal(i))) {
                 cuts.add(portals.plane(i));
-                pieces.add(image(whole, portals.passage(i), portals.plane(portals.partner(i))));
+                pieces.add(image(whole, portals.transform(i), portals.plane(portals.partner(i))));
             }
         }
         pieces.add(new BodyPiece(whole.body(), whole.form(), whole.centre(), whole.worldFromBody(), cuts));
     }
 
-    private static BodyPiece image(BodyPiece whole, Passage passage, Plane exit) {
-        Matrix3d worldFromBody = new Matrix3d(passage.rotation()).mul(whole.worldFromBody());
-        return new BodyPiece(whole.body(), whole.form(), passage.point(whole.centre()), worldFromBody, List.of(exit));
+    private static BodyPiece image(BodyPiece whole, PortalTransform transform, Plane exit) {
+        Matrix3d worldFromBody = new Matrix3d(transform.rotation()).mul(whole.worldFromBody());
+        return new BodyPiece(whole.body(), whole.form(), transform.point(whole.centre()), worldFromBody, List.of(exit));
     }
 
     /**

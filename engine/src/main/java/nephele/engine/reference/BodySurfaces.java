@@ -9,9 +9,9 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
 import nephele.engine.level.appearance.FaceTexture;
 import nephele.engine.math.Vec3;
-import nephele.engine.reference.Skins.Bare;
-import nephele.engine.reference.Skins.Skin;
-import nephele.engine.reference.Skins.Spot;
+import nephele.engine.reference.MaterialTextures.Bare;
+import nephele.engine.reference.MaterialTextures.Skin;
+import nephele.engine.reference.MaterialTextures.Spot;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -29,9 +29,9 @@ final class BodySurfaces {
      */
     private record Clothed(Skin skin, List<FaceTexture> faces) {}
 
-    BodySurfaces(List<Body> bodies, Skins skins) {
+    BodySurfaces(List<Body> bodies, MaterialTextures textures) {
         this.bodies = bodies.stream()
-                .map(body -> clothed(body, skins.skin(body.material())))
+                .map(body -> clothed(body, textures.skin(body.material())))
                 .toList();
     }
 
@@ -58,9 +58,9 @@ final class BodySurfaces {
         Vector3d local = piece.local(place);
         Vector3d normal = piece.worldFromBody().transform(piece.form().normal(local));
         Spot spot = body.faces.isEmpty()
-                ? aroundSpot(body.skin, (BodyForm.Capsule) piece.form(), piece, local)
+                ? aroundSpot(body.skin, (BodyShape.Capsule) piece.form(), piece, local)
                 : faceSpot(body.faces.get(piece.form().face(local)), piece, local);
-        return Skins.covered(new Bare(item, place, normal, toEye), body.skin, spot);
+        return MaterialTextures.covered(new Bare(item, place, normal, toEye), body.skin, spot);
     }
 
     private static Spot faceSpot(FaceTexture texture, BodyPiece piece, Vector3d local) {
@@ -72,7 +72,7 @@ final class BodySurfaces {
                 piece.worldFromBody().transform(texture.up().toVector()));
     }
 
-    private static Spot aroundSpot(Skin skin, BodyForm.Capsule form, BodyPiece piece, Vector3d local) {
+    private static Spot aroundSpot(Skin skin, BodyShape.Capsule form, BodyPiece piece, Vector3d local) {
         double metres = skin.material().textureMetres();
         double turn = 2 * Math.PI * form.radius();
         double onAxis = Math.min(Math.max(local.y, -form.halfAxis()), form.halfAxis());

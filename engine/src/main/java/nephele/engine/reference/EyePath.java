@@ -2,13 +2,13 @@ package nephele.engine.reference;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.math.BitHash;
+import nephele.engine.math.Hash64;
 import nephele.engine.math.Ray;
-import nephele.engine.math.RayHit;
 import nephele.engine.math.Reflection;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Crossing;
-import nephele.engine.portal.Passage;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.portal.PortalCrossing;
+import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -29,19 +29,19 @@ final class EyePath {
 
     private static final Vector3dc STRAIGHT = new Vector3d();
 
-    private final SurfaceRays surfaces;
+    private final TracedItems surfaces;
     private final Portals portals;
     private final ReflectingFaces mirrors;
     private final List<Reflected> reflected = new ArrayList<>();
     private final Vector3d tint = new Vector3d();
-    private final Crossing crossing = new Crossing();
+    private final PortalCrossing crossing = new PortalCrossing();
     private final RayHit hit = new RayHit();
     private final Vector3d origin = new Vector3d();
     private final Vector3d direction = new Vector3d();
     private Ray ray;
     private int item = -1;
     private double metres;
-    private long passed;
+    private long pathHash;
 
     /**
      * A mirror on the path.
@@ -51,7 +51,7 @@ final class EyePath {
      */
     record Reflected(double metres, Vector3dc lost) {}
 
-    EyePath(SurfaceRays surfaces, Portals portals, ReflectingFaces mirrors) {
+    EyePath(TracedItems surfaces, Portals portals, ReflectingFaces mirrors) {
         this.surfaces = surfaces;
         this.mirrors = mirrors;
         this.portals = portals;
@@ -63,7 +63,7 @@ final class EyePath {
      * @param along direction of depth 1: parameters are depths
      * @return true if there is one between {@code near} and {@code far}
      */
-    boolean walk(Vector3dc eye, Vector3dc along, double near, double far) {
+    boolean trace(Vector3dc eye, Vector3dc along, double near, double far) {
         origin.set(eye);
         direction.set(along);
         double length = along.length();
@@ -71,11 +71,11 @@ final class EyePath {
         int likely = item;
         item = -1;
         metres = Double.POSITIVE_INFINITY;
-        passed = 0;
+        pathHash = 0;
         reflected.clear();
         tint.set(1);
         for (int crossings = 0; crossings < MOST_CROSSINGS; crossings++) {
-            ray = SurfaceRays.ray(origin, direction);
+            ray = TracedItems.ray(origin, direction);
             double left = far - walked;
             boolean isMet = surfaces.nearest(ray, Math.max(near - walked, 0), left, likely, hit);
             double free = (isMet ? hit.distance() : left) + FLUSH_METRES / length;
@@ -91,10 +91,10 @@ final class EyePath {
                 return isMet;
             }
             walked += crossing.seconds();
-            passed = BitHash.join(passed, crossing.portal());
-            Passage passage = portals.passage(crossing.portal());
-            passage.point(origin.set(crossing.place()));
-            passage.direction(direction);
+            pathHash = Hash64.combine(pathHash, crossing.portal());
+            PortalTransform transform = portals.transform(crossing.portal());
+            transform.point(origin.set(crossing.place()));
+            transform.direction(direction);
         }
         return false;
     }
@@ -112,7 +112,7 @@ final class EyePath {
         Vector3d before = new Vector3d(tint);
         tint.mul(mirror.tint().toVector());
         reflected.add(new Reflected(metresBefore + hit.distance() * length, before.sub(tint)));
-        passed = BitHash.join(BitHash.join(passed, ~hit.item()), face);
+        pathHash = Hash64.combine(Hash64.combine(pathHash, ~hit.item()), face);
         origin.set(ray.at(hit.distance()).toVector());
         new Reflection(Vec3.ZERO, mirror.normal()).direction(direction);
         return true;
@@ -149,8 +149,8 @@ final class EyePath {
     }
 
     /** Returns a hash of the portals and mirrors on the path, in order; 0 if there are none. */
-    long passed() {
-        return passed;
+    long pathHash() {
+        return pathHash;
     }
 
     /** Returns the parameter of the last segment at its end. */

@@ -7,7 +7,7 @@ import java.util.function.Function;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sun;
-import nephele.engine.level.appearance.Lamp;
+import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Directions;
@@ -26,14 +26,14 @@ final class Illumination {
     static final int SKY_RAYS = 4;
 
     private static final int SUN = 0;
-    private static final int FIRST_LAMP = 1;
+    private static final int FIRST_LIGHT = 1;
 
     /** The height of the rays' origins above their face: above rounding errors, below any visible thickness. */
     private static final double LIFT_METRES = 1e-7;
 
     private final Sun sun;
     private final Vector3dc towardsSun;
-    private final List<Lamp> lamps;
+    private final List<PunctualLight> lights;
     private final Vec3 ambient;
     private final Optional<SkyLight> skyLight;
 
@@ -41,20 +41,20 @@ final class Illumination {
         Environment environment = level.environment();
         sun = environment.sun();
         towardsSun = sun == null ? new Vector3d() : unit(sun.directionTowardsSun());
-        lamps = level.lights().stream()
-                .flatMap(light -> Lamp.of(light).stream())
+        lights = level.lights().stream()
+                .flatMap(light -> PunctualLight.of(light).stream())
                 .toList();
         ambient = environment.ambient();
         skyLight = ambient == null ? sky.map(SkyLight::new) : Optional.empty();
     }
 
     /** Returns for each light but the sky the function from a box to the shaft of its shadow rays. */
-    List<Function<Aabb, BeamShape>> beams() {
+    List<Function<Aabb, ShaftShape>> shafts() {
         Vec3 sunwards = Vec3.of(towardsSun);
-        List<Function<Aabb, BeamShape>> beams = new ArrayList<>();
-        beams.add(from -> BeamShape.along(sunwards, sunwards, from));
-        lamps.forEach(lamp -> beams.add(from -> BeamShape.to(lamp.position(), from)));
-        return beams;
+        List<Function<Aabb, ShaftShape>> shafts = new ArrayList<>();
+        shafts.add(from -> ShaftShape.along(sunwards, sunwards, from));
+        lights.forEach(light -> shafts.add(from -> ShaftShape.to(light.position(), from)));
+        return shafts;
     }
 
     private static Vector3dc unit(Vec3 v) {
@@ -72,8 +72,8 @@ final class Illumination {
         if (sun != null) {
             addSun(surface, origin, shadows, sum);
         }
-        for (int lamp = 0; lamp < lamps.size(); lamp++) {
-            addLamp(lamp, surface, origin, shadows, sum);
+        for (int light = 0; light < lights.size(); light++) {
+            addLight(light, surface, origin, shadows, sum);
         }
         if (ambient != null) {
             Vector3d all = ambient.toVector();
@@ -100,17 +100,17 @@ final class Illumination {
         }
     }
 
-    private void addLamp(int index, SurfacePoint surface, Vector3d origin, ShadowRays shadows, Vector3d sum) {
-        Lamp lamp = lamps.get(index);
-        Vector3d way = lamp.position().toVector().sub(origin);
+    private void addLight(int index, SurfacePoint surface, Vector3d origin, ShadowRays shadows, Vector3d sum) {
+        PunctualLight light = lights.get(index);
+        Vector3d way = light.position().toVector().sub(origin);
         double distance = way.length();
-        if (distance >= lamp.rangeMetres() || surface.faceNormal().dot(way) <= 0) {
+        if (distance >= light.rangeMetres() || surface.faceNormal().dot(way) <= 0) {
             return;
         }
-        Vector3d irradiance = lamp.irradianceAt(surface.place());
+        Vector3d irradiance = light.irradianceAt(surface.place());
         boolean isDark = irradiance.x + irradiance.y + irradiance.z == 0;
-        boolean casts = lamp.source().castsShadow();
-        if (!isDark && !(casts && shadows.isBlocked(FIRST_LAMP + index, origin, way, 1, surface.item()))) {
+        boolean casts = light.source().castsShadow();
+        if (!isDark && !(casts && shadows.isBlocked(FIRST_LIGHT + index, origin, way, 1, surface.item()))) {
             sum.add(surface.reflected(way.div(distance)).mul(irradiance));
         }
     }

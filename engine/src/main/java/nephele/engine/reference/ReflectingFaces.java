@@ -22,16 +22,16 @@ final class ReflectingFaces {
         this.faces = faces;
     }
 
-    static ReflectingFaces of(List<Brush> brushes, Skins skins) {
+    static ReflectingFaces of(List<Brush> brushes, MaterialTextures textures) {
         Face[][] faces = brushes.stream()
                 .map(brush ->
-                        brush.faces().stream().map(face -> face(face, skins)).toArray(Face[]::new))
+                        brush.faces().stream().map(face -> face(face, textures)).toArray(Face[]::new))
                 .toArray(Face[][]::new);
         return new ReflectingFaces(faces);
     }
 
-    private static Face face(Brush.BrushFace face, Skins skins) {
-        var material = skins.skin(face.material()).material();
+    private static Face face(Brush.BrushFace face, MaterialTextures textures) {
+        var material = textures.skin(face.material()).material();
         return material.mirror() ? new Face(face.plane().normal(), material.baseColour()) : null;
     }
 

@@ -2,14 +2,14 @@ package nephele.engine.reference;
 
 import java.util.Arrays;
 import nephele.engine.asset.Picture;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
 
 /** A picture that repeats in both directions, interpolated bilinearly between its pixel centres, in linear values. */
 final class RepeatedPicture {
     private final Picture picture;
     private final double[] linear;
 
-    RepeatedPicture(Picture picture, Decoding decoding) {
+    RepeatedPicture(Picture picture, ColourDecoding decoding) {
         this.picture = picture.toRgba8();
         linear = decoding.table();
     }

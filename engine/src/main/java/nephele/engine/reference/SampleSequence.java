@@ -1,6 +1,6 @@
 package nephele.engine.reference;
 
-import nephele.engine.math.BitHash;
+import nephele.engine.math.Hash64;
 import nephele.engine.math.SeededNoise;
 
 /**
@@ -55,7 +55,7 @@ final class SampleSequence {
     private final SeededNoise noise;
 
     SampleSequence(long seed) {
-        noise = new SeededNoise((int) BitHash.join(0, seed));
+        noise = new SeededNoise((int) Hash64.combine(0, seed));
     }
 
     PixelSample sample(int column, int row, int index) {

@@ -5,14 +5,14 @@ import org.joml.Vector3dc;
 
 /** Tests shadow rays. Use one per thread. */
 final class ShadowRays {
-    private final SurfaceRays surfaces;
-    private final Beams beams;
+    private final TracedItems surfaces;
+    private final Shafts shafts;
     private final Ray ray = Ray.reusable();
-    private Beams.Cube cube;
+    private Shafts.Cube cube;
 
-    ShadowRays(SurfaceRays surfaces, Beams beams) {
+    ShadowRays(TracedItems surfaces, Shafts shafts) {
         this.surfaces = surfaces;
-        this.beams = beams;
+        this.shafts = shafts;
     }
 
     /**
@@ -25,14 +25,14 @@ final class ShadowRays {
     boolean isBlocked(int light, Vector3dc origin, Vector3dc direction, double limit, int lit) {
         int except = surfaces.withoutOwnShade(lit);
         ray.aim(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
-        cube = beams.cube(origin, cube);
+        cube = shafts.cube(origin, cube);
         return cube == null
                 ? surfaces.blocker(ray, limit, except) >= 0
-                : beams.beam(cube, light).isBlocked(ray, limit, except);
+                : shafts.shaft(cube, light).isBlocked(ray, limit, except);
     }
 
     /** Returns true if the sky is occluded in a direction. */
     boolean isSkyBlocked(Vector3dc origin, Vector3dc direction, int lit) {
-        return isBlocked(beams.patch(direction), origin, direction, Double.POSITIVE_INFINITY, lit);
+        return isBlocked(shafts.patch(direction), origin, direction, Double.POSITIVE_INFINITY, lit);
     }
 }

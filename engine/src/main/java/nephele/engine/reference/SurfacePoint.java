@@ -9,7 +9,7 @@ import org.joml.Vector3dc;
 /**
  * The end point of an eye ray with its surface properties.
  *
- * @param item number as in {@link SurfaceRays}
+ * @param item number as in {@link TracedItems}
  * @param normal unit, perturbed by a normal map
  * @param smoothNormal unit, of the surface that the geometry approximates: equal to {@code faceNormal} unless that is a
  *     mesh

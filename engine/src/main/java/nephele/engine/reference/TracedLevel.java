@@ -4,8 +4,8 @@ import java.util.Optional;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Level;
-import nephele.engine.level.appearance.Decoding;
-import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.level.appearance.ColourDecoding;
+import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
@@ -16,26 +16,28 @@ import org.joml.Vector3dc;
 
 /** A level prepared for ray tracing, with its bodies at their initial positions; immutable, shared by all threads. */
 public final class TracedLevel {
-    private final SurfaceRays rays;
-    private final SurfaceLooks looks;
+    private final TracedItems rays;
+    private final SurfaceAppearance looks;
     private final Illumination light;
-    private final Beams beams;
+    private final Shafts shafts;
     private final Optional<SkyRadiance> sky;
-    private final Optional<FogVeil> fog;
+    private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final ReflectingFaces mirrors;
 
-    private TracedLevel(Level level, StaticShapes statics, AssetSource assets, Portals portals, Decoding decoding) {
+    private TracedLevel(
+            Level level, StaticShapes statics, AssetSource assets, Portals portals, ColourDecoding decoding) {
         this.portals = portals;
-        rays = new SurfaceRays(
+        rays = new TracedItems(
                 statics, BodyPieces.of(level, portals), level.bodies().size());
-        Skins skins = new Skins(level.materials(), assets, decoding);
-        looks = new SurfaceLooks(new Surfaces(statics.solids(), skins), new BodySurfaces(level.bodies(), skins), skins);
-        mirrors = ReflectingFaces.of(statics.solids(), skins);
+        MaterialTextures textures = new MaterialTextures(level.materials(), assets, decoding);
+        looks = new SurfaceAppearance(
+                new FaceMaterials(statics.solids(), textures), new BodySurfaces(level.bodies(), textures), textures);
+        mirrors = ReflectingFaces.of(statics.solids(), textures);
         sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
-        fog = FogVeil.of(level.environment());
+        fog = FogTransmittance.of(level.environment());
         light = new Illumination(level, sky);
-        beams = new Beams(rays, light.beams());
+        shafts = new Shafts(rays, light.shafts());
     }
 
     /**
@@ -44,18 +46,18 @@ public final class TracedLevel {
      * @param decoding of the pictures of materials and sky
      * @throws nephele.engine.asset.AssetException naming a picture that is missing or cannot be used
      */
-    public static TracedLevel of(PlacedLevel placed, Decoding decoding) {
+    public static TracedLevel of(PlacedLevel placed, ColourDecoding decoding) {
         Level level = placed.level();
         return new TracedLevel(level, placed.statics(), placed.assets(), Portals.of(level), decoding);
     }
 
     Tracer tracer(Pinhole eye) {
-        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new ShadowRays(rays, beams));
+        return new Tracer(this, eye, new EyePath(rays, portals, mirrors), new ShadowRays(rays, shafts));
     }
 
     /** Returns an object for one thread that finds visible surfaces. */
-    public SurfaceSight sight(Pinhole eye) {
-        return new SurfaceSight(rays, new EyePath(rays, portals, mirrors), eye);
+    public VisibleSurface sight(Pinhole eye) {
+        return new VisibleSurface(rays, new EyePath(rays, portals, mirrors), eye);
     }
 
     Illumination light() {

@@ -6,14 +6,14 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3dc;
 
 /** A shape that rays intersect. Only its outside is visible: a ray that starts inside does not see it. */
-sealed interface TracedShape permits TracedSolid, BodyPiece, ModelForm {
+sealed interface TracedShape permits TracedSolid, BodyPiece, TriangleMeshShape {
     Aabb bounds();
 
     /** Returns the parameter at which the ray first enters; infinity if that is before {@code least}, or never. */
     double entry(Ray ray, double least);
 
     /** Returns true if the ray contains any point of it up to the parameter {@code limit}. */
-    boolean meets(Ray ray, double limit);
+    boolean intersects(Ray ray, double limit);
 
     /** Returns true if one part of it can shade another, which is impossible for a convex shape. */
     boolean shadesItself();
@@ -23,5 +23,5 @@ sealed interface TracedShape permits TracedSolid, BodyPiece, ModelForm {
      *
      * @param toEye unit
      */
-    SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceLooks looks);
+    SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks);
 }

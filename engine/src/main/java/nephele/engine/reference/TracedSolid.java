@@ -30,7 +30,7 @@ final class TracedSolid implements TracedShape {
     }
 
     @Override
-    public boolean meets(Ray ray, double limit) {
+    public boolean intersects(Ray ray, double limit) {
         return meets(ray, planes, limit);
     }
 
@@ -40,7 +40,7 @@ final class TracedSolid implements TracedShape {
     }
 
     @Override
-    public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceLooks looks) {
+    public SurfacePoint at(EyePath path, Vec3 place, Vector3dc toEye, SurfaceAppearance looks) {
         return looks.solids().at(path.item(), face(path.ray()), place, toEye);
     }
 

@@ -8,7 +8,7 @@ import nephele.engine.level.placed.StaticShapes;
 /** Makes the traced shapes of static shapes. */
 final class TracedStatics implements StaticShape.Cases {
     private final List<TracedSolid> solids = new ArrayList<>();
-    private final List<ModelForm> models = new ArrayList<>();
+    private final List<TriangleMeshShape> models = new ArrayList<>();
 
     TracedStatics(StaticShapes statics) {
         statics.all().forEach(shape -> shape.select(this));
@@ -21,7 +21,7 @@ final class TracedStatics implements StaticShape.Cases {
 
     @Override
     public void triangleMesh(StaticShape.TriangleMesh mesh) {
-        models.add(new ModelForm(mesh.model()));
+        models.add(new TriangleMeshShape(mesh.model()));
     }
 
     @Override
@@ -33,7 +33,7 @@ final class TracedStatics implements StaticShape.Cases {
         return solids;
     }
 
-    List<ModelForm> models() {
+    List<TriangleMeshShape> models() {
         return models;
     }
 }

@@ -23,7 +23,7 @@ final class Tracer {
 
     /** Returns the radiance that reaches the eye along a ray, see {@link Pinhole#direction}. */
     Vector3d radiance(Vector3d direction, PixelSample sample) {
-        if (path.walk(from, direction, eye.nearMetres(), eye.farMetres())) {
+        if (path.trace(from, direction, eye.nearMetres(), eye.farMetres())) {
             Vec3 place = path.ray().at(path.end());
             Vector3d toEye = new Vector3d(path.direction()).normalize(-1);
             SurfacePoint surface = level.surface(path, place, toEye);

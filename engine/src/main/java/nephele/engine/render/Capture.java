@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import nephele.engine.asset.WholeFile;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.render.gl.RenderTarget;
 
 /** Pictures out of targets into files. */
@@ -40,7 +40,7 @@ public final class Capture {
 
     /** Writes a picture that comes from elsewhere. */
     public static void png(BufferedImage picture, Path file) throws IOException {
-        WholeFile.write(file, encoded(picture));
+        AtomicFile.write(file, encoded(picture));
     }
 
     /**
@@ -53,7 +53,7 @@ public final class Capture {
         ByteBuffer bytes = ByteBuffer.allocate(header.length + 4 * rgb.length).order(ByteOrder.LITTLE_ENDIAN);
         bytes.put(header);
         bytes.asFloatBuffer().put(rgb);
-        WholeFile.write(file, bytes.array());
+        AtomicFile.write(file, bytes.array());
     }
 
     /** In memory: given a file, ImageIO deletes it first and prints a stack trace where it cannot be opened. */

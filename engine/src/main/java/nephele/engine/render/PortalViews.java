@@ -6,15 +6,15 @@ import nephele.engine.render.RenderSettings.Deepest;
 import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.NestedViews;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.SharedResources;
-import nephele.engine.render.frame.Surroundings;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.PixelRectangle;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
@@ -34,7 +34,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     /** Of views that have pictures of their own, and perhaps another size. */
     private final ViewCopies pictureCopies;
 
-    private final Surroundings surroundings;
+    private final FrameEnvironment environment;
     private final PortalPictures pictures;
     private final PreviousPicture previous;
     private final Multisampling multisampling;
@@ -61,7 +61,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         this.copies = copies;
         pictureCopies = copies.another();
         skies = passes.skies();
-        surroundings = shared.surroundings();
+        environment = shared.surroundings();
         pictures = new PortalPictures(
                 gl, technique().copies() ? 1 : settings.quality().portalResolution());
         previous = new PreviousPicture(gl, scene.mirrors());
@@ -69,11 +69,11 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     /** Chooses the views of a frame. */
-    ViewNode choose(View main, Moment moment, RenderTarget picture) {
+    ViewNode choose(View main, FrameState frameState, RenderTarget picture) {
         tree = previous.nextTree();
-        tree.grow(
+        tree.build(
                 main,
-                moment,
+                frameState,
                 picture.width(),
                 picture.height(),
                 settings.quality().viewBudget());
@@ -87,11 +87,11 @@ final class PortalViews implements NestedViews, AutoCloseable {
      *
      * @param drawn the frame buffer: what is in it is lost
      */
-    void drawPictures(Moment moment, RenderTarget picture, RenderTarget drawn) {
+    void drawPictures(FrameState frameState, RenderTarget picture, RenderTarget drawn) {
         if (technique().hasPictures()) {
             frameBuffer = drawn;
             pictures.begin(drawn.format(), picture.width(), picture.height());
-            drawPictures(tree.root(), moment, picture);
+            drawPictures(tree.root(), frameState, picture);
             enter(tree.root());
         }
     }
@@ -140,20 +140,20 @@ final class PortalViews implements NestedViews, AutoCloseable {
     @Override
     public void draw(FrameContext frame, ViewNode child) {
         enter(child);
-        drawPasses(child, frame.moment(), frame.surface(), frame.picture(), copies);
+        drawPasses(child, frame.frameState(), frame.surface(), frame.picture(), copies);
         enter(frame.node());
     }
 
     @Override
     public void drawSky(FrameContext frame, ViewNode child) {
-        shared.frameUniforms().upload(child.view(), surroundings.exposure());
+        shared.frameUniforms().upload(child.view(), environment.exposure());
         FrameContext context = context(child.depth());
-        context.into(frame.moment(), frame.surface(), frame.picture());
-        context.see(child.view(), child, null, null);
+        context.setTarget(frame.frameState(), frame.surface(), frame.picture());
+        context.setView(child.view(), child, null, null);
         for (int i = 0; i < skies.size(); i++) {
             skies.get(i).draw(context);
         }
-        shared.frameUniforms().upload(frame.view(), surroundings.exposure());
+        shared.frameUniforms().upload(frame.view(), environment.exposure());
     }
 
     @Override
@@ -162,7 +162,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     private void enter(ViewNode node) {
-        shared.frameUniforms().upload(node.view(), surroundings.exposure());
+        shared.frameUniforms().upload(node.view(), environment.exposure());
         if (node.parent() == null || settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
         } else {
@@ -172,20 +172,20 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     /** Deepest first: what a view shows through its portals has been drawn before it. */
-    private void drawPictures(ViewNode node, Moment moment, RenderTarget picture) {
+    private void drawPictures(ViewNode node, FrameState frameState, RenderTarget picture) {
         for (int i = 0; i < node.children().size(); i++) {
             ViewNode child = node.children().get(i);
             if (!child.isTerminal()) {
-                drawPictures(child, moment, picture);
-                drawPicture(child, moment, picture);
+                drawPictures(child, frameState, picture);
+                drawPicture(child, frameState, picture);
             }
         }
     }
 
-    private void drawPicture(ViewNode node, Moment moment, RenderTarget picture) {
+    private void drawPicture(ViewNode node, FrameState frameState, RenderTarget picture) {
         RenderTarget own = pictures.take(node);
         RenderTarget target = technique().copies() ? frameBuffer : multisampling.inPlaceOf(own, own.format());
-        shared.frameUniforms().upload(node.view(), surroundings.exposure());
+        shared.frameUniforms().upload(node.view(), environment.exposure());
         if (settings.narrowing() == Narrowing.OFF) {
             gl.state().noScissor();
         } else {
@@ -194,9 +194,9 @@ final class PortalViews implements NestedViews, AutoCloseable {
                     target.width() / (double) picture.width(),
                     target.height() / (double) picture.height());
         }
-        ClearColour seen = surroundings.clearColour(node.view());
+        ClearColour seen = environment.clearColour(node.view());
         target.clearWithinScissor(seen.red(), seen.green(), seen.blue());
-        drawPasses(node, moment, target, picture, pictureCopies);
+        drawPasses(node, frameState, target, picture, pictureCopies);
         copy(target, own);
         gl.state().noScissor();
         for (int i = 0; i < node.children().size(); i++) {
@@ -227,11 +227,11 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     private void drawPasses(
-            ViewNode node, Moment moment, RenderTarget surface, RenderTarget picture, ViewCopies viewCopies) {
+            ViewNode node, FrameState frameState, RenderTarget surface, RenderTarget picture, ViewCopies viewCopies) {
         VisibleSet seen = scene.solids().isEmpty() ? null : see(node);
         FrameContext context = context(node.depth());
-        context.into(moment, surface, picture);
-        context.see(node.view(), node, seen, settings.limits(node));
+        context.setTarget(frameState, surface, picture);
+        context.setView(node.view(), node, seen, settings.limits(node));
         passes.draw(context, viewCopies);
     }
 

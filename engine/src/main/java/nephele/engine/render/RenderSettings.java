@@ -6,7 +6,7 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.VisibleSet;
-import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.dynamic.CharacterPresence;
 
 /** What the caller, not the level, decides about a picture. */
 public record RenderSettings(
@@ -16,7 +16,7 @@ public record RenderSettings(
         Narrowing narrowing,
         Decoration decoration,
         Deepest deepest,
-        FigurePresence figure) {
+        CharacterPresence figure) {
     /** How solids outside of a view are left out; pictures do not differ. */
     public enum Culling {
         /** Everything is drawn. */
@@ -28,7 +28,7 @@ public record RenderSettings(
 
         void find(VisibleSet visible, View view) {
             switch (this) {
-                case NONE -> visible.takeAll();
+                case NONE -> visible.selectAll();
                 case SPHERE -> visible.findBySpheres(view);
                 case HIERARCHY -> visible.find(view);
             }
@@ -36,7 +36,7 @@ public record RenderSettings(
 
         void find(VisibleSet visible, Frustum frustum) {
             switch (this) {
-                case NONE -> visible.takeAll();
+                case NONE -> visible.selectAll();
                 case SPHERE -> visible.findBySpheres(frustum);
                 case HIERARCHY -> visible.find(frustum);
             }
@@ -77,7 +77,13 @@ public record RenderSettings(
 
     public static RenderSettings of(Output output, Quality quality) {
         return new RenderSettings(
-                output, quality, Culling.HIERARCHY, Narrowing.ON, Decoration.ON, Deepest.HISTORY, FigurePresence.NEVER);
+                output,
+                quality,
+                Culling.HIERARCHY,
+                Narrowing.ON,
+                Decoration.ON,
+                Deepest.HISTORY,
+                CharacterPresence.NEVER);
     }
 
     public RenderSettings with(Quality newQuality) {
@@ -100,7 +106,7 @@ public record RenderSettings(
         return new RenderSettings(output, quality, culling, narrowing, decoration, newDeepest, figure);
     }
 
-    public RenderSettings with(FigurePresence newFigure) {
-        return new RenderSettings(output, quality, culling, narrowing, decoration, deepest, newFigure);
+    public RenderSettings with(CharacterPresence newCharacter) {
+        return new RenderSettings(output, quality, culling, narrowing, decoration, deepest, newCharacter);
     }
 }

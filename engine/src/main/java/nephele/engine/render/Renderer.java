@@ -5,19 +5,19 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.Surroundings;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Fill;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
@@ -31,9 +31,9 @@ public final class Renderer implements AutoCloseable {
     private final List<RenderFeature> features;
     private final Scene scene;
     private final SharedResources shared;
-    private final Surroundings surroundings;
+    private final FrameEnvironment environment;
     private final VisibleSet visible;
-    private final Moment start;
+    private final FrameState start;
     private final LinearTarget linear;
     // Known when the passes are.
     private PassOrder passes;
@@ -55,9 +55,9 @@ public final class Renderer implements AutoCloseable {
         FrameRequest request = FrameRequest.of(
                 scene.level(), scene.statics(), settings.output(), settings.quality(), settings.figure());
         this.shared = new SharedResources(gl, scene, request);
-        this.surroundings = shared.surroundings();
+        this.environment = shared.surroundings();
         this.linear = new LinearTarget(gl);
-        this.start = Moment.atStart(scene.level());
+        this.start = FrameState.atStart(scene.level());
         this.visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
     }
 
@@ -145,12 +145,12 @@ public final class Renderer implements AutoCloseable {
     }
 
     /** Draws one view over the whole of {@code picture}; nothing when that has no pixels, as a minimised window. */
-    public void draw(View view, Moment moment, RenderTarget picture) {
-        draw(view, moment, picture, StepListener.NONE);
+    public void draw(View view, FrameState frameState, RenderTarget picture) {
+        draw(view, frameState, picture, StepListener.NONE);
     }
 
-    /** As {@link #draw(View, Moment, RenderTarget)}, telling {@code listener} after each step. */
-    public void draw(View view, Moment moment, RenderTarget picture, StepListener listener) {
+    /** As {@link #draw(View, FrameState, RenderTarget)}, telling {@code listener} after each step. */
+    public void draw(View view, FrameState frameState, RenderTarget picture, StepListener listener) {
         gl.state().resetCounts();
         if (picture.width() == 0 || picture.height() == 0) {
             return;
@@ -161,16 +161,16 @@ public final class Renderer implements AutoCloseable {
         gl.state().depthOf(DepthOf.SURFACE);
         RenderTarget surface = settings.output() == Output.HDR ? linear.ofSizeOf(picture) : picture;
         RenderTarget drawn = multisampling.inPlaceOf(surface, surface.format());
-        shared.follow(moment);
+        shared.follow(frameState);
         if (!passes.isEmpty()) {
-            begin(view, moment, picture, drawn);
+            begin(view, frameState, picture, drawn);
             drawOnce(listener);
         }
         if (portals != null) {
             // Pictures of their own come first: drawing on in a target after another one is costly.
-            portals.drawPictures(moment, picture, drawn);
+            portals.drawPictures(frameState, picture, drawn);
         }
-        ClearColour behind = surroundings.clearColour();
+        ClearColour behind = environment.clearColour();
         drawn.clear(behind.red(), behind.green(), behind.blue());
         if (views.passes().isEmpty()) {
             average(surface);
@@ -180,14 +180,14 @@ public final class Renderer implements AutoCloseable {
         drawAfterAll(listener);
     }
 
-    private void begin(View view, Moment moment, RenderTarget picture, RenderTarget drawn) {
-        ViewNode root = portals == null ? null : portals.choose(view, moment, picture);
+    private void begin(View view, FrameState frameState, RenderTarget picture, RenderTarget drawn) {
+        ViewNode root = portals == null ? null : portals.choose(view, frameState, picture);
         if (visible != null) {
             settings.culling().find(visible, view);
         }
-        shared.frameUniforms().upload(view, surroundings.exposure());
-        frame.into(moment, drawn, picture);
-        frame.see(view, root, visible, settings.limits(root));
+        shared.frameUniforms().upload(view, environment.exposure());
+        frame.setTarget(frameState, drawn, picture);
+        frame.setView(view, root, visible, settings.limits(root));
     }
 
     private void drawOnce(StepListener listener) {
@@ -219,7 +219,7 @@ public final class Renderer implements AutoCloseable {
     /** From here on the surface's pixels can be read. */
     private void average(RenderTarget surface) {
         multisampling.resolve(surface);
-        frame.into(surface);
+        frame.setTarget(surface);
         remember(surface);
     }
 

@@ -3,7 +3,7 @@ package nephele.engine.render;
 import java.util.Set;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.Target;
-import nephele.engine.render.gl.Copied;
+import nephele.engine.render.gl.CopiedPlanes;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
@@ -58,11 +58,11 @@ final class ViewCopies implements AutoCloseable {
         }
     }
 
-    private Copied copied() {
+    private CopiedPlanes copied() {
         if (depth()) {
-            return colour() ? Copied.COLOUR_AND_DEPTH : Copied.DEPTH;
+            return colour() ? CopiedPlanes.COLOUR_AND_DEPTH : CopiedPlanes.DEPTH;
         }
-        return Copied.COLOUR;
+        return CopiedPlanes.COLOUR;
     }
 
     private void fit(RenderTarget surface) {

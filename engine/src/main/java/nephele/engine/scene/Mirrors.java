@@ -9,8 +9,8 @@ import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
-import nephele.engine.scene.light.FaceFragment;
-import nephele.engine.scene.light.FaceFragments;
+import nephele.engine.scene.light.bake.FaceFragment;
+import nephele.engine.scene.light.bake.FaceFragments;
 
 /** Makes the openings for a level's mirror faces: one for each face that other solids do not hide entirely. */
 final class Mirrors {

@@ -83,7 +83,7 @@ public final class Opening {
         Plane exit = portals.plane(portals.partner(index));
         int partner = id - index + portals.partner(index);
         return new Opening(
-                id, partner, index, portal.centre(), portal.frame(), corners, portals.passage(index), exit, CLEAR);
+                id, partner, index, portal.centre(), portal.frame(), corners, portals.transform(index), exit, CLEAR);
     }
 
     /**

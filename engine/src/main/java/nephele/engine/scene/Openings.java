@@ -2,7 +2,7 @@ package nephele.engine.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.portal.Passage;
+import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
 import org.joml.Vector3d;
 
@@ -16,7 +16,7 @@ final class Openings {
     private final Vector3d start = new Vector3d();
     private final Vector3d unfolded = new Vector3d();
     private Portals portals;
-    private Moment moment;
+    private FrameState frameState;
 
     /**
      * Makes the set with mirrors only.
@@ -28,8 +28,8 @@ final class Openings {
     }
 
     /** Updates the portals to a frame state. */
-    void at(Moment now) {
-        moment = now;
+    void at(FrameState now) {
+        frameState = now;
         if (portals == now.portals()) {
             return;
         }
@@ -62,7 +62,7 @@ final class Openings {
         Opening crossed = null;
         for (int i = mirrors.size(); i < all.size(); i++) {
             Opening portal = all.get(i);
-            Passage back = portals.passage(portals.partner(portal.portal()));
+            PortalTransform back = portals.transform(portals.partner(portal.portal()));
             if (back != null) {
                 back.point(unfolded.set(to.eyeX(), to.eyeY(), to.eyeZ()));
                 double metres = start.distance(unfolded);
@@ -77,6 +77,6 @@ final class Openings {
 
     /** Returns the scale at which an opening is open now, 0 to 1: a new portal grows. */
     double openness(Opening opening) {
-        return opening.portal() == Opening.NO_PORTAL ? 1 : moment.openness(opening.portal());
+        return opening.portal() == Opening.NO_PORTAL ? 1 : frameState.openness(opening.portal());
     }
 }

@@ -11,29 +11,29 @@ package nephele.engine.scene;
  */
 public record Projection(double verticalFovRadians, double aspect, double nearMetres, double farMetres) {
     /** Limits and default of the field of view, radians. */
-    private static final double LEAST_FOV = StrictMath.toRadians(1);
+    private static final double MIN_FOV_RADIANS = StrictMath.toRadians(1);
 
-    private static final double GREATEST_FOV = StrictMath.toRadians(170);
-    private static final double USUAL_FOV = StrictMath.toRadians(60);
-    private static final double GREATEST_ASPECT = 1e3;
+    private static final double MAX_FOV_RADIANS = StrictMath.toRadians(170);
+    private static final double DEFAULT_FOV_RADIANS = StrictMath.toRadians(60);
+    private static final double MAX_ASPECT = 1e3;
     /** Limits and default of the near plane's distance, metres. */
-    private static final double LEAST_NEAR = 1e-3;
+    private static final double MIN_NEAR_METRES = 1e-3;
 
-    private static final double GREATEST_NEAR = 1e6;
-    private static final double USUAL_NEAR = 0.05;
+    private static final double MAX_NEAR_METRES = 1e6;
+    private static final double DEFAULT_NEAR_METRES = 0.05;
 
     public Projection {
-        verticalFovRadians = clamp(verticalFovRadians, LEAST_FOV, GREATEST_FOV, USUAL_FOV);
-        aspect = clamp(aspect, 1 / GREATEST_ASPECT, GREATEST_ASPECT, 1);
-        nearMetres = clamp(nearMetres, LEAST_NEAR, GREATEST_NEAR, USUAL_NEAR);
+        verticalFovRadians = clamp(verticalFovRadians, MIN_FOV_RADIANS, MAX_FOV_RADIANS, DEFAULT_FOV_RADIANS);
+        aspect = clamp(aspect, 1 / MAX_ASPECT, MAX_ASPECT, 1);
+        nearMetres = clamp(nearMetres, MIN_NEAR_METRES, MAX_NEAR_METRES, DEFAULT_NEAR_METRES);
         double leastFar = nearMetres * (1 + 1e-3);
         farMetres = clamp(farMetres, leastFar, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
     /** Makes the projection with the given angle between the picture's left and right borders. */
     public static Projection ofHorizontalFov(double horizontalFovRadians, double aspect, double near, double far) {
-        double width = clamp(horizontalFovRadians, LEAST_FOV, GREATEST_FOV, USUAL_FOV);
-        double ratio = clamp(aspect, 1 / GREATEST_ASPECT, GREATEST_ASPECT, 1);
+        double width = clamp(horizontalFovRadians, MIN_FOV_RADIANS, MAX_FOV_RADIANS, DEFAULT_FOV_RADIANS);
+        double ratio = clamp(aspect, 1 / MAX_ASPECT, MAX_ASPECT, 1);
         return new Projection(2 * StrictMath.atan(StrictMath.tan(width / 2) / ratio), ratio, near, far);
     }
 

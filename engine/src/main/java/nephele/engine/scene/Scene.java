@@ -8,10 +8,10 @@ import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.light.BakedSky;
-import nephele.engine.scene.light.FaceFragments;
-import nephele.engine.scene.light.LampTable;
-import nephele.engine.scene.light.LightNeeds;
-import nephele.engine.scene.light.SkyVisibility;
+import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.PunctualLightTable;
+import nephele.engine.scene.light.bake.FaceFragments;
+import nephele.engine.scene.light.bake.SkyVisibility;
 
 /**
  * Everything drawable that is derived from a level; immutable.
@@ -21,7 +21,7 @@ import nephele.engine.scene.light.SkyVisibility;
  * @param cut the faces of the level's solids; {@code null} if neither sky visibility nor mirrors need them
  * @param skyVisibility {@code null} if no light of the sky reaches them
  * @param mirrors openings that never change, in the order of their ids
- * @param lamps {@code null} if there is no punctual light
+ * @param lights {@code null} if there is no punctual light
  */
 public record Scene(
         Level level,
@@ -32,7 +32,7 @@ public record Scene(
         FaceFragments cut,
         SkyVisibility skyVisibility,
         List<Opening> mirrors,
-        LampTable lamps) {
+        PunctualLightTable lights) {
     /** Same as {@link #of(PlacedLevel, SkyVisibility)}, for a level from which nothing else is derived. */
     public static Scene of(Level level, AssetSource assets) {
         PlacedLevel placed = PlacedLevel.of(level, assets);
@@ -52,8 +52,8 @@ public record Scene(
         FaceFragments cut = cut(placed, visibility, null);
         SolidGeometry geometry = SolidGeometry.of(statics, materials, visibility, cut);
         List<Opening> mirrors = Mirrors.of(level, statics, materials, cut);
-        LampTable lamps = LampTable.of(level, statics);
-        return new Scene(level, placed.assets(), statics, materials, geometry, cut, visibility, mirrors, lamps);
+        PunctualLightTable lights = PunctualLightTable.of(level, statics);
+        return new Scene(level, placed.assets(), statics, materials, geometry, cut, visibility, mirrors, lights);
     }
 
     /**
@@ -72,13 +72,13 @@ public record Scene(
         SolidGeometry geometry = solids.edited(others, otherMaterials, light, otherCut);
         boolean areMirrorsSame = others.solids() == statics.solids() && otherMaterials == materials;
         List<Opening> otherMirrors = areMirrorsSame ? mirrors : Mirrors.of(edited, others, otherMaterials, otherCut);
-        LampTable otherLamps = LampTable.edited(lamps, edited, others);
+        PunctualLightTable otherLights = PunctualLightTable.edited(lights, edited, others);
         return new Scene(
-                edited, placed.assets(), others, otherMaterials, geometry, otherCut, light, otherMirrors, otherLamps);
+                edited, placed.assets(), others, otherMaterials, geometry, otherCut, light, otherMirrors, otherLights);
     }
 
     private SkyVisibility light(Level edited, SkyVisibility baked) {
-        if (!LightNeeds.skyVisibility(edited)) {
+        if (!LightRequirements.skyVisibility(edited)) {
             return null;
         }
         SkyVisibility known = baked == null ? skyVisibility : baked;

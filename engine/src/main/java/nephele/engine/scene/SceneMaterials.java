@@ -11,7 +11,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Material;
-import nephele.engine.math.Kept;
+import nephele.engine.math.IdentityDiff;
 
 /**
  * The level's materials by index; their pictures are merged into one array for each size.
@@ -54,7 +54,7 @@ public record SceneMaterials(
      */
     SceneMaterials edited(List<Material> materials, AssetSource assets) {
         List<Material> before = surfaces.stream().skip(1).map(Surface::material).toList();
-        if (!surfaces.isEmpty() && Kept.list(before, materials) == before) {
+        if (!surfaces.isEmpty() && IdentityDiff.list(before, materials) == before) {
             return this;
         }
         Arrays colours = new Arrays(assets, colourArrays);
@@ -130,12 +130,12 @@ public record SceneMaterials(
         }
 
         List<PictureArray> finished() {
-            return Kept.list(before, arrays.stream().map(this::finished).toList());
+            return IdentityDiff.list(before, arrays.stream().map(this::finished).toList());
         }
 
         private PictureArray finished(List<Picture> layers) {
             return before.stream()
-                    .filter(array -> Kept.list(array.layers(), layers) == array.layers())
+                    .filter(array -> IdentityDiff.list(array.layers(), layers) == array.layers())
                     .findFirst()
                     .orElseGet(() -> new PictureArray(
                             layers.get(0).width(), layers.get(0).height(), List.copyOf(layers)));

@@ -8,11 +8,11 @@ import java.util.Set;
 import nephele.engine.level.placed.StaticShape;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
-import nephele.engine.scene.light.FaceFragments;
-import nephele.engine.scene.light.FaceLight;
-import nephele.engine.scene.light.SkyVisibility;
+import nephele.engine.math.bvh.SpatialIndex;
+import nephele.engine.scene.light.LightMapLookup;
+import nephele.engine.scene.light.bake.FaceFragments;
+import nephele.engine.scene.light.bake.SkyVisibility;
 
 /**
  * The static geometry as two meshes, one of all solids and one of all models, each with one vertex buffer and one index
@@ -42,7 +42,7 @@ public final class SolidGeometry {
     private final StaticShapes drawn;
     private final SceneMaterials materials;
     private final SkyVisibility sky;
-    private final FaceLight light;
+    private final LightMapLookup light;
     private final short[] skyOfModels;
     /** The faces that were meshed; {@code null} until the first edit in a level without a light map, to save memory. */
     private final FaceFragments fragments;
@@ -89,7 +89,7 @@ public final class SolidGeometry {
         boolean isAtOldPlace = isUnderOldSky && before.fragments != null && before.origin.equals(origin);
         light = sky == null
                 ? null
-                : isUnderOldSky ? before.light.edited(drawn.solids()) : new FaceLight(sky, drawn.solids());
+                : isUnderOldSky ? before.light.edited(drawn.solids()) : new LightMapLookup(sky, drawn.solids());
         SolidMesher solidMesher = new SolidMesher(
                 drawn.solids(),
                 parts.byBrush(),

@@ -6,23 +6,23 @@ import java.util.Set;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.appearance.FaceTexture;
-import nephele.engine.math.Kept;
+import nephele.engine.math.IdentityDiff;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.SceneMaterials.Surface;
-import nephele.engine.scene.light.FaceFragment;
-import nephele.engine.scene.light.FaceFragment.Cover;
-import nephele.engine.scene.light.FaceLight;
+import nephele.engine.scene.light.LightMapLookup;
+import nephele.engine.scene.light.bake.FaceFragment;
+import nephele.engine.scene.light.bake.FaceFragment.Cover;
 
 /** Turns solids into triangles. */
 final class SolidMesher {
     private final List<Brush> brushes;
     private final List<List<List<FaceFragment>>> fragments;
     private final SceneMaterials materials;
-    private final FaceLight light;
+    private final LightMapLookup light;
     private final BatchBuilder batches;
     private final MeshSpans spans;
     private final Before before;
-    /** For each solid its number in the mesh that is copied, {@link Kept#NEW} if it has to be meshed. */
+    /** For each solid its number in the mesh that is copied, {@link IdentityDiff#NEW} if it has to be meshed. */
     private final int[] known;
 
     private final VertexBytes vertices;
@@ -37,7 +37,7 @@ final class SolidMesher {
             List<Brush> brushes,
             List<List<List<FaceFragment>>> fragments,
             SceneMaterials materials,
-            FaceLight light,
+            LightMapLookup light,
             BatchBuilder batches,
             Before before) {
         this.brushes = brushes;
@@ -46,10 +46,10 @@ final class SolidMesher {
         this.light = light;
         this.batches = batches;
         this.before = before;
-        known = before == null ? new int[brushes.size()] : Kept.places(before.brushes(), brushes);
+        known = before == null ? new int[brushes.size()] : IdentityDiff.previousIndices(before.brushes(), brushes);
         for (int i = 0; i < known.length; i++) {
-            boolean isSame = before != null && known[i] != Kept.NEW && before.has(known[i], fragments.get(i));
-            known[i] = isSame ? known[i] : Kept.NEW;
+            boolean isSame = before != null && known[i] != IdentityDiff.NEW && before.has(known[i], fragments.get(i));
+            known[i] = isSame ? known[i] : IdentityDiff.NEW;
         }
         int bytes = SolidGeometry.VERTEX_BYTES + (light == null ? 0 : SolidGeometry.LIGHT_MAP_BYTES);
         vertices = new VertexBytes(corners(), bytes);
@@ -73,7 +73,7 @@ final class SolidMesher {
     private int corners() {
         int corners = 0;
         for (int i = 0; i < known.length; i++) {
-            corners += known[i] != Kept.NEW ? before.copy().vertices(known[i]) : corners(fragments.get(i));
+            corners += known[i] != IdentityDiff.NEW ? before.copy().vertices(known[i]) : corners(fragments.get(i));
         }
         return corners;
     }
@@ -96,7 +96,7 @@ final class SolidMesher {
 
     void add(int number, int slot) {
         spans.begin(number, slot, vertices.count());
-        if (known[number] == Kept.NEW || !before.copy().copy(known[number], vertices, batches)) {
+        if (known[number] == IdentityDiff.NEW || !before.copy().copy(known[number], vertices, batches)) {
             for (int face = 0; face < brushes.get(number).faces().size(); face++) {
                 addFace(number, face);
             }
@@ -117,7 +117,7 @@ final class SolidMesher {
             if (!isDrawn(parts.get(part))) {
                 continue;
             }
-            FaceLight.Spot spot = light == null ? null : light.of(brush, faceIndex, part, parts.get(part));
+            LightMapLookup.Spot spot = light == null ? null : light.of(brush, faceIndex, part, parts.get(part));
             int first = vertices.count();
             for (Vec3 p : parts.get(part).corners()) {
                 vertices.position(p, batch.cell());

@@ -56,23 +56,23 @@ public final class View {
         to.set(from.x(), from.y(), from.z());
     }
 
-    /** Makes the view of a node, to be refilled by {@link #carry} in every frame. */
+    /** Makes the view of a node, to be refilled by {@link #setThrough} in every frame. */
     static View reusable() {
         return new View();
     }
 
     /** Becomes the image of {@code before} under an opening's map, clipped at the opening's exit plane. */
-    void carry(View before, Opening opening, Projection newProjection) {
-        Isometry passage = opening.isometry();
+    void setThrough(View before, Opening opening, Projection newProjection) {
+        Isometry transform = opening.isometry();
         projection = newProjection;
         clip = opening.exit();
-        mirrored = before.mirrored != passage.isReflection();
+        mirrored = before.mirrored != transform.isReflection();
         Vec3 kept = opening.tint();
         tint.set(before.tint).mul(kept.x(), kept.y(), kept.z());
-        passage.point(eye.set(before.eye));
-        passage.direction(right.set(before.right));
-        passage.direction(up.set(before.up));
-        passage.direction(back.set(before.back));
+        transform.point(eye.set(before.eye));
+        transform.direction(right.set(before.right));
+        transform.direction(up.set(before.up));
+        transform.direction(back.set(before.back));
     }
 
     /** Returns the position in world metres. */

@@ -10,7 +10,7 @@ import java.util.List;
  */
 public final class ViewHistory {
     /** Tolerance in units of half the picture: a lookup this far beyond an opening's edge still hits its last pixel. */
-    private static final double EDGE = 2e-3;
+    private static final double EDGE_HALF_PICTURES = 2e-3;
 
     /** The least share of an opening's corners that must have been visible; the rest is extrapolated. */
     private static final double LEAST_SHARE = 0.5;
@@ -102,7 +102,7 @@ public final class ViewHistory {
             if (!(w > 0)) {
                 return 0;
             }
-            covered += shown.region().outside(x, y) <= EDGE ? 1 : 0;
+            covered += shown.region().outside(x, y) <= EDGE_HALF_PICTURES ? 1 : 0;
         }
         return covered / (double) seen.size();
     }

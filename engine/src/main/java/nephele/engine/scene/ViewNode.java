@@ -125,7 +125,7 @@ public final class ViewNode {
     }
 
     /** Becomes a terminal node for an opening seen in {@code seenIn}; its area is 0 if the opening is not visible. */
-    void candidate(ViewNode seenIn, Opening through, double openness, PixelRectangle picture) {
+    void setOpening(ViewNode seenIn, Opening through, double openness, PixelRectangle picture) {
         children.clear();
         view = null;
         parent = seenIn;
@@ -146,18 +146,18 @@ public final class ViewNode {
     void open(Projections projections, PixelRectangle picture) {
         look(projections);
         terminal = false;
-        narrow(picture);
+        setFrustum(picture);
     }
 
     /** Sets the view behind the opening. */
     void look(Projections projections) {
         View before = parent.view;
         Projection projection = projections.pushed(before.projection(), NEAR_SHARE * region.nearest());
-        own.carry(before, opening, projection);
+        own.setThrough(before, opening, projection);
         view = own;
     }
 
-    private void narrow(PixelRectangle picture) {
+    private void setFrustum(PixelRectangle picture) {
         frustum.restart(view.eyeX(), view.eyeY(), view.eyeZ());
         Projection projection = view.projection();
         double acrossScale = 1 / projection.tanHalfWidth();

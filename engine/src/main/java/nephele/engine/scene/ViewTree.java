@@ -45,14 +45,14 @@ public final class ViewTree {
      *
      * @param budget greatest number of views besides the main view
      */
-    public void grow(View main, Moment moment, int width, int height, int budget) {
+    public void build(View main, FrameState frameState, int width, int height, int budget) {
         used = 0;
         waiting.clear();
         views.clear();
         terminals.clear();
         picture.whole(width, height);
         projections.begin(main.projection());
-        openings.at(moment);
+        openings.at(frameState);
         ViewNode root = next();
         root.root(main, width, height);
         views.add(root);
@@ -86,7 +86,7 @@ public final class ViewTree {
         for (int i = 0; i < openings.size(); i++) {
             ViewNode seen = next();
             Opening opening = openings.get(i);
-            seen.candidate(node, opening, openings.openness(opening), picture);
+            seen.setOpening(node, opening, openings.openness(opening), picture);
             if (seen.area() >= LEAST_PIXELS
                     && seen.pixels().width() > 0
                     && seen.pixels().height() > 0) {

@@ -2,7 +2,7 @@ package nephele.engine.scene;
 
 import java.util.List;
 import nephele.engine.math.Frustum;
-import nephele.engine.math.RangeVisitor;
+import nephele.engine.math.bvh.RangeVisitor;
 import org.joml.Matrix4d;
 
 /**
@@ -59,7 +59,7 @@ public final class VisibleSet {
     }
 
     /** Selects everything; the reference for tests of culling. */
-    public void takeAll() {
+    public void selectAll() {
         clear();
         add(0, geometry.slotCount());
     }

@@ -1,28 +1,35 @@
 package nephele.engine.sim;
 
-import nephele.engine.collision.rigid.Bodies;
-import nephele.engine.collision.rigid.BodyState;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
+import nephele.engine.sim.player.PlayerEye;
+import nephele.engine.sim.state.Assist;
+import nephele.engine.sim.state.PlayerDimensions;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 import org.joml.Vector3d;
 
 /**
- * Applies the enabled {@link Assist}s. They depend on the state and the input alone, so replays with assists repeat as
+ * Applies the enabled {@link nephele.engine.sim.state.Assist}s. They depend on the state and the input alone, so replays with assists repeat as
  * exactly as those without.
  */
-final class Assists {
+public final class Assists {
     /**
      * In m/s. It raises the centre by 1.5 m: a standing player's feet reach 0.6 m above the floor, which leaves half a
      * second to step to the rim.
      */
-    static final double LEAST_FLOOR_EXIT_SPEED = 5.5;
+    public static final double MIN_FLOOR_EXIT_METRES_PER_SECOND = 5.5;
 
     /** The speed cap of player and bodies, m/s. */
-    static final double GREATEST_SPEED = 50;
+    public static final double MAX_METRES_PER_SECOND = 50;
     /** A portal is a floor exit if its unit normal has at least this upward component. */
-    private static final double FLOOR_UP = 0.7;
+    private static final double MIN_FLOOR_NORMAL_Y = 0.7;
 
     /**
      * The funnel acts on a player that would hit the portal's plane within this distance of the aperture and this time,
@@ -37,8 +44,8 @@ final class Assists {
      */
     private static final double FUNNEL_SHORTEST_SECONDS = 0.35;
 
-    private static final double FUNNEL_LEAST_SPEED = 2;
-    private static final double FUNNEL_LOOKING = 0.9;
+    private static final double FUNNEL_MIN_METRES_PER_SECOND = 2;
+    private static final double FUNNEL_MIN_VIEW_COSINE = 0.9;
 
     private final boolean funnels;
     private final boolean lifts;
@@ -75,12 +82,15 @@ final class Assists {
         Vec3 c = player.centre();
         double height = portal.inFront(c.x(), c.y(), c.z());
         double approach = -(n.dot(v));
-        if (n.y() < FLOOR_UP || height <= 0 || approach < FUNNEL_LEAST_SPEED || !looksAt(portal, player)) {
+        if (n.y() < MIN_FLOOR_NORMAL_Y
+                || height <= 0
+                || approach < FUNNEL_MIN_METRES_PER_SECOND
+                || !looksAt(portal, player)) {
             return false;
         }
-        double gravity = PlayerBody.GRAVITY * n.y();
+        double gravity = PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED * n.y();
         double t = 2 * height / (approach + Math.sqrt(approach * approach + 2 * gravity * height));
-        double fall = PlayerBody.GRAVITY * t * t / 2;
+        double fall = PlayerDimensions.GRAVITY_METRES_PER_SECOND_SQUARED * t * t / 2;
         double x = c.x() + v.x() * t;
         double y = c.y() + v.y() * t - fall;
         double z = c.z() + v.z() * t;
@@ -105,12 +115,12 @@ final class Assists {
     private static boolean looksAt(Portal portal, PlayerState player) {
         Vector3d ahead = PlayerEye.direction(PlayerEye.view(player), new Vector3d());
         Vector3d to = portal.centre().toVector().sub(player.eye().toVector());
-        return ahead.dot(to) >= FUNNEL_LOOKING * to.length()
-                || -ahead.dot(portal.normal().toVector()) >= FUNNEL_LOOKING;
+        return ahead.dot(to) >= FUNNEL_MIN_VIEW_COSINE * to.length()
+                || -ahead.dot(portal.normal().toVector()) >= FUNNEL_MIN_VIEW_COSINE;
     }
 
     private PlayerState led(PlayerState player) {
-        double most = PlayerBody.AIR_ACCELERATION * seconds;
+        double most = PlayerDimensions.AIR_METRES_PER_SECOND_SQUARED * seconds;
         double wanted = lateral.length();
         if (wanted == 0) {
             return player;
@@ -129,8 +139,8 @@ final class Assists {
         }
         Vec3 v = lifted.velocity();
         double speed = velocity.set(v.x(), v.y(), v.z()).length();
-        return caps && speed > GREATEST_SPEED
-                ? lifted.withVelocity(Vec3.of(velocity.mul(GREATEST_SPEED / speed)))
+        return caps && speed > MAX_METRES_PER_SECOND
+                ? lifted.withVelocity(Vec3.of(velocity.mul(MAX_METRES_PER_SECOND / speed)))
                 : lifted;
     }
 
@@ -138,25 +148,26 @@ final class Assists {
         Vec3 n = exit.normal();
         Vec3 v = player.velocity();
         double speed = n.dot(v);
-        if (n.y() < FLOOR_UP || speed >= LEAST_FLOOR_EXIT_SPEED) {
+        if (n.y() < MIN_FLOOR_NORMAL_Y || speed >= MIN_FLOOR_EXIT_METRES_PER_SECOND) {
             return player;
         }
-        velocity.set(v.x(), v.y(), v.z()).fma(LEAST_FLOOR_EXIT_SPEED - speed, n.toVector());
+        velocity.set(v.x(), v.y(), v.z()).fma(MIN_FLOOR_EXIT_METRES_PER_SECOND - speed, n.toVector());
         return player.withVelocity(Vec3.of(velocity));
     }
 
     /** Applies the speed cap to the bodies, after they have moved. */
     SimState limited(SimState moved) {
-        return caps ? moved.with(moved.around().with(limited(moved.around().bodies()))) : moved;
+        return caps ? moved.with(moved.world().with(limited(moved.world().bodies()))) : moved;
     }
 
     private Bodies limited(Bodies bodies) {
         Bodies capped = bodies;
         for (int i = 0; i < bodies.size(); i++) {
             double speed = bodies.velocity(i, velocity).length();
-            if (speed > GREATEST_SPEED) {
+            if (speed > MAX_METRES_PER_SECOND) {
                 BodyState state = bodies.state(i);
-                capped = capped.with(i, state.moving(Vec3.of(velocity.mul(GREATEST_SPEED / speed)), state.spin()));
+                capped = capped.with(
+                        i, state.moving(Vec3.of(velocity.mul(MAX_METRES_PER_SECOND / speed)), state.spin()));
             }
         }
         return capped;

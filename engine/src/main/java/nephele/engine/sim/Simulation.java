@@ -3,13 +3,29 @@ package nephele.engine.sim;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.CollisionWorld;
-import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.PortalWorld;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portals;
-import nephele.engine.portal.placement.Placed;
+import nephele.engine.portal.placement.PlacementResult;
+import nephele.engine.sim.carry.PlayerActions;
+import nephele.engine.sim.player.PlayerPortalCrossing;
+import nephele.engine.sim.player.PlayerStep;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.FaultLog;
+import nephele.engine.sim.state.GunPortals;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.PortalWorldCache;
+import nephele.engine.sim.state.SimLevel;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.TickTrace;
+import nephele.engine.sim.state.ViewAngles;
+import nephele.engine.sim.state.WorldState;
 
 /**
  * The simulation: maps a state and an input to the next state, without any other dependency. Allocates little more than
@@ -22,10 +38,10 @@ public final class Simulation {
     private final SimSettings settings;
     private final SimState start;
     private final PlayerStep playerStep;
-    private final Spaces spaces;
+    private final PortalWorldCache worlds;
     private final BodiesTick bodiesTick;
-    private final Hands hands;
-    private final Continuation continuation;
+    private final PlayerActions hands;
+    private final EditContinuation continuation;
     private final Assists assists;
     private final int actionsOfHands;
     private final double lowest;
@@ -47,21 +63,21 @@ public final class Simulation {
         this.faults = faults;
         var statics = level.statics();
         double seconds = 1.0 / settings.ticksPerSecond();
-        spaces = new Spaces(statics);
-        start = new SimState(0, 1, 0, standing(level.start()), level.begin(spaces));
+        worlds = new PortalWorldCache(statics);
+        start = new SimState(0, 1, 0, standing(level.start()), level.begin(worlds));
         playerStep = new PlayerStep(level.bodies(), settings);
-        bodiesTick = new BodiesTick(level.bodies(), spaces, seconds, faults);
+        bodiesTick = new BodiesTick(level.bodies(), worlds, seconds, faults);
         assists = new Assists(settings);
-        hands = new Hands(level, spaces, seconds);
-        continuation = new Continuation(level, spaces);
-        actionsOfHands = level.gun() == null && level.bodies().size() == 0 ? 0 : Action.OF_HANDS;
+        hands = new PlayerActions(level, worlds, seconds);
+        continuation = new EditContinuation(level, worlds);
+        actionsOfHands = level.gun() == null && level.bodies().size() == 0 ? 0 : Action.HAND_ACTIONS;
         lowest = statics.size() == 0
                 ? Double.NEGATIVE_INFINITY
                 : statics.extent().minY() - FALL_METRES;
     }
 
     private static PlayerState standing(PlayerStart start) {
-        return PlayerState.standing(start.feet(), Heading.ofDegrees(start.yawDegrees(), start.pitchDegrees()));
+        return PlayerState.standing(start.feet(), ViewAngles.ofDegrees(start.yawDegrees(), start.pitchDegrees()));
     }
 
     /** Returns the settings. */
@@ -87,11 +103,11 @@ public final class Simulation {
      * @throws IllegalArgumentException if the edited level has a different number of bodies
      */
     public SimState continuedIn(Simulation edited, SimState state) {
-        return edited.continuation.of(state, spaces.of(state.around().portals()));
+        return edited.continuation.of(state, worlds.of(state.world().portals()));
     }
 
     /** Returns what a shot would do in a state, for the portal preview; {@code null} in a level without a gun. */
-    public Placed aim(SimState state, Shots.Colour shot) {
+    public PlacementResult aim(SimState state, GunPortals.Colour shot) {
         return hands.aim(state, shot);
     }
 
@@ -109,19 +125,19 @@ public final class Simulation {
         List<TickEvent> events = actionsOfHands == 0 ? List.of() : new ArrayList<>(0);
         SimState acted = actionsOfHands == 0 ? before : hands.act(before, input, events);
         SimState walked = movePlayer(acted, input);
-        SimState moved = assists.limited(bodiesTick.step(walked, playerStep.shoves(), hands.drive(acted, input)));
-        CrossingWord crossed = walked.around().trace().playerCrossed();
+        SimState moved = assists.limited(bodiesTick.step(walked, playerStep.pushes(), hands.drive(acted, input)));
+        CrossingWord crossed = walked.world().trace().playerCrossed();
         SimState followed = hands.follow(moved, crossed, events);
         TickTrace trace = TickTrace.of(input.actions() & actionsOfHands, crossed, events);
-        return followed.with(followed.around().with(trace));
+        return followed.with(followed.world().with(trace));
     }
 
     /** Moves the player. A tick with a result that is not finite is undone and leaves the player at rest. */
     private SimState movePlayer(SimState before, PlayerInput input) {
-        Portals portals = before.around().portals();
-        SeamedWorld world = spaces.of(portals);
+        Portals portals = before.world().portals();
+        PortalWorld world = worlds.of(portals);
         PlayerState led = assists.before(before.player(), input, portals);
-        PlayerState after = led.isFinite() ? playerStep.step(world, before.around(), led, input) : null;
+        PlayerState after = led.isFinite() ? playerStep.step(world, before.world(), led, input) : null;
         if (after == null || !after.isFinite()) {
             faults.fault(before.tick(), "the player's state is not finite: " + before.player());
             return next(before, before.faults() + 1, stopped(before.player()), CrossingWord.EMPTY);
@@ -132,14 +148,15 @@ public final class Simulation {
         int dropped = playerStep.hasDroppedTime() ? 1 : 0;
         if (dropped > 0) {
             faults.fault(
-                    before.tick(), "more than " + Passing.MOST_HOPS + " portals in a tick: the rest of it is dropped");
+                    before.tick(),
+                    "more than " + PlayerPortalCrossing.MOST_HOPS + " portals in a tick: the rest of it is dropped");
         }
         PlayerState helped = assists.after(after, playerStep.crossed(), portals);
         return next(before, before.faults() + dropped, helped, playerStep.crossed());
     }
 
     private static SimState next(SimState before, int faults, PlayerState player, CrossingWord crossed) {
-        Changeable around = before.around().with(TickTrace.of(0, crossed, List.of()));
+        WorldState around = before.world().with(TickTrace.of(0, crossed, List.of()));
         return new SimState(before.tick() + 1, before.random(), faults, player, around);
     }
 

@@ -4,19 +4,20 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.PortalWorld;
 import nephele.engine.collision.RoundedHull;
-import nephele.engine.collision.SeamedWorld;
 import nephele.engine.collision.Separation;
-import nephele.engine.collision.rigid.BodyTable;
+import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.ItemList;
-import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Passage;
+import nephele.engine.math.bvh.ItemList;
+import nephele.engine.math.bvh.SpatialIndex;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
+import nephele.engine.sim.state.PlayerDimensions;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -28,11 +29,11 @@ final class StartingBodies {
     private static final int NO_BODY = -1;
 
     private final BodyTable table;
-    private final SeamedWorld world;
+    private final PortalWorld world;
     private final Portals portals;
     private final SpatialIndex index;
     private final List<Collider> colliders = new ArrayList<>();
-    private final RoundedHull playerShape = PlayerBody.Stance.STANDING.shape();
+    private final RoundedHull playerShape = PlayerDimensions.Stance.STANDING.shape();
     /** The centre of the player's capsule; {@code null} in a level without a player start. */
     private final Vec3 playerCentre;
 
@@ -59,7 +60,7 @@ final class StartingBodies {
 
     StartingBodies(Level level, StaticShapes statics) {
         table = BodyTable.of(level);
-        world = SeamedWorld.of(CollisionWorld.of(statics), Portals.of(level));
+        world = PortalWorld.of(CollisionWorld.of(statics), Portals.of(level));
         portals = world.portals();
         for (int i = 0; i < table.size(); i++) {
             colliders.add(table.collider(i, centre(i).toVector(), UPRIGHT));
@@ -71,7 +72,7 @@ final class StartingBodies {
     }
 
     private static Vec3 playerCentre(Vec3 feet) {
-        return new Vec3(feet.x(), feet.y() + PlayerBody.Stance.STANDING.centreAboveFeet(), feet.z());
+        return new Vec3(feet.x(), feet.y() + PlayerDimensions.Stance.STANDING.centreAboveFeet(), feet.z());
     }
 
     private Vec3 centre(int body) {
@@ -82,7 +83,7 @@ final class StartingBodies {
     Overlap deepestSolid(int body) {
         RoundedHull hull = table.uprightHull(body);
         Vector3d at = centre(body).toVector();
-        CollisionWorld around = world.around(world.active(hull, at, STILL));
+        CollisionWorld around = world.openedFor(world.active(hull, at, STILL));
         around.overlapping(colliders.get(body).bounds(), near);
         Overlap deepest = Overlap.NONE;
         for (int i = 0; i < near.size(); i++) {
@@ -117,9 +118,9 @@ final class StartingBodies {
 
     /** Measures a body that reaches into a portal against the bodies before the portal's exit. */
     private Overlap beyondPortal(Overlap before, int body, int entry) {
-        Passage passage = portals.passage(entry);
-        Vector3d at = passage.point(centre(body).toVector());
-        Quaterniond turn = passage.orientation(new Quaterniond());
+        PortalTransform transform = portals.transform(entry);
+        Vector3d at = transform.point(centre(body).toVector());
+        Quaterniond turn = transform.orientation(new Quaterniond());
         RoundedHull hull = table.hull(body, turn);
         listNear(table.collider(body, at, turn).bounds());
         Overlap deepest = before;
@@ -174,14 +175,14 @@ final class StartingBodies {
         if (!meet) {
             return before;
         }
-        Passage passage = portals.passage(entry);
-        Quaterniond turn = passage.orientation(new Quaterniond());
-        Collider image = table.collider(body, passage.point(at.toVector()), turn);
+        PortalTransform transform = portals.transform(entry);
+        Quaterniond turn = transform.orientation(new Quaterniond());
+        Collider image = table.collider(body, transform.point(at.toVector()), turn);
         return before.orDeeper(depth(playerShape, playerCentre.toVector(), image), NO_BODY, true);
     }
 
     private static boolean isIn(long mask, int portal) {
-        return portal < SeamedWorld.MOST_PORTALS && (mask & 1L << portal) != 0;
+        return portal < PortalWorld.MOST_PORTALS && (mask & 1L << portal) != 0;
     }
 
     private void listNear(Aabb bounds) {

@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.function.Supplier;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelRules;
 import nephele.engine.level.Problem;
 import nephele.engine.level.placed.PlacedRule;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.rule.LevelRules;
 import nephele.engine.portal.placement.FixedPortalRules;
 
 /**

@@ -115,8 +115,8 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
     }
 
     /** Whether it is in a model, as a lamp in its bulb or in a sun: its light would go no further than that. */
-    boolean isEnclosed(Vec3 lamp) {
-        Aabb point = Aabb.around(lamp, Vec3.ZERO);
+    boolean isEnclosed(Vec3 light) {
+        Aabb point = Aabb.around(light, Vec3.ZERO);
         return boxes.stream().anyMatch(point::overlaps);
     }
 

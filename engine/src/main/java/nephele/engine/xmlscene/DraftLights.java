@@ -17,7 +17,7 @@ import org.joml.Vector3d;
  * white face turned to it is white.
  */
 final class DraftLights {
-    private static final int MOST_LAMPS = 1000;
+    private static final int MOST_LIGHTS = 1000;
 
     /** Each has six depth pictures; more would be seen in the frame's time before they are seen in the picture. */
     private static final int MOST_SHADOWS = 8;
@@ -28,7 +28,7 @@ final class DraftLights {
     private static final double LEAST_CUTOFF_DEGREES = 0.1;
 
     private final DraftGround ground;
-    private final List<Light> lamps = new ArrayList<>();
+    private final List<Light> lights = new ArrayList<>();
     private Sun sun;
     private int leftOut;
 
@@ -44,7 +44,9 @@ final class DraftLights {
         }
         if (lights.leftOut > 0) {
             warnings.add(new XmlWarning(
-                    line, "lights left out: " + lights.leftOut + "; a level has one sun and " + MOST_LAMPS + " lamps"));
+                    line,
+                    "lights left out: " + lights.leftOut + "; a level has one sun and " + MOST_LIGHTS
+                            + " punctual lights"));
         }
         if (posed.lightCount() == 0) {
             warnings.add(new XmlWarning(line, "it has no light: a sun is added"));
@@ -66,19 +68,19 @@ final class DraftLights {
         Vec3 position = light instanceof XmlLight.Point point
                 ? position(point.position(), worldFromLight)
                 : position(((XmlLight.Spot) light).position(), worldFromLight);
-        if (lamps.size() == MOST_LAMPS || position == null) {
+        if (lights.size() == MOST_LIGHTS || position == null) {
             leftOut++;
         } else {
-            lamps.add(lamp(light, position, worldFromLight));
+            lights.add(light(light, position, worldFromLight));
         }
     }
 
-    private Light lamp(XmlLight light, Vec3 position, Matrix4dc worldFromLight) {
-        String id = "light-" + (lamps.size() + 1);
+    private Light light(XmlLight light, Vec3 position, Matrix4dc worldFromLight) {
+        String id = "light-" + (lights.size() + 1);
         double distance = Math.max(LEAST_DISTANCE_METRES, ground.meanDistanceMetres(position));
         Vec3 intensity = grey(Math.PI * Math.min(distance, FARTHEST_METRES) * Math.min(distance, FARTHEST_METRES));
         double range = Math.min(1e7, Math.max(LEAST_RANGE_METRES, 2 * ground.reachMetres(position)));
-        boolean shadow = lamps.size() < MOST_SHADOWS && !ground.isEnclosed(position);
+        boolean shadow = lights.size() < MOST_SHADOWS && !ground.isEnclosed(position);
         Vec3 axis = light instanceof XmlLight.Spot spot ? direction(spot.direction(), worldFromLight) : null;
         if (!(light instanceof XmlLight.Spot cone) || cone.cutoffDegrees() > 90 || axis == null) {
             return new Light.Point(id, position, intensity, range, shadow);
@@ -108,8 +110,8 @@ final class DraftLights {
         return new Vec3(value, value, value);
     }
 
-    List<Light> lamps() {
-        return List.copyOf(lamps);
+    List<Light> lights() {
+        return List.copyOf(lights);
     }
 
     Environment environment(double ambient) {

@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Material;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlModel.Colours;
 
@@ -56,9 +56,9 @@ final class DraftLooks {
 
     private static Vec3 linear(Vec3 display) {
         return new Vec3(
-                Decoding.SRGB.linear(display.x()),
-                Decoding.SRGB.linear(display.y()),
-                Decoding.SRGB.linear(display.z()));
+                ColourDecoding.SRGB.linear(display.x()),
+                ColourDecoding.SRGB.linear(display.y()),
+                ColourDecoding.SRGB.linear(display.z()));
     }
 
     private static double mean(Vec3 colour) {

@@ -2,7 +2,7 @@ package nephele.engine.xmlscene;
 
 import java.util.regex.Pattern;
 import nephele.engine.math.Vec3;
-import nephele.engine.model.ShownNumber;
+import nephele.engine.model.NumberFormatting;
 
 /** What one element says of itself, as values; what cannot be read counts as left out. */
 final class ElementValues {
@@ -13,11 +13,11 @@ final class ElementValues {
     private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
     private final XmlElement element;
-    private final Remarks remarks;
+    private final SceneWarnings warnings;
 
-    ElementValues(XmlElement element, Remarks remarks) {
+    ElementValues(XmlElement element, SceneWarnings warnings) {
         this.element = element;
-        this.remarks = remarks;
+        this.warnings = warnings;
     }
 
     boolean has(String name) {
@@ -51,7 +51,7 @@ final class ElementValues {
         double value = number ? Double.parseDouble(text) : Double.NaN;
         if (!(Math.abs(value) <= LARGEST)) {
             String what = number ? " is beyond 1e9" : " is no number";
-            warn(attribute, Remarks.quoted(text) + what + ": taken as left out");
+            warn(attribute, SceneWarnings.quoted(text) + what + ": taken as left out");
             return absent;
         }
         return value;
@@ -61,10 +61,11 @@ final class ElementValues {
         double value = number(name, absent);
         double within = Math.min(most, Math.max(least, value));
         if (value != within) {
-            String range = ShownNumber.of(least) + " to " + ShownNumber.of(most);
+            String range = NumberFormatting.of(least) + " to " + NumberFormatting.of(most);
             warn(
                     element.attribute(name),
-                    ShownNumber.of(value) + " is not within " + range + ": taken as " + ShownNumber.of(within));
+                    NumberFormatting.of(value) + " is not within " + range + ": taken as "
+                            + NumberFormatting.of(within));
         }
         return within;
     }
@@ -79,17 +80,17 @@ final class ElementValues {
         String text = attribute == null ? "false" : attribute.value().strip();
         boolean yes = text.equalsIgnoreCase("true") || text.equals("1");
         if (!yes && !text.equalsIgnoreCase("false") && !text.equals("0")) {
-            warn(attribute, Remarks.quoted(text) + " is neither true nor false: taken as false");
+            warn(attribute, SceneWarnings.quoted(text) + " is neither true nor false: taken as false");
         }
         return yes;
     }
 
     private void warn(XmlAttribute attribute, String message) {
-        remarks.warn(attribute.line(), "'" + attribute.name() + "' in <" + element.name() + ">: " + message);
+        warnings.warn(attribute.line(), "'" + attribute.name() + "' in <" + element.name() + ">: " + message);
     }
 
     /** Of the element as a whole. */
     void warn(String message) {
-        remarks.warn(element.line(), "<" + element.name() + ">: " + message);
+        warnings.warn(element.line(), "<" + element.name() + ">: " + message);
     }
 }

@@ -20,10 +20,10 @@ final class EyeReader {
     /** Two directions whose sine is less leave no upright. */
     private static final double PARALLEL = 1e-6;
 
-    private final Remarks remarks;
+    private final SceneWarnings warnings;
 
-    EyeReader(Remarks remarks) {
-        this.remarks = remarks;
+    EyeReader(SceneWarnings warnings) {
+        this.warnings = warnings;
     }
 
     Window window(XmlElement world) {
@@ -31,7 +31,7 @@ final class EyeReader {
         if (element == null) {
             return WORLD_WINDOW;
         }
-        ElementValues values = new ElementValues(element, remarks);
+        ElementValues values = new ElementValues(element, warnings);
         return new Window((int) values.number("width", WORLD_WINDOW.width(), 1, MOST_PIXELS), (int)
                 values.number("height", WORLD_WINDOW.height(), 1, MOST_PIXELS));
     }
@@ -46,7 +46,7 @@ final class EyeReader {
         Vec3 lookAt = vector(camera, "lookAt", WORLD_EYE.lookAt());
         Vector3d ahead = lookAt.toVector().sub(position.toVector());
         if (!(ahead.length() > 0)) {
-            new ElementValues(camera, remarks).warn("it looks at where it stands: taken as looking along -z");
+            new ElementValues(camera, warnings).warn("it looks at where it stands: taken as looking along -z");
             ahead.set(0, 0, -1);
             lookAt = new Vec3(position.x(), position.y(), position.z() - 1);
         }
@@ -62,7 +62,7 @@ final class EyeReader {
         }
         boolean steep = Math.abs(ahead.y) > ahead.length() / 2;
         Vec3 other = steep ? new Vec3(0, 0, -1) : new Vec3(0, 1, 0);
-        new ElementValues(camera, remarks)
+        new ElementValues(camera, warnings)
                 .warn("its up is no direction or along its sight: taken as " + (steep ? "0 0 -1" : "0 1 0"));
         return other;
     }
@@ -71,7 +71,7 @@ final class EyeReader {
         if (element == null) {
             return new Eye(position, lookAt, up, WORLD_EYE.fovDegrees(), WORLD_EYE.near(), WORLD_EYE.far());
         }
-        ElementValues values = new ElementValues(element, remarks);
+        ElementValues values = new ElementValues(element, warnings);
         double fov = values.number("fov", WORLD_EYE.fovDegrees(), 1, 170);
         double near = values.number("near", WORLD_EYE.near(), LEAST_NEAR, 1e8);
         double far = values.number("far", WORLD_EYE.far());
@@ -84,13 +84,13 @@ final class EyeReader {
 
     private Vec3 vector(XmlElement camera, String name, Vec3 absent) {
         XmlElement element = only(camera, name);
-        return element == null ? absent : new ElementValues(element, remarks).vector("x", "y", "z", 0);
+        return element == null ? absent : new ElementValues(element, warnings).vector("x", "y", "z", 0);
     }
 
     private XmlElement only(XmlElement parent, String name) {
         List<XmlElement> found = parent.children(name);
         if (found.size() > 1) {
-            new ElementValues(found.get(1), remarks).warn("it is there twice: the first counts");
+            new ElementValues(found.get(1), warnings).warn("it is there twice: the first counts");
         }
         return found.isEmpty() ? null : found.get(0);
     }

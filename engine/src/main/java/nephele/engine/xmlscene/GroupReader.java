@@ -10,11 +10,11 @@ final class GroupReader {
     private final LightReader lights;
     private final ModelReader models;
 
-    GroupReader(Dialect dialect, Remarks remarks) {
+    GroupReader(Dialect dialect, SceneWarnings warnings) {
         this.dialect = dialect;
-        this.steps = new StepReader(dialect, remarks);
-        this.lights = new LightReader(remarks);
-        this.models = new ModelReader(dialect, remarks);
+        this.steps = new StepReader(dialect, warnings);
+        this.lights = new LightReader(warnings);
+        this.models = new ModelReader(dialect, warnings);
     }
 
     /** A group whose children are being read. */

@@ -50,7 +50,7 @@ public record LevelDraft(Level level, List<XmlWarning> warnings) {
                 List.of(ground.camera()),
                 looks.materials(),
                 List.of(ground.floor()),
-                lights.lamps(),
+                lights.lights(),
                 List.of(),
                 placements.placed(),
                 List.of(),

@@ -12,10 +12,10 @@ final class LightReader {
 
     private static final double ALL_AROUND_DEGREES = 180;
 
-    private final Remarks remarks;
+    private final SceneWarnings warnings;
 
-    LightReader(Remarks remarks) {
-        this.remarks = remarks;
+    LightReader(SceneWarnings warnings) {
+        this.warnings = warnings;
     }
 
     List<XmlLight> ofGroup(XmlElement holder) {
@@ -37,7 +37,7 @@ final class LightReader {
         List<XmlLight> lights = new ArrayList<>(0);
         elements.stream().limit(MOST_IN_WORLD).forEach(light -> add(light, lights));
         if (elements.size() > MOST_IN_WORLD) {
-            remarks.warn(
+            warnings.warn(
                     elements.get(MOST_IN_WORLD).line(),
                     "a <world> has " + MOST_IN_WORLD + " lights at most: the others are skipped");
         }
@@ -45,7 +45,7 @@ final class LightReader {
     }
 
     private void add(XmlElement element, List<XmlLight> lights) {
-        ElementValues values = new ElementValues(element, remarks);
+        ElementValues values = new ElementValues(element, warnings);
         String type = values.text("type");
         Vec3 position = values.vector("posx", "posy", "posz", 0);
         switch (type == null ? "" : type.toLowerCase(Locale.ROOT)) {
@@ -61,7 +61,7 @@ final class LightReader {
             }
             case "spot", "spotlight" -> lights.add(spot(values, position));
             default ->
-                values.warn((type == null ? "it has no type" : "its type " + Remarks.quoted(type) + " is unknown")
+                values.warn((type == null ? "it has no type" : "its type " + SceneWarnings.quoted(type) + " is unknown")
                         + ": skipped; write point, directional or spot");
         }
     }

@@ -14,11 +14,11 @@ final class ModelReader {
     private static final double MOST_SHININESS = 128;
 
     private final Dialect dialect;
-    private final Remarks remarks;
+    private final SceneWarnings warnings;
 
-    ModelReader(Dialect dialect, Remarks remarks) {
+    ModelReader(Dialect dialect, SceneWarnings warnings) {
         this.dialect = dialect;
-        this.remarks = remarks;
+        this.warnings = warnings;
     }
 
     private static Vec3 grey(double value) {
@@ -38,7 +38,7 @@ final class ModelReader {
     }
 
     private void add(XmlElement element, List<XmlModel> models) {
-        ElementValues values = new ElementValues(element, remarks);
+        ElementValues values = new ElementValues(element, warnings);
         String file = file(values, "file");
         if (file == null) {
             values.warn("it names no file: skipped");
@@ -67,7 +67,7 @@ final class ModelReader {
     private String worldTexture(XmlElement model) {
         String file = null;
         for (XmlElement texture : model.children("texture")) {
-            ElementValues values = new ElementValues(texture, remarks);
+            ElementValues values = new ElementValues(texture, warnings);
             if (file != null) {
                 values.warn("a model has one: the first counts");
             } else if (file(values, "file") == null) {
@@ -86,7 +86,7 @@ final class ModelReader {
         double shininess = 0;
         Vec3[] colours = {WORLD_LOOK.diffuse(), WORLD_LOOK.ambient(), WORLD_LOOK.specular(), WORLD_LOOK.emissive()};
         for (XmlElement term : terms) {
-            ElementValues values = new ElementValues(term, remarks);
+            ElementValues values = new ElementValues(term, warnings);
             if (term.is("shininess")) {
                 shininess = values.number("value", 0, 0, MOST_SHININESS);
             } else {

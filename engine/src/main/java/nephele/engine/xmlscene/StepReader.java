@@ -15,11 +15,11 @@ final class StepReader {
     private static final double LEAST_SECONDS = 1e-6;
 
     private final Dialect dialect;
-    private final Remarks remarks;
+    private final SceneWarnings warnings;
 
-    StepReader(Dialect dialect, Remarks remarks) {
+    StepReader(Dialect dialect, SceneWarnings warnings) {
         this.dialect = dialect;
-        this.remarks = remarks;
+        this.warnings = warnings;
     }
 
     List<Step> of(XmlElement group) {
@@ -28,14 +28,14 @@ final class StepReader {
         for (XmlElement child : group.children()) {
             if (child.is("transform")) {
                 if (!seen.add(child.name())) {
-                    new ElementValues(child, remarks).warn("a group has one: this one goes on where that ended");
+                    new ElementValues(child, warnings).warn("a group has one: this one goes on where that ended");
                 }
                 child.children().forEach(step -> read(step).ifPresent(steps::add));
             } else if (isStep(child)) {
                 if (seen.add(child.name())) {
                     read(child).ifPresent(steps::add);
                 } else {
-                    new ElementValues(child, remarks).warn("a group has at most one: the first counts");
+                    new ElementValues(child, warnings).warn("a group has at most one: the first counts");
                 }
             }
         }
@@ -47,7 +47,7 @@ final class StepReader {
     }
 
     private Optional<Step> read(XmlElement element) {
-        ElementValues values = new ElementValues(element, remarks);
+        ElementValues values = new ElementValues(element, warnings);
         return switch (element.name()) {
             case "translate" -> Optional.of(translate(element, values));
             case "rotate" -> rotate(values);
@@ -57,7 +57,7 @@ final class StepReader {
 
     private Step translate(XmlElement element, ElementValues values) {
         List<Vec3> points = element.children("point").stream()
-                .map(point -> new ElementValues(point, remarks).vector("x", "y", "z", 0))
+                .map(point -> new ElementValues(point, warnings).vector("x", "y", "z", 0))
                 .toList();
         double seconds = seconds(values);
         if (points.isEmpty()) {

@@ -1,7 +1,7 @@
 package nephele.engine.xmlscene;
 
 import nephele.engine.math.Frustum;
-import nephele.engine.math.Stretch;
+import nephele.engine.math.SingularValues;
 import org.joml.Matrix4dc;
 
 /**
@@ -29,7 +29,7 @@ public final class WorldSpheres {
 
     /** A sphere as a model has it, at its place. @param radius at least 0 */
     public void place(int number, double x, double y, double z, double radius, Matrix4dc m) {
-        double stretch = Stretch.largest(m);
+        double stretch = SingularValues.maximum(m);
         int at = STRIDE * number;
         spheres[at] = m.m00() * x + m.m10() * y + m.m20() * z + m.m30();
         spheres[at + 1] = m.m01() * x + m.m11() * y + m.m21() * z + m.m31();
@@ -59,6 +59,7 @@ public final class WorldSpheres {
     public boolean maySee(int number, Frustum frustum) {
         int at = STRIDE * number;
         double sum = spheres[at] + spheres[at + 1] + spheres[at + 2] + spheres[at + 3];
-        return Double.isFinite(sum) && frustum.maySee(spheres[at], spheres[at + 1], spheres[at + 2], spheres[at + 3]);
+        return Double.isFinite(sum)
+                && frustum.mayIntersect(spheres[at], spheres[at + 1], spheres[at + 2], spheres[at + 3]);
     }
 }

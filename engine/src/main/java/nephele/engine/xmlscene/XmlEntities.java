@@ -10,7 +10,7 @@ final class XmlEntities {
 
     private XmlEntities() {}
 
-    static String expanded(String value, int line, Remarks remarks) {
+    static String expanded(String value, int line, SceneWarnings warnings) {
         int ampersand = value.indexOf('&');
         if (ampersand < 0) {
             return value;
@@ -23,7 +23,7 @@ final class XmlEntities {
             boolean complete = end > 0 && end - ampersand <= LONGEST;
             String meant = complete ? meant(value.substring(ampersand + 1, end)) : null;
             if (meant == null) {
-                remarks.warn(line, "'&' begins no known entity: it is taken as it stands");
+                warnings.warn(line, "'&' begins no known entity: it is taken as it stands");
             }
             text.append(meant == null ? "&" : meant);
             done = meant == null ? ampersand + 1 : end + 1;

@@ -1,7 +1,7 @@
 package nephele.engine.xmlscene;
 
 import java.util.List;
-import nephele.engine.asset.ShownText;
+import nephele.engine.asset.MessageText;
 import nephele.engine.math.Vec3;
 
 /**
@@ -22,7 +22,7 @@ public record XmlScene(
     /** @param line where; the first is 1 */
     public record XmlWarning(int line, String message) {
         public XmlWarning {
-            message = ShownText.shortened(message);
+            message = MessageText.shortened(message);
         }
     }
 }

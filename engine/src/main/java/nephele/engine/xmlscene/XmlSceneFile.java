@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.List;
 import java.util.regex.Pattern;
-import nephele.engine.asset.WholeFile;
+import nephele.engine.asset.AtomicFile;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
@@ -23,9 +23,9 @@ public final class XmlSceneFile {
     /** @throws ModelFileException when it cannot be read or holds nothing to show */
     public static XmlScene read(Path file) throws ModelFileException {
         try {
-            return read(file.toString(), WholeFile.read(file, MOST_BYTES));
+            return read(file.toString(), AtomicFile.read(file, MOST_BYTES));
         } catch (IOException problem) {
-            String reason = "it can't be read: " + WholeFile.reason(problem);
+            String reason = "it can't be read: " + AtomicFile.reason(problem);
             throw new ModelFileException(file.toString(), 0, reason, "name an XML scene", problem);
         }
     }
@@ -35,7 +35,7 @@ public final class XmlSceneFile {
      * @throws ModelFileException with the line, when nothing in it can be shown
      */
     public static XmlScene read(String file, byte[] utf8) throws ModelFileException {
-        Remarks remarks = new Remarks(file);
+        SceneWarnings remarks = new SceneWarnings(file);
         XmlElement tree = XmlTree.read(XmlText.of(utf8, remarks), remarks);
         Dialect dialect = XmlTree.dialect(tree);
         XmlGroup root = new GroupReader(dialect, remarks).root(tree);
@@ -65,7 +65,7 @@ public final class XmlSceneFile {
         return false;
     }
 
-    private static ModelFileException nothingToShow(XmlElement tree, Remarks remarks) {
+    private static ModelFileException nothingToShow(XmlElement tree, SceneWarnings remarks) {
         List<XmlWarning> warnings = remarks.byLine();
         if (warnings.isEmpty()) {
             return remarks.error(tree.line(), "it holds no model", "add <models><model file=\"box_2_3.3d\"/></models>");

@@ -15,7 +15,7 @@ final class XmlTags {
     private static final int MOST_NAME_LETTERS = 64;
 
     private final String text;
-    private final Remarks remarks;
+    private final SceneWarnings warnings;
     private final List<String> unquoted = new ArrayList<>();
     private int tags;
     private int inThisTag;
@@ -23,9 +23,9 @@ final class XmlTags {
     private int counted;
     private int line = 1;
 
-    XmlTags(String text, Remarks remarks) {
+    XmlTags(String text, SceneWarnings warnings) {
         this.text = text;
-        this.remarks = remarks;
+        this.warnings = warnings;
     }
 
     /** {@code null} after the last one. */
@@ -38,19 +38,19 @@ final class XmlTags {
             if (text.startsWith("<!--", at)) {
                 skipPast("-->", 4, "a comment");
             } else if (text.startsWith("<![CDATA[", at)) {
-                remarks.warn(lineHere(), "text means nothing here: skipped");
+                warnings.warn(lineHere(), "text means nothing here: skipped");
                 skipPast("]]>", 9, "a text section");
             } else if (text.startsWith("<?", at)) {
                 skipPast("?>", 2, "an instruction");
             } else if (text.startsWith("<!", at)) {
-                throw remarks.error(lineHere(), "document types and entities are not read", "delete <!…>");
+                throw warnings.error(lineHere(), "document types and entities are not read", "delete <!…>");
             } else {
                 int nameAt = text.startsWith("</", at) ? at + 2 : at + 1;
                 if (isNameStart(nameAt)) {
                     countTag();
                     return tag(nameAt);
                 }
-                remarks.warn(lineHere(), "'<' without a name: skipped");
+                warnings.warn(lineHere(), "'<' without a name: skipped");
                 at++;
             }
         }
@@ -58,7 +58,7 @@ final class XmlTags {
 
     private void countTag() {
         if (++tags > MOST_TAGS) {
-            throw remarks.error(lineHere(), "more than " + MOST_TAGS + " tags", "split the scene");
+            throw warnings.error(lineHere(), "more than " + MOST_TAGS + " tags", "split the scene");
         }
     }
 
@@ -81,9 +81,9 @@ final class XmlTags {
         }
         if (start < end) {
             at = start;
-            remarks.warn(
+            warnings.warn(
                     lineHere(),
-                    () -> "text means nothing here: " + Remarks.quoted(text.substring(at, Math.min(end, at + 50)))
+                    () -> "text means nothing here: " + SceneWarnings.quoted(text.substring(at, Math.min(end, at + 50)))
                             + " is skipped");
         }
         at = end;
@@ -92,7 +92,7 @@ final class XmlTags {
     private void skipPast(String end, int opening, String what) {
         int found = text.indexOf(end, at + opening);
         if (found < 0) {
-            throw remarks.error(lineHere(), what + " begins here and never ends", "end it with " + end);
+            throw warnings.error(lineHere(), what + " begins here and never ends", "end it with " + end);
         }
         at = found + end.length();
     }
@@ -108,7 +108,7 @@ final class XmlTags {
         while (true) {
             skipBlanks();
             if (at >= text.length()) {
-                throw remarks.error(tagLine, "the file ends inside <" + name, "restore its end");
+                throw warnings.error(tagLine, "the file ends inside <" + name, "restore its end");
             }
             char c = text.charAt(at);
             if (c == '>' || text.startsWith("/>", at) || c == '<') {
@@ -116,8 +116,9 @@ final class XmlTags {
             } else if (isNameStart(at)) {
                 attribute(name, attributes);
             } else {
-                remarks.warn(
-                        lineHere(), () -> "stray " + Remarks.quoted(String.valueOf(c)) + " in <" + name + ">: skipped");
+                warnings.warn(
+                        lineHere(),
+                        () -> "stray " + SceneWarnings.quoted(String.valueOf(c)) + " in <" + name + ">: skipped");
                 at++;
             }
         }
@@ -125,10 +126,10 @@ final class XmlTags {
 
     private XmlTag ended(char sign, boolean closing, String name, int tagLine, List<XmlAttribute> attributes) {
         if (sign == '<') {
-            remarks.warn(tagLine, () -> "<" + name + " has no '>'");
+            warnings.warn(tagLine, () -> "<" + name + " has no '>'");
         }
         if (!unquoted.isEmpty()) {
-            remarks.warn(tagLine, () -> "<" + name + "> has values without quotes: " + String.join(", ", unquoted));
+            warnings.warn(tagLine, () -> "<" + name + "> has values without quotes: " + String.join(", ", unquoted));
         }
         at += sign == '<' ? 0 : sign == '>' ? 1 : 2;
         XmlTag.Kind open = sign == '/' ? XmlTag.Kind.EMPTY : XmlTag.Kind.OPEN;
@@ -138,20 +139,20 @@ final class XmlTags {
     private void attribute(String tag, List<XmlAttribute> attributes) {
         int attributeLine = lineHere();
         if (++inThisTag > MOST_ATTRIBUTES) {
-            throw remarks.error(
+            throw warnings.error(
                     attributeLine, "<" + tag + "> has more than " + MOST_ATTRIBUTES + " values", "delete some");
         }
         String name = name();
         skipBlanks();
         if (at >= text.length() || text.charAt(at) != '=') {
-            remarks.warn(attributeLine, () -> "'" + name + "' in <" + tag + "> has no value: skipped");
+            warnings.warn(attributeLine, () -> "'" + name + "' in <" + tag + "> has no value: skipped");
             return;
         }
         at++;
         skipBlanks();
         String value = value(name);
         if (holds(attributes, name)) {
-            remarks.warn(attributeLine, () -> "'" + name + "' is there twice in <" + tag + ">: the first counts");
+            warnings.warn(attributeLine, () -> "'" + name + "' is there twice in <" + tag + ">: the first counts");
         } else {
             attributes.add(new XmlAttribute(name, value, attributeLine));
         }
@@ -172,7 +173,7 @@ final class XmlTags {
             if (end < text.length() && text.charAt(end) == quote) {
                 String quoted = text.substring(at, end);
                 at = end + 1;
-                return XmlEntities.expanded(quoted, lineHere(), remarks);
+                return XmlEntities.expanded(quoted, lineHere(), warnings);
             }
         }
         unquoted.add(name);
@@ -180,7 +181,7 @@ final class XmlTags {
         while (at < text.length() && !endsValue()) {
             at++;
         }
-        return XmlEntities.expanded(text.substring(start, at), lineHere(), remarks);
+        return XmlEntities.expanded(text.substring(start, at), lineHere(), warnings);
     }
 
     private boolean endsValue() {

@@ -11,30 +11,30 @@ final class XmlText {
 
     private XmlText() {}
 
-    static String of(byte[] bytes, Remarks remarks) {
+    static String of(byte[] bytes, SceneWarnings warnings) {
         if (bytes.length > XmlSceneFile.MOST_BYTES) {
             int mebibytes = XmlSceneFile.MOST_BYTES >> 20;
-            throw remarks.error(0, "the file has more than " + mebibytes + " MiB", "split the scene");
+            throw warnings.error(0, "the file has more than " + mebibytes + " MiB", "split the scene");
         }
         int first = bytes.length > 0 ? bytes[0] & 0xff : ' ';
         int second = bytes.length > 1 ? bytes[1] & 0xff : ' ';
         if (first >= 0xfe || first == 0 || second == 0) {
-            throw remarks.error(1, "the file is not UTF-8 but UTF-16 or no text at all", REMEDY);
+            throw warnings.error(1, "the file is not UTF-8 but UTF-16 or no text at all", REMEDY);
         }
         int start = first == 0xef && second == 0xbb && bytes.length > 2 && (bytes[2] & 0xff) == 0xbf ? 3 : 0;
-        return decoded(ByteBuffer.wrap(bytes, start, bytes.length - start), remarks);
+        return decoded(ByteBuffer.wrap(bytes, start, bytes.length - start), warnings);
     }
 
-    private static String decoded(ByteBuffer bytes, Remarks remarks) {
+    private static String decoded(ByteBuffer bytes, SceneWarnings warnings) {
         CharBuffer text = CharBuffer.allocate(bytes.remaining());
         CoderResult result = StandardCharsets.UTF_8.newDecoder().decode(bytes, text, true);
         String read = text.flip().toString();
         if (result.isError()) {
-            throw remarks.error(lineAt(read, read.length()), "this is not UTF-8", REMEDY);
+            throw warnings.error(lineAt(read, read.length()), "this is not UTF-8", REMEDY);
         }
         int zero = read.indexOf('\0');
         if (zero >= 0) {
-            throw remarks.error(lineAt(read, zero), "the file holds zero bytes instead of text", "restore it");
+            throw warnings.error(lineAt(read, zero), "the file holds zero bytes instead of text", "restore it");
         }
         return read;
     }

@@ -14,20 +14,20 @@ final class XmlTree {
     private static final int MOST_TAKEN_OUT = 1000;
 
     private final XmlTags tags;
-    private final Remarks remarks;
+    private final SceneWarnings warnings;
     private final List<XmlElement> open = new ArrayList<>();
     private final Set<String> takenOut = new HashSet<>();
     private Vocabulary vocabulary;
     private int groups;
 
-    private XmlTree(XmlTags tags, Remarks remarks) {
+    private XmlTree(XmlTags tags, SceneWarnings warnings) {
         this.tags = tags;
-        this.remarks = remarks;
+        this.warnings = warnings;
     }
 
-    static XmlElement read(String text, Remarks remarks) {
-        XmlTags tags = new XmlTags(text, remarks);
-        return new XmlTree(tags, remarks).tree();
+    static XmlElement read(String text, SceneWarnings warnings) {
+        XmlTags tags = new XmlTags(text, warnings);
+        return new XmlTree(tags, warnings).tree();
     }
 
     static Dialect dialect(XmlElement root) {
@@ -37,15 +37,15 @@ final class XmlTree {
     private XmlElement tree() {
         XmlTag first = tags.next();
         if (first == null) {
-            throw remarks.error(1, "there is no tag in it", "begin with <scene> or <world>");
+            throw warnings.error(1, "there is no tag in it", "begin with <scene> or <world>");
         }
         vocabulary = Vocabulary.of(first.name().equalsIgnoreCase("world") ? Dialect.WORLD : Dialect.SCENE);
         Vocabulary.Word word = vocabulary.word(first.name());
         boolean root = word != null && word.isFrame() && !word.name().equals("group");
         if (!root || first.kind() == XmlTag.Kind.CLOSE) {
-            throw remarks.error(
+            throw warnings.error(
                     first.line(),
-                    "it begins with " + Remarks.quoted(first.name()) + ", which is no scene",
+                    "it begins with " + SceneWarnings.quoted(first.name()) + ", which is no scene",
                     "begin with <scene> or <world>");
         }
         XmlElement tree = element(word, first);
@@ -71,7 +71,7 @@ final class XmlTree {
         }
         XmlTag beyond = tags.next();
         if (beyond != null) {
-            remarks.warn(beyond.line(), "the scene has ended: nothing is read from here on");
+            warnings.warn(beyond.line(), "the scene has ended: nothing is read from here on");
         }
     }
 
@@ -90,7 +90,7 @@ final class XmlTree {
             closeFrom(at + 1, tag);
             remove(at);
         } else if (!takenOut.contains(key(tag))) {
-            remarks.warn(tag.line(), () -> "</" + tag.name() + "> closes nothing: skipped");
+            warnings.warn(tag.line(), () -> "</" + tag.name() + "> closes nothing: skipped");
         }
     }
 
@@ -98,7 +98,7 @@ final class XmlTree {
     private void closeFrom(int first, XmlTag before) {
         for (int i = open.size() - 1; i >= first; i--) {
             XmlElement left = open.get(i);
-            remarks.warn(
+            warnings.warn(
                     left.line(),
                     () -> "<" + left.name() + "> is not closed: it ends before "
                             + (before == null ? "the file's end" : told(before)));
@@ -119,7 +119,7 @@ final class XmlTree {
         Vocabulary.Word word = vocabulary.word(tag.name());
         if (word == null) {
             takeOut(tag);
-            remarks.warn(
+            warnings.warn(
                     tag.line(),
                     () -> "<" + tag.name() + "> is unknown: skipped"
                             + Vocabulary.suggestion(tag.name(), vocabulary.names()));
@@ -130,7 +130,7 @@ final class XmlTree {
             if (open.get(parent).word().isFrame()) {
                 takeOut(tag);
                 String around = open.get(open.size() - 1).name();
-                remarks.warn(tag.line(), () -> "<" + word.name() + "> does not belong in <" + around + ">: skipped");
+                warnings.warn(tag.line(), () -> "<" + word.name() + "> does not belong in <" + around + ">: skipped");
                 return;
             }
             parent--;
@@ -144,14 +144,14 @@ final class XmlTree {
         }
         if (groups > XmlSceneFile.MOST_NESTED_GROUPS) {
             String most = String.valueOf(XmlSceneFile.MOST_NESTED_GROUPS);
-            throw remarks.error(tag.line(), "groups are nested deeper than " + most, "close some");
+            throw warnings.error(tag.line(), "groups are nested deeper than " + most, "close some");
         }
     }
 
     private XmlElement element(Vocabulary.Word word, XmlTag tag) {
         for (XmlAttribute attribute : tag.attributes()) {
             if (!word.attributes().contains(attribute.name())) {
-                remarks.warn(
+                warnings.warn(
                         attribute.line(),
                         () -> "'" + attribute.name() + "' is unknown in <" + word.name() + ">: skipped"
                                 + Vocabulary.suggestion(attribute.name(), word.attributes()));

@@ -13,7 +13,16 @@ import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelJson;
+import nephele.engine.level.json.LevelJson;
+import nephele.lab.art.bench.BenchLevels;
+import nephele.lab.art.bench.BenchPixels;
+import nephele.lab.art.material.TextureRecipe;
+import nephele.lab.art.material.Textures;
+import nephele.lab.art.paint.Surface;
+import nephele.lab.art.picture.PictureRecipe;
+import nephele.lab.art.picture.ScenePictures;
+import nephele.lab.art.picture.SignPainter;
+import nephele.lab.art.picture.SkyPainter;
 
 /** Regenerates the pictures and meshes below {@code assets/} and the benchmark levels: {@code gradle textures}. */
 public final class ArtFiles {

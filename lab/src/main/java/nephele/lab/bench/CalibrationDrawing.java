@@ -11,10 +11,10 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Sampling;
-import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.TextureUnit;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 import org.lwjgl.system.MemoryUtil;
 
 /**

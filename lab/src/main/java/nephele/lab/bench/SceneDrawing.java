@@ -1,7 +1,7 @@
 package nephele.lab.bench;
 
 import nephele.engine.render.fixed.FixedSceneDrawing;
-import nephele.engine.render.fixed.SceneLook;
+import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
@@ -16,7 +16,7 @@ public record SceneDrawing(GlContext gl, FixedSceneDrawing scene, View view, Ren
     @Override
     public void draw(int frame) {
         gl.state().resetCounts();
-        scene.draw(view, frame / 60.0, AT_HOME, SceneLook.USUAL, picture);
+        scene.draw(view, frame / 60.0, AT_HOME, SceneAppearance.USUAL, picture);
     }
 
     @Override

@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Supplier;
-import nephele.engine.math.BitHash;
+import nephele.engine.math.Hash64;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.reference.Pinhole;
 import nephele.engine.reference.TraceSettings;
@@ -26,12 +26,12 @@ public record TracedPictures(Path folder, String code) {
     /**
      * Returns linear radiance, bottom row first.
      *
-     * @param level a hash of the level and its assets: {@link nephele.lab.oracle.LevelState#key}
+     * @param level a hash of the level and its assets: {@link LevelHash#key}
      * @param trace traces the picture if the folder does not hold it
      */
     public LinearPicture picture(String level, Pinhole eye, TraceSettings settings, Supplier<float[]> trace) {
         String size = settings.width() + "x" + settings.height();
-        long key = BitHash.of(
+        long key = Hash64.of(
                 String.join(" ", code, level, size, settings.samples() + "/" + settings.seed(), eye.toString()));
         Path file = folder.resolve("oracle-" + Long.toHexString(key) + ".pfm");
         try {

@@ -3,6 +3,8 @@ package nephele.lab.prove;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
 
 /** Runs one proof batch by batch from its last state, saves the state after each batch, and shows the progress. */
 public final class ProofRun {

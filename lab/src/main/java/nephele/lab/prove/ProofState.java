@@ -9,7 +9,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
-import nephele.engine.asset.WholeFile;
+import nephele.engine.asset.AtomicFile;
+import nephele.lab.prove.proof.Figure;
+import nephele.lab.prove.proof.ProofResult;
 
 /** The progress and results of a proof at one commit, saved in a file so that the run can be resumed. */
 record ProofState(String commit, ProofResult soFar) {
@@ -45,7 +47,7 @@ record ProofState(String commit, ProofResult soFar) {
         }
         var text = new StringWriter();
         saved.store(text, null);
-        WholeFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
     }
 
     private static void saveFigure(Properties saved, String key, Figure figure) {

@@ -8,7 +8,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import nephele.engine.asset.WholeFile;
+import nephele.engine.asset.AtomicFile;
+import nephele.lab.prove.proof.Figure;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
 
 /** The file docs/proofs.md: one row a proof, in the order of {@link Proofs#ALL}. A new result replaces the old row. */
 public final class ProofTable {
@@ -38,7 +41,7 @@ public final class ProofTable {
         rows.add(row(proof, result, found));
         var order = Proofs.ALL.stream().map(of -> of.claim().name()).collect(Collectors.toList());
         rows.sort((a, b) -> Integer.compare(order.indexOf(nameOf(a)), order.indexOf(nameOf(b))));
-        WholeFile.write(file, (HEAD + String.join("\n", rows) + "\n").getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(file, (HEAD + String.join("\n", rows) + "\n").getBytes(StandardCharsets.UTF_8));
     }
 
     private List<String> rows() throws IOException {

@@ -1,6 +1,35 @@
 package nephele.lab.prove;
 
 import java.util.List;
+import nephele.lab.prove.bodies.BodiesProof;
+import nephele.lab.prove.bodies.EnergyProof;
+import nephele.lab.prove.bodies.FallsProof;
+import nephele.lab.prove.bodies.MassRatiosProof;
+import nephele.lab.prove.bodies.PilesProof;
+import nephele.lab.prove.edits.EditedTown;
+import nephele.lab.prove.edits.EditsProof;
+import nephele.lab.prove.geometry.HeightFieldProof;
+import nephele.lab.prove.geometry.RayProof;
+import nephele.lab.prove.geometry.RotationProof;
+import nephele.lab.prove.geometry.SeparationProof;
+import nephele.lab.prove.geometry.SkinProof;
+import nephele.lab.prove.picture.MirrorsProof;
+import nephele.lab.prove.picture.PortalIdsProof;
+import nephele.lab.prove.picture.PortalLightProof;
+import nephele.lab.prove.picture.SceneCullingProof;
+import nephele.lab.prove.picture.ShadowEdgesProof;
+import nephele.lab.prove.placement.PlacementProof;
+import nephele.lab.prove.placement.RetriangulationProof;
+import nephele.lab.prove.portals.ClosedRoomProof;
+import nephele.lab.prove.portals.CrossingsProof;
+import nephele.lab.prove.portals.DoorwayWalkProof;
+import nephele.lab.prove.portals.EyeCrossingsProof;
+import nephele.lab.prove.portals.TraversalsProof;
+import nephele.lab.prove.process.JitMatrixProof;
+import nephele.lab.prove.process.MutantsProof;
+import nephele.lab.prove.process.SaveKillProof;
+import nephele.lab.prove.process.SoakProof;
+import nephele.lab.prove.proof.Proof;
 
 /** The registry of proofs, in the order in which {@code prove} without a name runs them. */
 public final class Proofs {

@@ -3,15 +3,15 @@ package nephele.lab.solve;
 import java.util.function.Predicate;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.Action;
-import nephele.engine.sim.Heading;
-import nephele.engine.sim.PlayerInput;
-import nephele.engine.sim.PlayerState;
-import nephele.engine.sim.Replay;
-import nephele.engine.sim.ReplayRecorder;
-import nephele.engine.sim.SimSettings;
-import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.replay.ReplayRecorder;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.ViewAngles;
 
 /**
  * Plays a level from a script, through the same inputs as a person: turns the view at a human speed, walks, jumps,
@@ -61,28 +61,28 @@ public final class ScriptedPlayer {
 
     /** Turns until the crosshair is on a point. */
     public ScriptedPlayer lookAt(Vec3 point) {
-        Heading wanted = headingTo(point);
+        ViewAngles wanted = headingTo(point);
         return lookAlong(wanted.yawMillidegrees() / 1000.0, wanted.pitchMillidegrees() / 1000.0);
     }
 
     /** Turns to view angles. */
     public ScriptedPlayer lookAlong(double yawDegrees, double pitchDegrees) {
-        Heading wanted = Heading.ofDegrees(yawDegrees, pitchDegrees);
+        ViewAngles wanted = ViewAngles.ofDegrees(yawDegrees, pitchDegrees);
         return until(() -> turn(PlayerInput.NONE, wanted), now -> now.heading().equals(wanted), "look");
     }
 
-    private Heading headingTo(Vec3 point) {
+    private ViewAngles headingTo(Vec3 point) {
         Vec3 eye = state.player().eye();
         double x = point.x() - eye.x();
         double y = point.y() - eye.y();
         double z = point.z() - eye.z();
         double yaw = StrictMath.toDegrees(StrictMath.atan2(-x, -z));
-        return Heading.ofDegrees(yaw, StrictMath.toDegrees(StrictMath.atan2(y, StrictMath.hypot(x, z))));
+        return ViewAngles.ofDegrees(yaw, StrictMath.toDegrees(StrictMath.atan2(y, StrictMath.hypot(x, z))));
     }
 
     /** Returns the input with this tick's part of a turn added. */
-    private PlayerInput turn(PlayerInput meanwhile, Heading wanted) {
-        Heading now = state.player().heading();
+    private PlayerInput turn(PlayerInput meanwhile, ViewAngles wanted) {
+        ViewAngles now = state.player().heading();
         int left = (int) Math.round(StrictMath.toDegrees(now.yawRadiansTo(wanted)) * 1000);
         return meanwhile.turning(part(left), part(wanted.pitchMillidegrees() - now.pitchMillidegrees()));
     }
@@ -98,7 +98,7 @@ public final class ScriptedPlayer {
         return until(
                 () -> {
                     Vec3 eye = state.player().eye();
-                    Heading wanted = headingTo(new Vec3(x, eye.y() - 0.05, z));
+                    ViewAngles wanted = headingTo(new Vec3(x, eye.y() - 0.05, z));
                     double off = Math.abs(state.player().heading().yawRadiansTo(wanted));
                     double left = StrictMath.hypot(x - eye.x(), z - eye.z());
                     int percent = off > 0.5 ? 0 : (int) Math.max(30, Math.min(100, 120 * left));

@@ -3,8 +3,8 @@ package nephele.lab.solve;
 import java.util.function.Consumer;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.PlayerState;
-import nephele.engine.sim.Replay;
+import nephele.engine.sim.replay.Replay;
+import nephele.engine.sim.state.PlayerState;
 
 /**
  * A scripted solution of a level.

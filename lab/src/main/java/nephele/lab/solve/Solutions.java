@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import nephele.engine.level.LevelFile;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.Action;
-import nephele.engine.sim.PlayerInput;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerInput;
 
 /** The solutions of the levels that have one, and the program that writes their replays: {@code gradle solutions}. */
 public final class Solutions {

@@ -3,9 +3,9 @@ package nephele.lab.trade;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import nephele.engine.level.Level;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.named.AssetComplaint;
+import nephele.engine.named.AssetProblems;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.reference.Pinhole;
@@ -17,8 +17,8 @@ import nephele.engine.scene.Scene;
 import nephele.engine.scene.View;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.terminal.PrintedProgress;
-import nephele.lab.oracle.LevelState;
-import nephele.lab.oracle.ReferenceEye;
+import nephele.lab.oracle.LevelHash;
+import nephele.lab.oracle.PinholeViews;
 import nephele.lab.oracle.TracedPictures;
 
 /**
@@ -92,7 +92,7 @@ public final class TradeSite implements AutoCloseable {
     }
 
     public Scene scene(Level level) {
-        return AssetComplaint.named(opened, () -> {
+        return AssetProblems.named(opened, () -> {
             var placed = opened.placed().edited(level);
             return Scene.of(placed, BakedSky.of(placed, PrintedProgress.ofBake(tell)));
         });
@@ -105,13 +105,13 @@ public final class TradeSite implements AutoCloseable {
     public LinearPicture oracle() {
         int threads = Runtime.getRuntime().availableProcessors();
         var settings = new TraceSettings(extent.width, extent.height, extent.samples, 1, threads);
-        var eye = ReferenceEye.of(seen.view());
-        return new TracedPictures(folder, CodeState.key())
-                .picture(LevelState.key(opened), eye, settings, () -> trace(eye, settings));
+        var eye = PinholeViews.of(seen.view());
+        return new TracedPictures(folder, CodeHash.key())
+                .picture(LevelHash.key(opened), eye, settings, () -> trace(eye, settings));
     }
 
     private float[] trace(Pinhole eye, TraceSettings settings) {
-        var level = AssetComplaint.named(opened, () -> TracedLevel.of(opened.placed(), Decoding.SRGB));
+        var level = AssetProblems.named(opened, () -> TracedLevel.of(opened.placed(), ColourDecoding.SRGB));
         return ReferencePicture.trace(level, eye, settings, PrintedProgress.ofTrace(tell));
     }
 

@@ -5,7 +5,7 @@ import java.util.List;
 import nephele.engine.level.Camera;
 import nephele.engine.named.OpenedLevel;
 import nephele.engine.named.Viewpoints;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 import nephele.engine.scene.ViewTree;
 
@@ -35,20 +35,20 @@ public record TradeView(View view, String camera) {
             return new TradeView(
                     Viewpoints.standard(level, opened.file(), aspect).view(0), "player's start");
         }
-        var moment = Moment.atStart(level);
+        var frameState = FrameState.atStart(level);
         return cameras.stream()
                 .map(each -> new TradeView(View.ofCamera(each, 0, aspect), "camera " + each.id()))
-                .max(Comparator.comparingDouble(each -> each.portalPixels(moment)))
-                .filter(most -> most.portalPixels(moment) > 0)
+                .max(Comparator.comparingDouble(each -> each.portalPixels(frameState)))
+                .filter(most -> most.portalPixels(frameState) > 0)
                 .orElseGet(() -> new TradeView(
                         View.ofCamera(cameras.get(0), 0, aspect),
                         "camera " + cameras.get(0).id()));
     }
 
     /** Returns the pixels that portals cover in a picture of 640 × 360. */
-    private double portalPixels(Moment moment) {
+    private double portalPixels(FrameState frameState) {
         var tree = new ViewTree(List.of());
-        tree.grow(view, moment, WIDTH, HEIGHT, 0);
+        tree.build(view, frameState, WIDTH, HEIGHT, 0);
         return tree.terminals().stream().mapToDouble(opening -> opening.area()).sum();
     }
 }

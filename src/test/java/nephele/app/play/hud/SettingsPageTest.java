@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 
 import java.util.ArrayList;
 import java.util.List;
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.state.SimSettings;
 import org.junit.jupiter.api.Test;
 
 class SettingsPageTest {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
+import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.level.Body;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Vec3;

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.collision.rigid.body.BodyState;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;

@@ -4,7 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
-import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.PortalWorld;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.collision.rigid.body.BodyInfluences;
+import nephele.engine.collision.rigid.body.BodyState;
+import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.level.Body;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Aabb;
@@ -26,9 +30,9 @@ final class BodyScene {
     private final List<Body> bodies = new ArrayList<>();
     private final List<BodyState> states = new ArrayList<>();
     private Vec3 gravity = GRAVITY;
-    private SeamedWorld surroundings;
+    private PortalWorld surroundings;
     private RigidStep step;
-    final Influences influences = new Influences();
+    final BodyInfluences influences = new BodyInfluences();
     Bodies now;
 
     BodyScene box(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
@@ -93,7 +97,7 @@ final class BodyScene {
 
     /** Replaces the portals. */
     BodyScene open(Portals open) {
-        surroundings = SeamedWorld.of(new CollisionWorld(solids), open);
+        surroundings = PortalWorld.of(new CollisionWorld(solids), open);
         return this;
     }
 

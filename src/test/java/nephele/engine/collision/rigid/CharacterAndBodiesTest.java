@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import nephele.engine.collision.rigid.body.BodyInfluences;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -20,7 +21,7 @@ class CharacterAndBodiesTest {
     void pushGivesAndTakesTheSameMomentum() {
         BodyScene scene = new BodyScene().weightless();
         int box = scene.add(new Body.Box("box", v(1, 0, 0), v(0.5, 0.5, 0.5), 20, null, 0, 0));
-        Influences.Character player = new Influences.Character(0.3, 1.8, 80);
+        BodyInfluences.Character player = new BodyInfluences.Character(0.3, 1.8, 80);
         scene.influences.add(player);
         player.move(new Vector3d(0.45, 0, 0), new Vector3d(2, 0, 0));
         scene.start();
@@ -38,7 +39,7 @@ class CharacterAndBodiesTest {
                 .box(30, -10, -10, 31, 10, 10)
                 .pair(v(0, 0, 0), v(0, 0, 1), v(30, 0, 0), v(-1, 0, 0), 1.2, 2.1);
         int box = scene.add(new Body.Box("box", v(29.65, 0, 0), v(0.5, 0.5, 0.5), 20, null, 0, 0));
-        Influences.Character player = new Influences.Character(0.3, 1.8, 80);
+        BodyInfluences.Character player = new BodyInfluences.Character(0.3, 1.8, 80);
         scene.influences.add(player);
         player.move(new Vector3d(0, 0, 0.2), new Vector3d(0, 0, -2));
         scene.start();
@@ -52,7 +53,7 @@ class CharacterAndBodiesTest {
     void nothingFliesThroughACharacter() {
         BodyScene scene = new BodyScene().weightless();
         int ball = scene.add(new Body.Sphere("ball", v(-2, 0, 0), 0.1, 1, null, 0, 0));
-        Influences.Character player = new Influences.Character(0.3, 1.8, 80);
+        BodyInfluences.Character player = new BodyInfluences.Character(0.3, 1.8, 80);
         scene.influences.add(player);
         player.move(new Vector3d(0, 0, 0), new Vector3d());
         scene.start().velocity(ball, v(150, 0, 0), Vec3.ZERO).run(0.5, 60);

@@ -7,7 +7,11 @@ import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
-import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.PortalWorld;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.collision.rigid.body.BodyInfluences;
+import nephele.engine.collision.rigid.body.BodyState;
+import nephele.engine.collision.rigid.body.BodyTable;
 import nephele.engine.level.Body;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
@@ -31,7 +35,7 @@ class FastBodiesTest {
         "120, 0.02, 200", "120, 0.2, 200", "240, 0.02, 100", "240, 0.2, 100"
     })
     void nothingLeavesAClosedRoom(int ticksPerSecond, double wallMetres, int throwsOfIt) {
-        SeamedWorld room = SeamedWorld.of(room(wallMetres));
+        PortalWorld room = PortalWorld.of(room(wallMetres));
         List<String> outside = new ArrayList<>();
         for (int i = 0; i < throwsOfIt; i++) {
             var random = new SplittableRandom(1000L * ticksPerSecond + i);
@@ -47,9 +51,9 @@ class FastBodiesTest {
         assertEquals(0, outside.size(), () -> outside.size() + " outside, first " + outside.get(0));
     }
 
-    private static Bodies run(RigidStep step, SeamedWorld room, BodyState start, int ticksPerSecond) {
+    private static Bodies run(RigidStep step, PortalWorld room, BodyState start, int ticksPerSecond) {
         Bodies bodies = Bodies.of(List.of(start));
-        Influences nothing = Influences.none();
+        BodyInfluences nothing = BodyInfluences.none();
         for (int tick = 0; tick < SECONDS * ticksPerSecond; tick++) {
             bodies = step.step(bodies, room, nothing, 1.0 / ticksPerSecond);
         }

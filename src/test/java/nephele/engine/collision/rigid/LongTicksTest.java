@@ -3,6 +3,7 @@ package nephele.engine.collision.rigid;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.engine.collision.rigid.body.BodyInfluences;
 import nephele.engine.level.Body;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -43,7 +44,7 @@ final class LongTicksTest {
     void charactersGiveWhatTheyTake(int rate) {
         BodyScene scene = new BodyScene().weightless();
         int box = scene.add(new Body.Box("box", v(1, 0, 0), v(0.5, 0.5, 0.5), 20, null, 0, 0));
-        Influences.Character player = new Influences.Character(0.3, 1.8, 80);
+        BodyInfluences.Character player = new BodyInfluences.Character(0.3, 1.8, 80);
         scene.influences.add(player);
         player.move(new Vector3d(0.45, 0, 0), new Vector3d(2, 0, 0));
         scene.start();

@@ -24,8 +24,8 @@ class SkyboxFacesTest {
     /** A continuous sky has no step at any of the twelve edges, which a mirrored or turned face would make. */
     @Test
     void theSkyOverTheBayIsContinuousAcrossAllEdges() {
-        SkyboxFaces sky =
-                SkyboxFaces.of(new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxFacesTest::picture, Decoding.SRGB);
+        SkyboxFaces sky = SkyboxFaces.of(
+                new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxFacesTest::picture, ColourDecoding.SRGB);
         for (int edge = 0; edge < 12; edge++) {
             double sum = 0;
             for (int i = 0; i < 100; i++) {
@@ -38,12 +38,12 @@ class SkyboxFacesTest {
 
     @Test
     void aCrossIsTheFacesUnfolded() {
-        SkyboxFaces faces =
-                SkyboxFaces.of(new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxFacesTest::picture, Decoding.SRGB);
+        SkyboxFaces faces = SkyboxFaces.of(
+                new Sky.Skybox(SkyboxLayout.FACES, FILES), SkyboxFacesTest::picture, ColourDecoding.SRGB);
         SkyboxFaces cross = SkyboxFaces.of(
                 new Sky.Skybox(SkyboxLayout.CROSS, List.of("textures/sky-bay-cross.png")),
                 SkyboxFacesTest::picture,
-                Decoding.SRGB);
+                ColourDecoding.SRGB);
         double sum = 0;
         for (int i = 0; i < 500; i++) {
             double y = 1 - (i + 0.5) / 250;

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 class PlacementTest {
     private static final Gun RECTANGLE = Walls.gun(PortalShape.RECTANGLE, 1.2, 2.1);
 
-    private static void assertCentre(double x, double y, Placed placed) {
+    private static void assertCentre(double x, double y, PlacementResult placed) {
         Vec3 centre = Walls.fits(placed).centre();
         assertEquals(x, centre.x(), 1e-6);
         assertEquals(y, centre.y(), 1e-6);
@@ -23,9 +23,9 @@ class PlacementTest {
 
     @Test
     void whereThereIsRoomThePortalIsWhereOneAims() {
-        Placed placed = new Walls().wall(-5, 0, 5, 4).shoot(Walls.ARCH, 0.3, 1.9);
+        PlacementResult placed = new Walls().wall(-5, 0, 5, 4).shoot(Walls.ARCH, 0.3, 1.9);
         assertCentre(0.3, 1.9, placed);
-        assertEquals(0, ((Placed.Fits) placed).slideMetres());
+        assertEquals(0, ((PlacementResult.Fits) placed).slideMetres());
         Portal portal = Walls.fits(placed);
         assertEquals(Basis.WORLD, portal.frame());
         assertEquals("p", portal.id());
@@ -94,10 +94,10 @@ class PlacementTest {
         assertEquals(Refusal.NOTHING_HIT, Walls.refused(wall.shoot(RECTANGLE, 6, 2)));
         Gun near = new Gun(RECTANGLE.aperture(), 4.9, 0.75);
         assertEquals(Refusal.OUT_OF_RANGE, Walls.refused(wall.shoot(near, 0, 2)));
-        Aim aim = new Aim(new Vec3(0, 2, 5), Basis.WORLD);
+        ShotRay aim = new ShotRay(new Vec3(0, 2, 5), Basis.WORLD);
         Placement placement = new Placement(wall.surfaces(), RECTANGLE);
         MovingSurfaces box = (eye, direction, limit) -> 3;
-        Placed.Refused moving = (Placed.Refused) placement.place("p", aim, List.of(), box);
+        PlacementResult.Refused moving = (PlacementResult.Refused) placement.place("p", aim, List.of(), box);
         assertEquals(Refusal.MOVING_SURFACE, moving.reason());
         assertEquals(new Vec3(0, 2, 2), moving.where());
         MovingSurfaces behind = (eye, direction, limit) -> 5.5;

@@ -58,20 +58,20 @@ final class Walls {
         return new Vec3(xy[2 * corner] + shift.x(), xy[2 * corner + 1] + shift.y(), shift.z());
     }
 
-    Surfaces surfaces() {
-        return Surfaces.of(solids, sheets);
+    PlacementSurfaces surfaces() {
+        return PlacementSurfaces.of(solids, sheets);
     }
 
-    Placed shoot(Gun gun, double x, double y, Portal... others) {
-        Aim aim = new Aim(new Vec3(x + shift.x(), y + shift.y(), 5 + shift.z()), Basis.WORLD);
+    PlacementResult shoot(Gun gun, double x, double y, Portal... others) {
+        ShotRay aim = new ShotRay(new Vec3(x + shift.x(), y + shift.y(), 5 + shift.z()), Basis.WORLD);
         return new Placement(surfaces(), gun).place("p", aim, List.of(others), MovingSurfaces.NONE);
     }
 
-    static Portal fits(Placed placed) {
-        return assertInstanceOf(Placed.Fits.class, placed).portal();
+    static Portal fits(PlacementResult placed) {
+        return assertInstanceOf(PlacementResult.Fits.class, placed).portal();
     }
 
-    static Refusal refused(Placed placed) {
-        return assertInstanceOf(Placed.Refused.class, placed).reason();
+    static Refusal refused(PlacementResult placed) {
+        return assertInstanceOf(PlacementResult.Refused.class, placed).reason();
     }
 }

@@ -33,8 +33,8 @@ class CoursePicturesGlTest {
     /** Where the window's round corners cover the picture. */
     private static final int CORNER = 8;
 
-    private static final SceneLook WIREFRAME =
-            SceneLook.USUAL.with(Shading.WIREFRAME).with(SceneLook.Axes.SHOWN);
+    private static final SceneAppearance WIREFRAME =
+            SceneAppearance.USUAL.with(Shading.WIREFRAME).with(SceneAppearance.Axes.SHOWN);
 
     /**
      * Each pixel of a line has one of theirs within a pixel, and the other way round; by colour too, except where edges
@@ -69,7 +69,7 @@ class CoursePicturesGlTest {
     @Test
     void litColoursAgree() throws IOException {
         int[] theirs = published("test_4_3", 1, SIZE);
-        int[] ours = drawn("test_4_3", SceneLook.USUAL.with(SceneLook.Axes.SHOWN), SIZE);
+        int[] ours = drawn("test_4_3", SceneAppearance.USUAL.with(SceneAppearance.Axes.SHOWN), SIZE);
         List<String> off = new ArrayList<>();
         int compared = 0;
         for (int i = 0; i < ours.length; i++) {
@@ -159,7 +159,7 @@ class CoursePicturesGlTest {
         }
     }
 
-    private static int[] drawn(String name, SceneLook look, int rows) {
+    private static int[] drawn(String name, SceneAppearance look, int rows) {
         var assets = new ResourceAssets(FOLDER);
         List<String> complaints = new ArrayList<>();
         XmlScene scene = XmlSceneFile.read(name, assets.bytes(name + ".xml"));

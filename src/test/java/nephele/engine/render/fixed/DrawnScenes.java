@@ -67,11 +67,11 @@ final class DrawnScenes implements AutoCloseable {
     }
 
     /** 0xrrggbb, the bottom row first. */
-    int[] pixels(String xml, SceneLook look) {
+    int[] pixels(String xml, SceneAppearance look) {
         return pixels(new Sources(source(xml), null, null), look);
     }
 
-    int[] pixels(Sources sources, SceneLook look) {
+    int[] pixels(Sources sources, SceneAppearance look) {
         try (var drawing = FixedSceneDrawing.load(gl, sources)) {
             draw(drawing, sources, look, 0);
             return pixels();
@@ -79,7 +79,7 @@ final class DrawnScenes implements AutoCloseable {
     }
 
     /** With the entity 3 units along z. */
-    void draw(FixedSceneDrawing drawing, Sources sources, SceneLook look, double seconds) {
+    void draw(FixedSceneDrawing drawing, Sources sources, SceneAppearance look, double seconds) {
         var view = FixedSceneDrawing.view(sources.scene().scene().eye(), 1);
         drawing.draw(view, seconds, new Matrix4d().translation(0, 0, 3), look, picture);
         gl.requireNoError("scene");

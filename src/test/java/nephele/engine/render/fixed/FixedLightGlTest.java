@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.TwinProgram;
-import nephele.engine.render.gl.TextureUnit;
+import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.xmlscene.XmlLight;
 import nephele.engine.xmlscene.XmlModel.Colours;
 import org.joml.Matrix4d;
@@ -46,7 +46,7 @@ class FixedLightGlTest {
             pack(cases[i], i, in);
         }
         Vec3 viewer = unit();
-        var look = SceneLook.USUAL.with(terms);
+        var look = SceneAppearance.USUAL.with(terms);
         float[] gpu = TwinProgram.run("fixed-light.frag", in, COUNT, uniforms -> {
             uniforms.sampler("fixedLights", TextureUnit.COLOURS);
             uniforms.vector3("towardsViewer").set((float) viewer.x(), (float) viewer.y(), (float) viewer.z());

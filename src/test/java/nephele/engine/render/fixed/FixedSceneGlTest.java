@@ -53,7 +53,7 @@ class FixedSceneGlTest {
     @ParameterizedTest
     @EnumSource
     void onlyFrontFacesAreDrawn(Shading shading) {
-        var look = SceneLook.USUAL.with(shading);
+        var look = SceneAppearance.USUAL.with(shading);
         assertTrue(drawn(scenes.pixels(plane("<rotate angle='90' x='1' y='0' z='0'/>"), look)) > 300);
         assertEquals(0, drawn(scenes.pixels(plane("<rotate angle='-90' x='1' y='0' z='0'/>"), look)));
     }
@@ -62,7 +62,7 @@ class FixedSceneGlTest {
     @ParameterizedTest
     @EnumSource
     void mirroredModelsShowTheirOutside(Shading shading) {
-        var look = SceneLook.USUAL.with(shading);
+        var look = SceneAppearance.USUAL.with(shading);
         String towardsEye = "<rotate angle='90' x='1' y='0' z='0'/>";
         int[] kept = scenes.pixels(plane(towardsEye), look);
         int[] mirrored = scenes.pixels(plane("<scale x='-1' y='1' z='1'/>" + towardsEye), look);
@@ -75,7 +75,7 @@ class FixedSceneGlTest {
 
     @Test
     void edgesBehindAFaceAreSeen() {
-        var look = SceneLook.USUAL.with(Shading.WIREFRAME);
+        var look = SceneAppearance.USUAL.with(Shading.WIREFRAME);
         String near = group("<translate x='0' y='0' z='1'/><scale x='0.5' y='0.5' z='0.5'/>", model("box_1_1.3d", ""));
         String far = group("<translate x='0' y='0' z='-4'/>", model("sphere_3_9_9.3d", ""));
         int[] both = scenes.pixels(world(near + far), look);
@@ -94,7 +94,7 @@ class FixedSceneGlTest {
     @Test
     void axesCrossThePictureFromAnywhere() {
         var sources = new Sources(scenes.source(world(group("", model("box_1_1.3d", "")))), null, null);
-        var look = SceneLook.USUAL.with(SceneLook.Axes.SHOWN);
+        var look = SceneAppearance.USUAL.with(SceneAppearance.Axes.SHOWN);
         var far = new XmlScene.Eye(new Vec3(0, 3, 900), new Vec3(0, 3, 0), new Vec3(0, 1, 0), 60, 1, 1000);
         try (var drawing = FixedSceneDrawing.load(scenes.gl, sources)) {
             drawing.draw(FixedSceneDrawing.view(far, 1), 0, new Matrix4d(), look, scenes.picture);
@@ -115,11 +115,11 @@ class FixedSceneGlTest {
         String colours = "<color><ambient R='20' G='30' B='5'/><diffuse R='90' G='60' B='20'/>"
                 + "<specular R='70' G='70' B='90'/><emissive R='3' G='20' B='40'/><shininess value='12'/></color>";
         String scene = world(LIGHT + group("", model("sphere_1_16_16.3d", colours)));
-        int[] whole = scenes.pixels(scene, SceneLook.USUAL.with(shading));
+        int[] whole = scenes.pixels(scene, SceneAppearance.USUAL.with(shading));
         int[][] parts = new int[LightTerm.values().length][];
         for (LightTerm term : LightTerm.values()) {
             parts[term.ordinal()] =
-                    scenes.pixels(scene, SceneLook.USUAL.with(shading).with(EnumSet.of(term)));
+                    scenes.pixels(scene, SceneAppearance.USUAL.with(shading).with(EnumSet.of(term)));
             assertTrue(drawn(parts[term.ordinal()]) > 500, term + " shows something");
         }
         for (int i = 0; i < whole.length; i++) {
@@ -142,7 +142,7 @@ class FixedSceneGlTest {
                 + "<lights><light type='directional' posx='0' posy='0' posz='-1'/></lights>" + model + inner
                 + "</group>";
         String unlit = "<group><translate x='1' y='0' z='4'/>" + model + "</group>";
-        var look = SceneLook.USUAL.with(EnumSet.of(LightTerm.DIFFUSE));
+        var look = SceneAppearance.USUAL.with(EnumSet.of(LightTerm.DIFFUSE));
         int[] pixels = scenes.pixels("<scene>" + lit + unlit + "</scene>", look);
         // Looking along +z, x grows to the left.
         int row = SIZE / 2 * SIZE;
@@ -161,7 +161,7 @@ class FixedSceneGlTest {
         String scene = "<scene><group><lights>" + lights + "</lights><group><translate z='3'/><models><model"
                 + " file='box_1_1.3d' diffR='0.004' diffG='0.002'"
                 + " diffB='0'/></models></group></group></scene>";
-        var look = SceneLook.USUAL.with(EnumSet.of(LightTerm.DIFFUSE));
+        var look = SceneAppearance.USUAL.with(EnumSet.of(LightTerm.DIFFUSE));
         int rgb = centre(scenes.pixels(scene, look));
         assertEquals(102, channel(rgb, 0), 1);
         assertEquals(51, channel(rgb, 1), 1);
@@ -170,7 +170,7 @@ class FixedSceneGlTest {
     @Test
     void theBackgroundFillsWhatTheSceneLeaves() {
         var source = scenes.source(world(group("", model("box_1_1.3d", WHITE_AMBIENT))));
-        var look = SceneLook.USUAL.with(EnumSet.of(LightTerm.AMBIENT));
+        var look = SceneAppearance.USUAL.with(EnumSet.of(LightTerm.AMBIENT));
         int[] pixels = scenes.pixels(new Sources(source, null, DrawnScenes.plain(0x123456)), look);
         assertEquals(0xffffff, centre(pixels));
         assertEquals(0x123456, pixels[0]);
@@ -185,7 +185,7 @@ class FixedSceneGlTest {
         String dark = "<scene><group><translate x='50'/><models><model file='box_1_1.3d'/></models></group></scene>";
         String lit = dark.replace(
                 "<models>", "<lights><light type='directional' posx='0' posy='0' posz='-1'/></lights><models>");
-        var look = SceneLook.USUAL.with(EnumSet.of(LightTerm.DIFFUSE));
+        var look = SceneAppearance.USUAL.with(EnumSet.of(LightTerm.DIFFUSE));
         int rgb = centre(scenes.pixels(new Sources(scenes.source(lit), entity, null), look));
         assertEquals(255, channel(rgb, 0));
         assertEquals(128, channel(rgb, 1), 1);
@@ -196,7 +196,7 @@ class FixedSceneGlTest {
     void whatCannotBeShownIsComplainedOfOnceWithItsLine() {
         String scene = world("\n<group><models>\n<model file='ship.3d'/><model file='ship.3d'/>\n"
                 + "<model file='box_1_1.3d'><texture file='none.png'/></model></models></group>");
-        assertTrue(drawn(scenes.pixels(scene, SceneLook.USUAL)) > 300, "the rest is shown");
+        assertTrue(drawn(scenes.pixels(scene, SceneAppearance.USUAL)) > 300, "the rest is shown");
         assertEquals(2, scenes.complaints.size(), scenes.complaints.toString());
         assertTrue(scenes.complaints.get(0).startsWith("test.xml:3: ship.3d: "), scenes.complaints.get(0));
         assertTrue(scenes.complaints.get(1).startsWith("test.xml:4: none.png: "), scenes.complaints.get(1));
@@ -214,10 +214,11 @@ class FixedSceneGlTest {
         }
         var sources = new Sources(scenes.source(world(LIGHT + groups)), null, null);
         try (var drawing = FixedSceneDrawing.load(scenes.gl, sources)) {
-            scenes.draw(drawing, sources, SceneLook.USUAL, 0);
+            scenes.draw(drawing, sources, SceneAppearance.USUAL, 0);
             int[] engine = scenes.pixels();
             scenes.gl.state().resetCounts();
-            try (var bare = BareFrame.record(scenes.gl, () -> scenes.draw(drawing, sources, SceneLook.USUAL, 0))) {
+            try (var bare =
+                    BareFrame.record(scenes.gl, () -> scenes.draw(drawing, sources, SceneAppearance.USUAL, 0))) {
                 assertEquals(4, scenes.gl.state().draws());
                 scenes.picture.clear(1, 0, 1);
                 bare.draw();
@@ -244,7 +245,12 @@ class FixedSceneGlTest {
             long start = 0;
             for (int frame = -100; frame < 100; frame++) {
                 start = frame == 0 ? threads.getCurrentThreadAllocatedBytes() : start;
-                drawing.draw(view, frame / 60.0, place, SceneLook.USUAL.with(SceneLook.Axes.SHOWN), scenes.picture);
+                drawing.draw(
+                        view,
+                        frame / 60.0,
+                        place,
+                        SceneAppearance.USUAL.with(SceneAppearance.Axes.SHOWN),
+                        scenes.picture);
             }
             long perFrame = (threads.getCurrentThreadAllocatedBytes() - start) / 100;
             assertTrue(perFrame <= 2048, perFrame + " bytes a frame");

@@ -60,8 +60,8 @@ class ShadingGlTest {
         var model = new XmlModel(1, "triangle", null, COLOURS);
         var root = new XmlGroup(1, steps, List.of(), List.of(model), List.of());
         var scene = new XmlScene(Dialect.WORLD, new XmlScene.Window(1, 1), EYE, lights, root, List.of());
-        int[] pixels =
-                scenes.pixels(new Sources(new Source(scene, only(mesh)), null, null), SceneLook.USUAL.with(shading));
+        int[] pixels = scenes.pixels(
+                new Sources(new Source(scene, only(mesh)), null, null), SceneAppearance.USUAL.with(shading));
         var view = FixedSceneDrawing.view(EYE, 1);
         var light = new FixedLight(view.back().toVector(), lights, EnumSet.allOf(LightTerm.class));
         return new Twin(mesh, place, light, shading).compare(view.eye().toVector(), pixels);

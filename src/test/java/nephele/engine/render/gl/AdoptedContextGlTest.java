@@ -12,6 +12,7 @@ import nephele.engine.render.RenderSettings;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;

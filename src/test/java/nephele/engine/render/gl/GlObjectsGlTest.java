@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.ByteBuffer;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
+import nephele.engine.render.gl.shader.GlException;
+import nephele.engine.render.gl.shader.ShaderSource;
 import org.junit.jupiter.api.Test;
 
 /** What this layer says when something goes wrong, and that it keeps count. */

@@ -13,6 +13,8 @@ import java.util.Map;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -174,14 +176,14 @@ class LayersGlTest {
             FloatBuffer green =
                     ByteBuffer.allocateDirect(16).order(ByteOrder.nativeOrder()).asFloatBuffer();
             list.uploadFrom(1, green.put(new float[] {0, 1, 0, 1}).flip());
-            list.bind(TextureUnit.LAMPS);
+            list.bind(TextureUnit.PUNCTUAL_LIGHTS);
             target.bind();
             cover(
                     gl,
                     Blend.REPLACE,
                     "uniform samplerBuffer source;\n",
                     "texelFetch(source, int(gl_FragCoord.x))",
-                    TextureUnit.LAMPS);
+                    TextureUnit.PUNCTUAL_LIGHTS);
             assertEquals(bytes(255, 255, 255, 255, 0, 255, 0, 255), target.readBytes());
         }
     }

@@ -46,7 +46,7 @@ class ShadowFilterTest {
 
     /** The filter's distance of a plane, for a light at the origin along z, equals the exact one at any texel. */
     @Test
-    void aPlaneIsItselfInALampsPicture() {
+    void aPlaneIsItselfInALightsPicture() {
         double range = 40;
         Vec3 n = new Vec3(0.3, -0.2, -0.9);
         double texelsToTangent = 2.0 / 512;
@@ -59,7 +59,7 @@ class ShadowFilterTest {
             for (int texel = 0; texel < 4; texel++) {
                 depths[texel] = distance(n, texelsToTangent, x + four.dx()[texel], y + four.dy()[texel]) / range;
             }
-            double[] nearerBy = ShadowFilter.nearerThanPlaneOfLamp(
+            double[] nearerBy = ShadowFilter.nearerThanPlaneOfLight(
                     depths,
                     distance(n, texelsToTangent, x, y),
                     n.x() * texelsToTangent / -5,

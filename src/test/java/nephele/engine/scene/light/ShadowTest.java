@@ -11,7 +11,7 @@ import nephele.engine.level.Brush;
 import nephele.engine.level.Light;
 import nephele.engine.level.Solid;
 import nephele.engine.level.TextureMapping;
-import nephele.engine.level.appearance.Lamp;
+import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
@@ -20,7 +20,7 @@ import org.joml.Vector3d;
 import org.joml.Vector4d;
 import org.junit.jupiter.api.Test;
 
-class ShadowTest {
+public class ShadowTest {
     @Test
     void everyCasterLiesInsideTheMapWithItsMargin() {
         List<Brush> brushes = List.of(box(0, 1, 0, 2, 2, 2), box(9, 0.5, -4, 1, 1, 8));
@@ -95,15 +95,16 @@ class ShadowTest {
     /** The six pictures of a point light cover all directions and overlap by two texels at the edges. */
     @Test
     void cubeLayersOverlapByTheirGuardBand() {
-        List<Lamp> lamps = List.of(Lamp.of(new Light.Point("p", new Vec3(5, 6, 7), new Vec3(1, 1, 1), 10, true))
-                .orElseThrow());
-        LampShadows shadows = LampShadows.of(lamps);
+        List<PunctualLight> lights =
+                List.of(PunctualLight.of(new Light.Point("p", new Vec3(5, 6, 7), new Vec3(1, 1, 1), 10, true))
+                        .orElseThrow());
+        LightShadowLayers shadows = LightShadowLayers.of(lights);
         SplittableRandom random = new SplittableRandom(3);
         for (int i = 0; i < 1000; i++) {
             Vector3d d = new Vector3d(random.nextDouble() - 0.5, random.nextDouble() - 0.5, random.nextDouble() - 0.5);
             int axis = d.maxComponent();
             int layer = 2 * axis + (d.get(axis) < 0 ? 1 : 0);
-            Matrix4d clip = shadows.clipFromAnchor(lamps, layer, new Vec3(1, 1, 1));
+            Matrix4d clip = shadows.clipFromAnchor(lights, layer, new Vec3(1, 1, 1));
             Vector4d c = clip.transform(new Vector4d(d.x + 4, d.y + 5, d.z + 6, 1));
             double limit = 1 - 4.0 / shadows.side() + 1e-9;
             assertTrue(c.w > 0 && Math.abs(c.x) <= limit * c.w && Math.abs(c.y) <= limit * c.w, d + " → " + c);
@@ -114,18 +115,20 @@ class ShadowTest {
     void spotLayerCoversItsCone() {
         Light.Spot spot =
                 new Light.Spot("s", new Vec3(0, 3, 0), new Vec3(1, -2, 0.5), new Vec3(1, 1, 1), 9, 20, 35, true);
-        List<Lamp> lamps = List.of(Lamp.of(spot).orElseThrow());
-        LampTable table = LampTable.of(List.of(spot), new Aabb(-5, 0, -5, 5, 3, 5), StaticShapes.of(List.of()));
+        List<PunctualLight> lights = List.of(PunctualLight.of(spot).orElseThrow());
+        PunctualLightTable table =
+                PunctualLightTable.of(List.of(spot), new Aabb(-5, 0, -5, 5, 3, 5), StaticShapes.of(List.of()));
         assertEquals(1, table.shadows().layers().size());
-        Vector3d axis = lamps.get(0).axis().toVector();
-        Vector3d side = LampShadows.right(lamps.get(0));
+        Vector3d axis = lights.get(0).axis().toVector();
+        Vector3d side = LightShadowLayers.right(lights.get(0));
         assertEquals(0, side.dot(axis), 1e-12);
         Vector3d rim = new Vector3d(axis).mul(Math.cos(Math.toRadians(35))).fma(Math.sin(Math.toRadians(35)), side);
-        Vector4d c = table.shadows().clipFromAnchor(lamps, 0, new Vec3(0, 3, 0)).transform(new Vector4d(rim, 1));
+        Vector4d c =
+                table.shadows().clipFromAnchor(lights, 0, new Vec3(0, 3, 0)).transform(new Vector4d(rim, 1));
         assertEquals(1 - 4.0 / table.shadows().side(), c.x / c.w, 1e-9, "the cone's rim lies two texels inside");
     }
 
-    static Brush box(double x, double y, double z, double width, double height, double depth) {
+    public static Brush box(double x, double y, double z, double width, double height, double depth) {
         return Brush.of(new Solid.Box(
                 "box", null, false, TextureMapping.WORLD, new Vec3(x, y, z), new Vec3(width, height, depth), Map.of()));
     }

@@ -3,7 +3,7 @@ package nephele.engine.scene.light;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import nephele.engine.level.Sky;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
@@ -27,7 +27,7 @@ class SkyIrradianceTest {
     void gradientSkyAgreesWithTheIntegralWithinThreePercent() {
         Sky gradient = new Sky.Gradient(new Vec3(0.2, 0.5, 1), new Vec3(1, 0.9, 0.8), new Vec3(0.1, 0.1, 0.05));
         SkyRadiance radiance =
-                SkyRadiance.of(gradient, id -> null, Decoding.SRGB).orElseThrow();
+                SkyRadiance.of(gradient, id -> null, ColourDecoding.SRGB).orElseThrow();
         SkyIrradiance sky = SkyIrradiance.of(radiance);
         for (double[] n : NORMALS) {
             Vector3d normal = new Vector3d(n[0], n[1], n[2]);
@@ -37,7 +37,8 @@ class SkyIrradianceTest {
     }
 
     private static SkyIrradiance of(Sky sky) {
-        return SkyIrradiance.of(SkyRadiance.of(sky, id -> null, Decoding.SRGB).orElseThrow());
+        return SkyIrradiance.of(
+                SkyRadiance.of(sky, id -> null, ColourDecoding.SRGB).orElseThrow());
     }
 
     private static Vector3d integral(SkyRadiance radiance, Vector3d normal) {

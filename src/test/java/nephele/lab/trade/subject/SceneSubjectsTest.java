@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import nephele.engine.model.ConeShape;
 import nephele.engine.model.Mesh;
+import nephele.engine.model.shape.ConeShape;
 import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.XmlScene;
 import org.junit.jupiter.api.Test;

@@ -4,7 +4,7 @@ uniform samplerBuffer inputs;
 layout(location = 0) out vec4 result;
 
 // Per pixel: texel position, gradient; the receiver's normal and depth; the four depths as gathered; half a texel's depth
-// and the lamp's range.
+// and the light's range.
 void main() {
     int at = 4 * int(gl_FragCoord.x);
     vec4 place = texelFetch(inputs, at);
@@ -14,8 +14,8 @@ void main() {
     Footprint four = footprintAt(place.xy);
     float slope = abs(place.z) + abs(place.w);
     vec4 nearerBy = nearerThanPlane(depths, receiver.w, place.zw, four);
-    vec4 ofLamp = nearerThanPlaneOfLamp(depths, receiver.w * scale.y, place.zw, scale.y, four);
+    vec4 ofLight = nearerThanPlaneOfLight(depths, receiver.w * scale.y, place.zw, scale.y, four);
     float share = litShare(nearerBy, four.weight, scale.x, slope);
     float ofMapped = litShareOfMapped(nearerBy, looksLike(depths, receiver.xyz), four.weight, scale.x, slope);
-    result = vec4(share, ofMapped, dot(ofLamp, vec4(1.0, 2.0, 3.0, 4.0)), 1.0);
+    result = vec4(share, ofMapped, dot(ofLight, vec4(1.0, 2.0, 3.0, 4.0)), 1.0);
 }

@@ -1,11 +1,11 @@
 package nephele.app.play.hud;
 
-import nephele.engine.render.pass.overlay.Colour;
+import nephele.engine.playthrough.CrosshairState;
+import nephele.engine.playthrough.CrosshairState.Half;
+import nephele.engine.playthrough.CrosshairState.Portal;
+import nephele.engine.playthrough.CrosshairState.Shot;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
-import nephele.engine.walk.Sights;
-import nephele.engine.walk.Sights.Half;
-import nephele.engine.walk.Sights.Portal;
-import nephele.engine.walk.Sights.Shot;
+import nephele.engine.render.pass.overlay.OverlayColour;
 
 /**
  * The crosshair: four short bars, or with a portal gun a half ring for each shot, left and right as the mouse buttons.
@@ -32,44 +32,44 @@ final class Crosshair {
 
     private Crosshair() {}
 
-    static void draw(OverlayCanvas canvas, Area area, Sights sights) {
-        double x = Math.rint(area.centreX() + sights.right());
-        double y = Math.rint(area.centreY() + sights.down());
-        if (sights.first() == null) {
+    static void draw(OverlayCanvas canvas, Area area, CrosshairState crosshair) {
+        double x = Math.rint(area.centreX() + crosshair.right());
+        double y = Math.rint(area.centreY() + crosshair.down());
+        if (crosshair.first() == null) {
             bars(canvas, x, y);
             return;
         }
         bar(canvas, x - DOT / 2, y - DOT / 2, DOT, DOT);
-        half(canvas, x - APART - RADIUS, y, sights.first(), new Face("\ue000", "\ue002", Palette.FIRST));
-        half(canvas, x + APART, y, sights.second(), new Face("\ue001", "\ue003", Palette.SECOND));
-        if (sights.first().shot() == Shot.REFUSED) {
+        half(canvas, x - APART - RADIUS, y, crosshair.first(), new Face("\ue000", "\ue002", HudPalette.FIRST));
+        half(canvas, x + APART, y, crosshair.second(), new Face("\ue001", "\ue003", HudPalette.SECOND));
+        if (crosshair.first().shot() == Shot.REFUSED) {
             cross(canvas, x - APART - RADIUS - CROSS_GAP - CROSS_WIDTH, y);
         }
-        if (sights.second().shot() == Shot.REFUSED) {
+        if (crosshair.second().shot() == Shot.REFUSED) {
             cross(canvas, x + APART + RADIUS + CROSS_GAP, y);
         }
     }
 
     /** The glyphs of a half ring. */
-    private record Face(String hollow, String filled, Colour colour) {}
+    private record Face(String hollow, String filled, OverlayColour colour) {}
 
     private static void half(OverlayCanvas canvas, double left, double y, Half half, Face face) {
         String letter = half.portal() == Portal.MADE ? face.filled : face.hollow;
         boolean opens = half.shot() == Shot.OPENS;
-        Colour colour = opens ? face.colour : face.colour.withAlpha(REFUSED_ALPHA);
+        OverlayColour colour = opens ? face.colour : face.colour.withAlpha(REFUSED_ALPHA);
         edged(canvas, left, y + RISE, EM, colour, letter);
     }
 
     private static void cross(OverlayCanvas canvas, double left, double y) {
-        edged(canvas, left, y + 0.35 * CROSS_EM, CROSS_EM, Palette.QUIET_INK, "X");
+        edged(canvas, left, y + 0.35 * CROSS_EM, CROSS_EM, HudPalette.QUIET_INK, "X");
     }
 
     private static void edged(
-            OverlayCanvas canvas, double x, double baseline, double em, Colour colour, String letter) {
-        canvas.text(x - EDGE, baseline, em, Palette.SHADOW, letter);
-        canvas.text(x + EDGE, baseline, em, Palette.SHADOW, letter);
-        canvas.text(x, baseline - EDGE, em, Palette.SHADOW, letter);
-        canvas.text(x, baseline + EDGE, em, Palette.SHADOW, letter);
+            OverlayCanvas canvas, double x, double baseline, double em, OverlayColour colour, String letter) {
+        canvas.text(x - EDGE, baseline, em, HudPalette.SHADOW, letter);
+        canvas.text(x + EDGE, baseline, em, HudPalette.SHADOW, letter);
+        canvas.text(x, baseline - EDGE, em, HudPalette.SHADOW, letter);
+        canvas.text(x, baseline + EDGE, em, HudPalette.SHADOW, letter);
         canvas.text(x, baseline, em, colour, letter);
     }
 
@@ -81,7 +81,7 @@ final class Crosshair {
     }
 
     private static void bar(OverlayCanvas canvas, double x, double y, double width, double height) {
-        canvas.rectangle(x - EDGE, y - EDGE, width + 2 * EDGE, height + 2 * EDGE, Palette.SHADOW);
-        canvas.rectangle(x, y, width, height, Palette.INK);
+        canvas.rectangle(x - EDGE, y - EDGE, width + 2 * EDGE, height + 2 * EDGE, HudPalette.SHADOW);
+        canvas.rectangle(x, y, width, height, HudPalette.INK);
     }
 }

@@ -29,10 +29,10 @@ final class HelpPanel {
         double scale = scale(area);
         double left = Math.rint(area.centreX() - scale * WIDTH / 2);
         double top = Math.rint(area.centreY() - scale * HEIGHT / 2);
-        canvas.rectangle(left, top, scale * WIDTH, scale * HEIGHT, Palette.PANEL);
-        canvas.rectangle(left, top, scale * WIDTH, 3, Palette.ACCENT);
+        canvas.rectangle(left, top, scale * WIDTH, scale * HEIGHT, HudPalette.PANEL);
+        canvas.rectangle(left, top, scale * WIDTH, 3, HudPalette.ACCENT);
         double x = left + scale * PADDING;
-        canvas.text(x, top + scale * (PADDING + 0.7 * TITLE_EM), scale * TITLE_EM, Palette.INK, "Keys");
+        canvas.text(x, top + scale * (PADDING + 0.7 * TITLE_EM), scale * TITLE_EM, HudPalette.INK, "Keys");
         double baseline = top + scale * (PADDING + 2 * TITLE_EM + 0.5 * ROW_HEIGHT);
         row(canvas, x, baseline, scale, "Mouse", "look around");
         for (var control : Control.values()) {
@@ -43,7 +43,7 @@ final class HelpPanel {
 
     private static void row(
             OverlayCanvas canvas, double x, double baseline, double scale, String keys, String meaning) {
-        canvas.text(x, baseline, scale * EM, Palette.ACCENT, keys);
-        canvas.text(x + scale * KEY_COLUMN, baseline, scale * EM, Palette.INK, meaning);
+        canvas.text(x, baseline, scale * EM, HudPalette.ACCENT, keys);
+        canvas.text(x + scale * KEY_COLUMN, baseline, scale * EM, HudPalette.INK, meaning);
     }
 }

@@ -32,10 +32,10 @@ public final class Hud {
         } else if (content.page() == HudContent.Page.HELP) {
             HelpPanel.draw(canvas, area);
         } else {
-            Crosshair.draw(canvas, area, content.sights());
+            Crosshair.draw(canvas, area, content.crosshair());
         }
         if (!content.figures().isEmpty()) {
-            FiguresPanel.draw(canvas, content.figures());
+            FrameStatisticsPanel.draw(canvas, content.figures());
         }
         if (content.message() != null) {
             MessageBar.draw(canvas, area, content.message());

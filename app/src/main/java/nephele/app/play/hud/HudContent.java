@@ -1,7 +1,7 @@
 package nephele.app.play.hud;
 
 import java.util.List;
-import nephele.engine.walk.Sights;
+import nephele.engine.playthrough.CrosshairState;
 
 /**
  * The content of the overlay, as a value.
@@ -10,7 +10,7 @@ import nephele.engine.walk.Sights;
  * @param figures lines of the F3 panel, empty if it is closed
  * @param message the latest message, or null
  */
-public record HudContent(Menu menu, Page page, List<Figure> figures, String message, Sights sights) {
+public record HudContent(Menu menu, Page page, List<Figure> figures, String message, CrosshairState crosshair) {
     /** The page that covers the game, if any. */
     public enum Page {
         NONE,

@@ -29,15 +29,15 @@ public final class MenuPanel {
     }
 
     void draw(OverlayCanvas canvas) {
-        canvas.rectangle(0, 0, area.width(), area.height(), Palette.VEIL);
-        canvas.rectangle(left(), top(), WIDTH, height(), Palette.PANEL);
-        canvas.rectangle(left(), top(), WIDTH, 3, Palette.ACCENT);
-        canvas.text(left() + PADDING, top() + PADDING + 0.7 * TITLE_EM, TITLE_EM, Palette.INK, menu.title());
+        canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
+        canvas.rectangle(left(), top(), WIDTH, height(), HudPalette.PANEL);
+        canvas.rectangle(left(), top(), WIDTH, 3, HudPalette.ACCENT);
+        canvas.text(left() + PADDING, top() + PADDING + 0.7 * TITLE_EM, TITLE_EM, HudPalette.INK, menu.title());
         for (int row = 0; row < menu.entries().size(); row++) {
             drawRow(canvas, row);
         }
         double foot = firstRow() + menu.entries().size() * ROW_HEIGHT + FOOT_HEIGHT;
-        canvas.text(left() + PADDING, foot, FOOT_EM, Palette.QUIET_INK, "↑ ↓  Enter  or mouse     Esc  " + escape());
+        canvas.text(left() + PADDING, foot, FOOT_EM, HudPalette.QUIET_INK, "↑ ↓  Enter  or mouse     Esc  " + escape());
     }
 
     private String escape() {
@@ -48,12 +48,12 @@ public final class MenuPanel {
         double y = firstRow() + row * ROW_HEIGHT;
         boolean selected = row == menu.selected();
         if (selected) {
-            canvas.rectangle(left(), y, WIDTH, ROW_HEIGHT, Palette.SELECTED);
-            canvas.rectangle(left(), y, 4, ROW_HEIGHT, Palette.ACCENT);
+            canvas.rectangle(left(), y, WIDTH, ROW_HEIGHT, HudPalette.SELECTED);
+            canvas.rectangle(left(), y, 4, ROW_HEIGHT, HudPalette.ACCENT);
         }
         double baseline = y + ROW_HEIGHT / 2 + 0.35 * ROW_EM;
         var label = menu.entries().get(row).label();
-        canvas.text(left() + PADDING, baseline, ROW_EM, selected ? Palette.INK : Palette.QUIET_INK, label);
+        canvas.text(left() + PADDING, baseline, ROW_EM, selected ? HudPalette.INK : HudPalette.QUIET_INK, label);
     }
 
     private double left() {

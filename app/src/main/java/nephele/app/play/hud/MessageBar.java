@@ -15,7 +15,7 @@ final class MessageBar {
         double left = Math.max(0, Math.rint(area.centreX() - width / 2));
         double height = EM + 2 * PADDING;
         double top = area.height() - BOTTOM - height;
-        canvas.rectangle(left, top, width, height, Palette.PANEL);
-        canvas.text(left + PADDING, top + height / 2 + 0.35 * EM, EM, Palette.INK, message);
+        canvas.rectangle(left, top, width, height, HudPalette.PANEL);
+        canvas.text(left + PADDING, top + height / 2 + 0.35 * EM, EM, HudPalette.INK, message);
     }
 }

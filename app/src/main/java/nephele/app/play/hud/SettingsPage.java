@@ -1,7 +1,7 @@
 package nephele.app.play.hud;
 
 import java.util.List;
-import nephele.engine.sim.SimSettings;
+import nephele.engine.sim.state.SimSettings;
 
 /** The settings page of the menu: choosing a setting changes it to its next value. */
 public final class SettingsPage {

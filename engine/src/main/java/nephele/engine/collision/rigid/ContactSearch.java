@@ -3,8 +3,17 @@ package nephele.engine.collision.rigid;
 import java.util.Arrays;
 import nephele.engine.collision.Collider;
 import nephele.engine.collision.CollisionWorld;
-import nephele.engine.collision.SeamedWorld;
-import nephele.engine.math.ItemList;
+import nephele.engine.collision.PortalWorld;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.collision.rigid.body.BodyInfluences;
+import nephele.engine.collision.rigid.body.BodyTable;
+import nephele.engine.collision.rigid.body.ContactCache;
+import nephele.engine.collision.rigid.body.Poses;
+import nephele.engine.collision.rigid.contact.Manifold;
+import nephele.engine.collision.rigid.contact.NarrowPhase;
+import nephele.engine.collision.rigid.solver.ContactRows;
+import nephele.engine.collision.rigid.solver.SolverState;
+import nephele.engine.math.bvh.ItemList;
 
 /** Finds the contacts of a tick, makes the solver's rows and stores their impulses in the contact cache. Reused. */
 final class ContactSearch {
@@ -24,52 +33,52 @@ final class ContactSearch {
 
     private static final double SLOP_METRES = 5e-4;
     /** Walking feet exert no force along the ground on average, and a character pushes without friction. */
-    private static final double CHARACTER_FRICTION = 0;
+    private static final double CHARACTER_FRICTION_COEFFICIENT = 0;
 
     private final BodyTable table;
     private final Poses poses;
-    private final Motions motions;
+    private final SolverState motions;
     private final ContactRows rows;
     private final NarrowPhase narrow;
     private final SweepAndPrune pairs = new SweepAndPrune();
-    private final MemoryIndex memory = new MemoryIndex();
+    private final ContactCacheIndex memory = new ContactCacheIndex();
     private final Manifold manifold = new Manifold();
     private final ItemList near = new ItemList();
     private final double[] offset = new double[3];
     private final double[] turn = new double[9];
     private final double[] relative = new double[3];
-    private final Activity activity;
+    private final PortalContacts portalContacts;
 
     private TickBodies bodies;
-    private Influences influences;
+    private BodyInfluences influences;
     private double seconds;
     private boolean woke;
     /** First manifold of each body with solids; the last body's end where those of pairs begin. */
     private int[] firstWithSolid = new int[1];
 
-    ContactSearch(BodyTable table, Poses poses, Motions motions, ContactRows rows) {
+    ContactSearch(BodyTable table, Poses poses, SolverState motions, ContactRows rows) {
         this.table = table;
         this.poses = poses;
         this.motions = motions;
         this.rows = rows;
         narrow = new NarrowPhase(table, poses);
-        activity = new Activity(poses, narrow);
+        portalContacts = new PortalContacts(poses, narrow);
     }
 
-    Activity activity() {
-        return activity;
+    PortalContacts activity() {
+        return portalContacts;
     }
 
     NarrowPhase narrow() {
         return narrow;
     }
 
-    void index(ContactMemory last, double nowSeconds) {
+    void index(ContactCache last, double nowSeconds) {
         memory.index(last, nowSeconds);
     }
 
     /** Wakes the sleeping bodies that a moving shape is about to touch; returns true if any was woken. */
-    boolean wakeTouched(TickBodies now, Influences from, double tickSeconds) {
+    boolean wakeTouched(TickBodies now, BodyInfluences from, double tickSeconds) {
         begin(now, from, tickSeconds);
         woke = false;
         boolean anyAsleep = false;
@@ -82,7 +91,7 @@ final class ContactSearch {
         return woke;
     }
 
-    private void begin(TickBodies now, Influences from, double tickSeconds) {
+    private void begin(TickBodies now, BodyInfluences from, double tickSeconds) {
         bodies = now;
         influences = from;
         seconds = tickSeconds;
@@ -127,7 +136,7 @@ final class ContactSearch {
 
     private void meet(int a, int b) {
         narrow.touch(a, b, reach(a, b), influences.characterList(), manifold);
-        activity.keepValid(manifold, a, b);
+        portalContacts.keepValid(manifold, a, b);
     }
 
     private boolean isAsleep(int shape) {
@@ -151,7 +160,7 @@ final class ContactSearch {
         boolean bodyA = ownerA < bodies.count;
         boolean bodyB = ownerB < bodies.count;
         boolean apart = bodyA != bodyB && !influences.meetsCharacters(bodyA ? ownerA : ownerB);
-        return !apart && activity.isPair(a, b);
+        return !apart && portalContacts.isPair(a, b);
     }
 
     /** Returns the distance below which surfaces matter in this tick. */
@@ -161,7 +170,7 @@ final class ContactSearch {
         double[] m = motions.velocity;
         System.arraycopy(m, v, relative, 0, 3);
         if (poses.through[b] >= 0) {
-            activity.turn(poses.through[b], turn);
+            portalContacts.turn(poses.through[b], turn);
             for (int i = 0; i < 3; i++) {
                 relative[i] = turn[i] * m[v] + turn[3 + i] * m[v + 1] + turn[6 + i] * m[v + 2];
             }
@@ -195,7 +204,7 @@ final class ContactSearch {
     /**
      * Makes rows for every contact of an awake body: first with the static world, then between bodies and characters.
      */
-    void findContacts(TickBodies now, SeamedWorld surroundings, Influences from, double tickSeconds) {
+    void findContacts(TickBodies now, PortalWorld surroundings, BodyInfluences from, double tickSeconds) {
         begin(now, from, tickSeconds);
         rows.clear();
         int shapes = poses.count;
@@ -207,7 +216,7 @@ final class ContactSearch {
         for (int body = 0; body < bodies.count; body++) {
             firstWithSolid[body] = rows.count;
             if (bodies.isAwake(body)) {
-                withStatics(body, surroundings.around(bodies.active(body)), scratch);
+                withStatics(body, surroundings.openedFor(bodies.active(body)), scratch);
             }
         }
         firstWithSolid[bodies.count] = rows.count;
@@ -278,15 +287,15 @@ final class ContactSearch {
         for (int i = 0; i < 3; i++) {
             offset[i] = poses.centre[3 * b + i] - poses.centre[3 * a + i];
         }
-        double friction = Math.sqrt((bodyA ? table.body(ownerA).friction() : CHARACTER_FRICTION)
-                * (bodyB ? table.body(ownerB).friction() : CHARACTER_FRICTION));
+        double friction = Math.sqrt((bodyA ? table.body(ownerA).friction() : CHARACTER_FRICTION_COEFFICIENT)
+                * (bodyB ? table.body(ownerB).friction() : CHARACTER_FRICTION_COEFFICIENT));
         double restitution = Math.max(
                 bodyA ? table.body(ownerA).restitution() : 0,
                 bodyB ? table.body(ownerB).restitution() : 0);
         int portal = poses.through[b];
         double[] turned = null;
         if (portal >= 0) {
-            activity.turn(portal, turn);
+            portalContacts.turn(portal, turn);
             turned = turn;
         }
         add(ownerA, ownerB, turned, ContactKey.between(ownerA, ownerB, portal), friction, restitution);
@@ -302,7 +311,7 @@ final class ContactSearch {
     }
 
     /** Returns the contacts that had an impulse in this tick, and the stored ones of sleeping bodies. */
-    ContactMemory remember(ContactMemory last, TickBodies now, double nowSeconds) {
+    ContactCache remember(ContactCache last, TickBodies now, double nowSeconds) {
         int kept = 0;
         for (int i = 0; i < last.size(); i++) {
             kept += isKept(last.key(i), now) ? 1 : 0;
@@ -313,7 +322,7 @@ final class ContactSearch {
         }
         long[] keys = new long[kept + carried];
         int[] features = new int[kept + carried];
-        float[] impulses = new float[(kept + carried) * ContactMemory.IMPULSES];
+        float[] impulses = new float[(kept + carried) * ContactCache.IMPULSES];
         int at = 0;
         for (int i = 0; i < last.size(); i++) {
             if (isKept(last.key(i), now)) {
@@ -326,10 +335,10 @@ final class ContactSearch {
             if (isCarried(m, now)) {
                 keys[at] = rows.key[m];
                 features[at] = rows.features[m];
-                rows.writeImpulses(m, impulses, ContactMemory.IMPULSES * at++);
+                rows.writeImpulses(m, impulses, ContactCache.IMPULSES * at++);
             }
         }
-        return new ContactMemory(keys, features, impulses, nowSeconds);
+        return new ContactCache(keys, features, impulses, nowSeconds);
     }
 
     /** Returns true if the impulses are worth storing; those of a body that then went through a portal are not. */

@@ -1,7 +1,15 @@
 package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
-import nephele.engine.collision.SeamedWorld;
+import nephele.engine.collision.PortalWorld;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.collision.rigid.body.BodyInfluences;
+import nephele.engine.collision.rigid.body.BodyTable;
+import nephele.engine.collision.rigid.body.ContactCache;
+import nephele.engine.collision.rigid.body.Poses;
+import nephele.engine.collision.rigid.solver.ContactRows;
+import nephele.engine.collision.rigid.solver.SolverState;
+import nephele.engine.collision.rigid.solver.StepSolver;
 import nephele.engine.math.Vec3;
 
 /**
@@ -22,17 +30,17 @@ public final class RigidStep {
     private final Vec3 gravity;
     private final TickBodies bodies = new TickBodies();
     private final Poses poses = new Poses();
-    private final Motions motions = new Motions();
+    private final SolverState motions = new SolverState();
     private final ContactRows rows = new ContactRows(motions);
     private final ContactSearch search;
     private final StepSolver solver;
-    private final TurnBend bend = new TurnBend(poses, motions);
-    private final Flight flight;
+    private final RotationSubstep bend = new RotationSubstep(poses, motions);
+    private final ContinuousMotion continuousMotion;
     private final Sleep sleep = new Sleep(bodies, poses, rows);
-    private boolean[] pressed = new boolean[0];
+    private boolean[] hasContactImpulse = new boolean[0];
     private boolean[] held = new boolean[0];
     /** True for slots on which gravity acts. */
-    private boolean[] weighs = new boolean[0];
+    private boolean[] hasGravity = new boolean[0];
 
     private int awake;
 
@@ -42,17 +50,18 @@ public final class RigidStep {
         this.gravity = gravity;
         search = new ContactSearch(table, poses, motions, rows);
         solver = new StepSolver(table, gravity, motions, rows);
-        flight = new Flight(table, gravity, search, poses);
+        continuousMotion = new ContinuousMotion(table, gravity, search, poses);
     }
 
     /** Returns the bodies {@code seconds} later; the result depends only on the arguments. */
-    public Bodies step(Bodies before, SeamedWorld surroundings, Influences influences, double seconds) {
+    public Bodies step(Bodies before, PortalWorld surroundings, BodyInfluences influences, double seconds) {
         if (table.size() == 0) {
             return before;
         }
         int parts = (int) Math.max(1, Math.min(MOST_PARTS, Math.ceil(seconds / LONGEST_PART_SECONDS - 1e-6)));
         influences.begin();
-        Bodies after = inParts(before, surroundings, influences, new Cut(parts, false, TurnBend.MOST_PARTS), seconds);
+        Bodies after =
+                inParts(before, surroundings, influences, new Cut(parts, false, RotationSubstep.MOST_PARTS), seconds);
         influences.end();
         return after;
     }
@@ -66,7 +75,8 @@ public final class RigidStep {
      */
     private record Cut(int parts, boolean isLater, int again) {}
 
-    private Bodies inParts(Bodies before, SeamedWorld surroundings, Influences influences, Cut cut, double seconds) {
+    private Bodies inParts(
+            Bodies before, PortalWorld surroundings, BodyInfluences influences, Cut cut, double seconds) {
         double part = seconds / cut.parts;
         Bodies at = before;
         for (int i = 0; i < cut.parts; i++) {
@@ -110,7 +120,7 @@ public final class RigidStep {
     private int finerParts(double seconds) {
         double most = 0;
         for (int body = 0; body < bodies.count; body++) {
-            if (pressed[body] && bodies.isAwake(body)) {
+            if (hasContactImpulse[body] && bodies.isAwake(body)) {
                 most = Math.max(most, bend.metres(body, seconds));
             }
         }
@@ -118,10 +128,10 @@ public final class RigidStep {
     }
 
     /** Finds and solves the contacts of a part; returns false when nothing moves. */
-    private boolean begin(Bodies before, SeamedWorld surroundings, Influences influences, double seconds) {
+    private boolean begin(Bodies before, PortalWorld surroundings, BodyInfluences influences, double seconds) {
         drive(influences);
         place(influences, seconds);
-        search.activity().find(bodies, before.passages(), surroundings, gravity, seconds);
+        search.activity().find(bodies, before.transforms(), surroundings, gravity, seconds);
         sleep.wakeNeighbours(before.contacts());
         setMasses(influences);
         search.activity().addImages(surroundings, influences, motions, seconds);
@@ -135,20 +145,20 @@ public final class RigidStep {
             return false;
         }
         search.findContacts(bodies, surroundings, influences, seconds);
-        solver.solve(bodies.count + influences.characters(), awake, weighs, seconds);
+        solver.solve(bodies.count + influences.characters(), awake, hasGravity, seconds);
         findPressed();
         return true;
     }
 
     /** Moves the bodies by the result of {@link #begin}. */
-    private Bodies end(Bodies before, SeamedWorld surroundings, Influences influences, double seconds) {
-        flight.begin(surroundings, influences, bodies, seconds);
+    private Bodies end(Bodies before, PortalWorld surroundings, BodyInfluences influences, double seconds) {
+        continuousMotion.begin(surroundings, influences, bodies, seconds);
         move(before);
-        sleep.fallAsleep(pressed, held, seconds);
+        sleep.fallAsleep(hasContactImpulse, held, seconds);
         giveImpulses(influences);
         influences.advance(seconds);
-        ContactMemory carried = search.remember(before.contacts(), bodies, seconds);
-        return new Bodies(bodies.motion, bodies.rest, carried, bodies.passages(surroundings.portals()));
+        ContactCache carried = search.remember(before.contacts(), bodies, seconds);
+        return new Bodies(bodies.motion, bodies.rest, carried, bodies.transforms(surroundings.portals()));
     }
 
     /**
@@ -159,11 +169,11 @@ public final class RigidStep {
         return bodies.cutShort;
     }
 
-    private void drive(Influences influences) {
+    private void drive(BodyInfluences influences) {
         int count = table.size();
         if (held.length < count) {
             held = new boolean[count];
-            pressed = new boolean[count + 64];
+            hasContactImpulse = new boolean[count + 64];
         }
         Arrays.fill(held, 0, count, false);
         for (int i = 0; i < influences.driven(); i++) {
@@ -178,7 +188,7 @@ public final class RigidStep {
         }
     }
 
-    private void place(Influences influences, double seconds) {
+    private void place(BodyInfluences influences, double seconds) {
         poses.clear();
         int count = bodies.count;
         double fall = seconds * seconds / 2;
@@ -199,7 +209,7 @@ public final class RigidStep {
                     ContactSearch.REACH_METRES);
         }
         for (int i = 0; i < influences.characters(); i++) {
-            Influences.Character c = influences.characterList().get(i);
+            BodyInfluences.Character c = influences.characterList().get(i);
             int shape = poses.add(BodyTable.CAPSULE, count + i, -1);
             poses.place(shape, c.centre.x, c.centre.y, c.centre.z);
             poses.halves(shape, 0, c.halfAxisMetres(), c.radiusMetres());
@@ -221,17 +231,17 @@ public final class RigidStep {
         return spin * seconds * poses.radius(body);
     }
 
-    private void setMasses(Influences influences) {
+    private void setMasses(BodyInfluences influences) {
         int count = bodies.count;
         motions.resize(count + influences.characters() + 1);
-        if (weighs.length < motions.count) {
-            weighs = new boolean[motions.count + 64];
+        if (hasGravity.length < motions.count) {
+            hasGravity = new boolean[motions.count + 64];
         }
-        Arrays.fill(weighs, false);
+        Arrays.fill(hasGravity, false);
         for (int body = 0; body < count; body++) {
             if (bodies.isAwake(body)) {
                 motions.inverseMass[body] = table.inverseMass(body);
-                weighs[body] = !held[body];
+                hasGravity[body] = !held[body];
                 motions.turnInertia(
                         body,
                         poses.axes,
@@ -243,7 +253,7 @@ public final class RigidStep {
             }
         }
         for (int i = 0; i < influences.characters(); i++) {
-            Influences.Character c = influences.characterList().get(i);
+            BodyInfluences.Character c = influences.characterList().get(i);
             motions.keepUpright(count + i);
             motions.inverseMass[count + i] = 1 / c.massKilograms;
             motions.velocity[6 * (count + i)] = c.velocity.x;
@@ -253,7 +263,7 @@ public final class RigidStep {
     }
 
     private void findPressed() {
-        Arrays.fill(pressed, 0, bodies.count, false);
+        Arrays.fill(hasContactImpulse, 0, bodies.count, false);
         for (int m = 0; m < rows.count; m++) {
             if (rows.carries(m)) {
                 mark(rows.slotA[m]);
@@ -263,15 +273,15 @@ public final class RigidStep {
     }
 
     private void move(Bodies before) {
-        flight.expect(bodies, pressed, motions);
+        continuousMotion.expect(bodies, hasContactImpulse, motions);
         for (int body = 0; body < bodies.count; body++) {
             if (!bodies.isAwake(body)) {
                 continue;
             }
-            if (pressed[body]) {
-                flight.follow(bodies, body, motions, !held[body]);
+            if (hasContactImpulse[body]) {
+                continuousMotion.advanceSolved(bodies, body, motions, !held[body]);
             } else {
-                flight.fly(bodies, body, !held[body]);
+                continuousMotion.advanceFree(bodies, body, !held[body]);
             }
             if (!bodies.isFinite(body)) {
                 bodies.freeze(body, before);
@@ -281,11 +291,11 @@ public final class RigidStep {
 
     private void mark(int slot) {
         if (slot < bodies.count) {
-            pressed[slot] = true;
+            hasContactImpulse[slot] = true;
         }
     }
 
-    private void giveImpulses(Influences influences) {
+    private void giveImpulses(BodyInfluences influences) {
         for (int i = 0; i < influences.characters(); i++) {
             int v = 6 * (bodies.count + i);
             double[] m = motions.velocity;

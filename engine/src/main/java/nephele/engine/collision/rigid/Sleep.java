@@ -1,6 +1,11 @@
 package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.collision.rigid.body.ContactCache;
+import nephele.engine.collision.rigid.body.Poses;
+import nephele.engine.collision.rigid.solver.ContactRows;
+import nephele.engine.collision.rigid.solver.Islands;
 
 /** Puts resting islands of bodies to sleep, and wakes those in contact with an awake body. Reused. */
 final class Sleep {
@@ -23,7 +28,7 @@ final class Sleep {
     }
 
     /** Wakes the bodies that were in contact with an awake one, directly or through others. */
-    void wakeNeighbours(ContactMemory memory) {
+    void wakeNeighbours(ContactCache memory) {
         boolean anyAsleep = false;
         for (int body = 0; body < bodies.count; body++) {
             anyAsleep |= bodies.rest[body] == Bodies.ASLEEP;

@@ -1,6 +1,7 @@
 package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
+import nephele.engine.collision.rigid.body.Poses;
 
 /**
  * Pairs of shapes with overlapping bounds (Baraff 1992; Cohen et al. 1995): sorted along the axis on which the centres

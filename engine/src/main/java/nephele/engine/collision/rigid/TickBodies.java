@@ -1,16 +1,18 @@
 package nephele.engine.collision.rigid;
 
 import java.util.Arrays;
+import nephele.engine.collision.rigid.body.Bodies;
+import nephele.engine.collision.rigid.body.BodyPortalState;
 import nephele.engine.portal.Portals;
 
-/** The mutable bodies of one tick, from which the next {@link Bodies} are made. */
+/** The mutable bodies of one tick, from which the next {@link nephele.engine.collision.rigid.body.Bodies} are made. */
 final class TickBodies {
     double[] motion = new double[0];
     float[] rest = new float[0];
     int count;
     /** Masks of the portals on which each body is active; {@code null} without portals. */
     long[] active;
-    /** The crossings, in the layout of {@link BodyPassages}; {@code null} while there are none. */
+    /** The crossings, in the layout of {@link nephele.engine.collision.rigid.body.BodyPortalState}; {@code null} while there are none. */
     private byte[] entered;
     /** Number of portals that each body had gone through before this part of the tick. */
     private int[] enteredBefore = new int[0];
@@ -30,7 +32,7 @@ final class TickBodies {
 
     /** Begins a later part of a tick: the crossings so far are kept. */
     void loadPart(Bodies before) {
-        entered = before.passages().copyEntered();
+        entered = before.transforms().copyEntered();
         loadMotion(before);
     }
 
@@ -99,12 +101,12 @@ final class TickBodies {
     /** Stores that a body went through a portal; returns false when the limit is exceeded. */
     boolean enter(int body, int portal) {
         if (entered == null) {
-            entered = new byte[BodyPassages.MOST * count];
+            entered = new byte[BodyPortalState.MOST * count];
             Arrays.fill(entered, (byte) Portals.CLOSED);
         }
-        for (int i = 0; i < BodyPassages.MOST; i++) {
-            if (entered[BodyPassages.MOST * body + i] == Portals.CLOSED) {
-                entered[BodyPassages.MOST * body + i] = (byte) portal;
+        for (int i = 0; i < BodyPortalState.MOST; i++) {
+            if (entered[BodyPortalState.MOST * body + i] == Portals.CLOSED) {
+                entered[BodyPortalState.MOST * body + i] = (byte) portal;
                 return true;
             }
         }
@@ -123,17 +125,17 @@ final class TickBodies {
 
     int crossings(int body) {
         int count = 0;
-        while (entered != null && count < BodyPassages.MOST && crossing(body, count) != Portals.CLOSED) {
+        while (entered != null && count < BodyPortalState.MOST && crossing(body, count) != Portals.CLOSED) {
             count++;
         }
         return count;
     }
 
     int crossing(int body, int place) {
-        return entered[BodyPassages.MOST * body + place];
+        return entered[BodyPortalState.MOST * body + place];
     }
 
-    BodyPassages passages(Portals portals) {
-        return active == null ? BodyPassages.NONE : new BodyPassages(portals, active, entered);
+    BodyPortalState transforms(Portals portals) {
+        return active == null ? BodyPortalState.NONE : new BodyPortalState(portals, active, entered);
     }
 }

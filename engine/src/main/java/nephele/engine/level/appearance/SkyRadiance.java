@@ -21,7 +21,7 @@ public interface SkyRadiance {
      * @param pictureOf decodes an asset; asked for skyboxes only
      * @return empty without a sky
      */
-    static Optional<SkyRadiance> of(Sky sky, Function<String, Picture> pictureOf, Decoding decoding) {
+    static Optional<SkyRadiance> of(Sky sky, Function<String, Picture> pictureOf, ColourDecoding decoding) {
         if (sky instanceof Sky.Constant constant) {
             return Optional.of((x, y, z) -> constant.radiance().toVector());
         } else if (sky instanceof Sky.Gradient gradient) {

@@ -50,12 +50,12 @@ final class SkyboxFaces {
         }
     }
 
-    private SkyboxFaces(List<Face> faces, Decoding decoding) {
+    private SkyboxFaces(List<Face> faces, ColourDecoding decoding) {
         this.faces = faces;
         linear = decoding.table();
     }
 
-    static SkyboxFaces of(Sky.Skybox sky, Function<String, Picture> pictureOf, Decoding decoding) {
+    static SkyboxFaces of(Sky.Skybox sky, Function<String, Picture> pictureOf, ColourDecoding decoding) {
         if (sky.layout() == SkyboxLayout.FACES) {
             List<Face> faces = new ArrayList<>();
             for (String file : sky.files()) {

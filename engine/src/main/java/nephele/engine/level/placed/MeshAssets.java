@@ -3,11 +3,11 @@ package nephele.engine.level.placed;
 import java.util.Optional;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
-import nephele.engine.model.GeneratedName;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.ModelFileException;
-import nephele.engine.model.ModelFiles;
-import nephele.engine.model.Shape;
+import nephele.engine.model.file.ModelFiles;
+import nephele.engine.model.shape.GeneratedName;
+import nephele.engine.model.shape.Shape;
 
 /** The meshes that asset ids stand for: files, or shapes made on the spot where a name says which. */
 public final class MeshAssets {
@@ -35,10 +35,10 @@ public final class MeshAssets {
                 assetId,
                 "there is no such file, and the generator makes none of that name",
                 "put it into the level's folder or into assets/"));
-        if (shape.mostTriangles() > PlacedModels.MOST_TRIANGLES) {
+        if (shape.maxTriangles() > PlacedModels.MOST_TRIANGLES) {
             throw new AssetException(
                     assetId,
-                    "stands for " + shape.mostTriangles() + " triangles, of " + PlacedModels.MOST_TRIANGLES
+                    "stands for " + shape.maxTriangles() + " triangles, of " + PlacedModels.MOST_TRIANGLES
                             + " that a level may have",
                     "write smaller numbers of parts into the name");
         }

@@ -14,7 +14,7 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.ModelPlacement;
-import nephele.engine.math.Kept;
+import nephele.engine.math.IdentityDiff;
 import nephele.engine.model.Mesh;
 import org.joml.Matrix4dc;
 
@@ -44,7 +44,7 @@ public record PlacedModels(List<PlacedModel> all) {
     /** Those of an edited level: what is placed as before by the same file is the same object. */
     PlacedModels edited(Level level, AssetSource assets) {
         List<ModelPlacement> said = all.stream().map(PlacedModel::said).toList();
-        return Kept.list(said, level.models()) == said ? this : edited(level, new MeshAssets(assets)::mesh);
+        return IdentityDiff.list(said, level.models()) == said ? this : edited(level, new MeshAssets(assets)::mesh);
     }
 
     private PlacedModels edited(Level level, Function<String, Mesh> meshOf) {
@@ -74,14 +74,14 @@ public record PlacedModels(List<PlacedModel> all) {
     }
 
     private static void requireSparse(List<PlacedModel> placed) {
-        long overlaps = new TriangleCrowd(placed).meanOverlaps();
-        if (overlaps > TriangleCrowd.MOST_OVERLAPS) {
+        long overlaps = new TriangleOverlap(placed).meanOverlaps();
+        if (overlaps > TriangleOverlap.MOST_OVERLAPS) {
             PlacedModel most = Collections.max(
                     placed, Comparator.comparingInt(model -> model.triangles().count()));
             throw new AssetException(
                     most.said().file(),
                     "the models' triangles lie in each other: the box around one meets " + overlaps
-                            + " others on average, of " + TriangleCrowd.MOST_OVERLAPS + " that are quick enough; '"
+                            + " others on average, of " + TriangleOverlap.MOST_OVERLAPS + " that are quick enough; '"
                             + most.said().id() + "' has the most triangles",
                     "split its long triangles, or leave some out");
         }

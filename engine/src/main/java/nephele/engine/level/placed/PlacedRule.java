@@ -6,7 +6,7 @@ import nephele.engine.level.Problem;
 
 /**
  * One thing that must hold in the world that follows from a level. It is asked only about levels in which the rules of
- * {@link nephele.engine.level.LevelRules} find no error.
+ * {@link nephele.engine.level.rule.LevelRules} find no error.
  */
 public interface PlacedRule {
     /** Reports every breach, in the order of the file. */

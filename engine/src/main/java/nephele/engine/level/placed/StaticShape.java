@@ -2,7 +2,7 @@ package nephele.engine.level.placed;
 
 import nephele.engine.level.Brush;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.HeightField;
+import nephele.engine.math.heightfield.HeightField;
 
 /**
  * One shape that never moves. What treats the kinds differently implements {@link Cases}, so that a new kind is a compile

@@ -9,7 +9,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.Kept;
+import nephele.engine.math.IdentityDiff;
 
 /**
  * The shapes of a level that never move, in the world; immutable. Built once, they serve scene, simulation and oracle.
@@ -56,12 +56,12 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
     StaticShapes edited(Level before, Level level, AssetSource assets) {
         Set<String> mirrors = MirrorFaces.materials(level.materials());
         boolean areMirrorsSame = MirrorFaces.materials(before.materials()).equals(mirrors);
-        int[] places = Kept.places(areMirrorsSame ? before.solids() : List.of(), level.solids());
+        int[] places = IdentityDiff.previousIndices(areMirrorsSame ? before.solids() : List.of(), level.solids());
         List<Brush> brushes = new ArrayList<>(places.length);
         for (int i = 0; i < places.length; i++) {
-            brushes.add(places[i] == Kept.NEW ? brush(level.solids().get(i), mirrors) : solids.get(places[i]));
+            brushes.add(places[i] == IdentityDiff.NEW ? brush(level.solids().get(i), mirrors) : solids.get(places[i]));
         }
-        List<Brush> others = Kept.list(solids, brushes);
+        List<Brush> others = IdentityDiff.list(solids, brushes);
         PlacedModels placed = models.edited(level, assets);
         return others == solids && placed == models ? this : new StaticShapes(others, placed, ground);
     }
@@ -71,7 +71,7 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         return new StaticShapes(solids, others, ground);
     }
 
-    /** As {@link PlacedModels#split}. */
+    /** As {@link FixedModels#split}. */
     public StaticShapes split(double edgeMetres) {
         return models.isEmpty() ? this : with(models.split(edgeMetres));
     }

@@ -15,7 +15,7 @@ final class ForbiddenCentres {
     /** Metres by which an edge's ends differ in their distance from another that is parallel to it. */
     private static final double PARALLEL = 1e-9;
 
-    private TurnedAperture aperture;
+    private ReflectedAperture aperture;
     /** For each edge: where it begins (x, y), outward unit normal (x, y), distance from the origin, length. */
     private double[] edges = new double[6 * 256];
 
@@ -30,7 +30,7 @@ final class ForbiddenCentres {
 
     private int count;
 
-    void begin(TurnedAperture turned) {
+    void begin(ReflectedAperture turned) {
         aperture = turned;
         edgeCount = 0;
         count = 0;
@@ -85,28 +85,29 @@ final class ForbiddenCentres {
     }
 
     /** Something that may be touched from all sides. Both run through their edges by growing angle (de Berg et al. 2008, "Computational Geometry", section 13.3). */
-    void add(ConvexPolygon thing) {
-        reserve(thing.corners() + aperture.corners());
-        int lowest = thing.lowest();
+    void add(ConvexPolygon dynamicObject) {
+        reserve(dynamicObject.corners() + aperture.corners());
+        int lowest = dynamicObject.lowest();
         int i = 0;
         int j = 0;
-        double startX = thing.x(lowest) + aperture.x(0);
-        double startY = thing.y(lowest) + aperture.y(0);
+        double startX = dynamicObject.x(lowest) + aperture.x(0);
+        double startY = dynamicObject.y(lowest) + aperture.y(0);
         double x = startX;
         double y = startY;
-        while (i < thing.corners() || j < aperture.corners()) {
-            int from = (lowest + i) % thing.corners();
-            int to = (lowest + i + 1) % thing.corners();
-            double thingX = thing.x(to) - thing.x(from);
-            double thingY = thing.y(to) - thing.y(from);
+        while (i < dynamicObject.corners() || j < aperture.corners()) {
+            int from = (lowest + i) % dynamicObject.corners();
+            int to = (lowest + i + 1) % dynamicObject.corners();
+            double dynamicObjectX = dynamicObject.x(to) - dynamicObject.x(from);
+            double dynamicObjectY = dynamicObject.y(to) - dynamicObject.y(from);
             double apertureX = aperture.x(j + 1) - aperture.x(j);
             double apertureY = aperture.y(j + 1) - aperture.y(j);
-            boolean ofThing = i < thing.corners()
-                    && (j == aperture.corners() || ConvexPolygon.isBefore(thingX, thingY, apertureX, apertureY));
-            double dx = ofThing ? thingX : apertureX;
-            double dy = ofThing ? thingY : apertureY;
-            i += ofThing ? 1 : 0;
-            j += ofThing ? 0 : 1;
+            boolean ofDynamicObject = i < dynamicObject.corners()
+                    && (j == aperture.corners()
+                            || ConvexPolygon.isBefore(dynamicObjectX, dynamicObjectY, apertureX, apertureY));
+            double dx = ofDynamicObject ? dynamicObjectX : apertureX;
+            double dy = ofDynamicObject ? dynamicObjectY : apertureY;
+            i += ofDynamicObject ? 1 : 0;
+            j += ofDynamicObject ? 0 : 1;
             edge(x, y, dx, dy);
             x += dx;
             y += dy;

@@ -3,7 +3,7 @@ package nephele.engine.portal.placement;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import nephele.engine.math.ItemList;
+import nephele.engine.math.bvh.ItemList;
 
 /**
  * The edges of a union of convex polygons that may abut, overlap, meet in T-junctions, and leave cracks of noise between
@@ -31,16 +31,16 @@ final class Outline {
     /** Of the way from where a tip is two cracks wide to its end. */
     private static final double[] TIP_SHARES = {-0.25, 0.5, 0.75};
 
-    private final ShapeSet polygons;
+    private final PolygonIndex polygons;
     private final ItemList near = new ItemList();
     private final List<ConvexPolygon> parts = new ArrayList<>();
 
-    private Outline(ShapeSet polygons) {
+    private Outline(PolygonIndex polygons) {
         this.polygons = polygons;
     }
 
     /** Segments, in no special order. */
-    static List<ConvexPolygon> of(ShapeSet polygons) {
+    static List<ConvexPolygon> of(PolygonIndex polygons) {
         Outline outline = new Outline(polygons);
         for (int polygon = 0; polygon < polygons.size(); polygon++) {
             for (int edge = 0; edge < polygons.shape(polygon).corners(); edge++) {
@@ -52,7 +52,7 @@ final class Outline {
 
     private void add(int polygon, int edge) {
         ConvexPolygon p = polygons.shape(polygon);
-        Stretch line = Stretch.beyond(p, edge, Tolerance.CRACK + BEYOND_CRACK);
+        LineCoverage line = LineCoverage.beyond(p, edge, Tolerance.CRACK + BEYOND_CRACK);
         near.clear();
         polygons.overlapping(line.bounds().grown(2 * Tolerance.CRACK), near);
         Neighbours others = new Neighbours(p, edge);
@@ -75,17 +75,17 @@ final class Outline {
             boolean stub = to - from <= 2 * Tolerance.CRACK;
             double low = stub ? from : others.tip(from, -1);
             double high = stub ? to : others.tip(to, 1);
-            Stretch edge = others.edge;
+            LineCoverage edge = others.edge;
             parts.add(ConvexPolygon.of(new double[] {edge.atX(low), edge.atY(low), edge.atX(high), edge.atY(high)}));
         }
     }
 
     /** Where along an edge the other polygons are. */
     private static final class Neighbours {
-        private final Stretch edge;
-        private final Stretch far;
-        private final Stretch close;
-        private final Stretch between;
+        private final LineCoverage edge;
+        private final LineCoverage far;
+        private final LineCoverage close;
+        private final LineCoverage between;
         /** In a polygon or in a crack beside one. */
         private final List<double[]> covered = new ArrayList<>();
         /** In a polygon without doubt. */
@@ -96,10 +96,10 @@ final class Outline {
         private final List<ConvexPolygon> others = new ArrayList<>();
 
         Neighbours(ConvexPolygon polygon, int number) {
-            edge = Stretch.beyond(polygon, number, 0);
-            far = Stretch.beyond(polygon, number, Tolerance.CRACK + BEYOND_CRACK);
-            close = Stretch.beyond(polygon, number, BEYOND_CRACK);
-            between = Stretch.beyond(polygon, number, NARROW);
+            edge = LineCoverage.beyond(polygon, number, 0);
+            far = LineCoverage.beyond(polygon, number, Tolerance.CRACK + BEYOND_CRACK);
+            close = LineCoverage.beyond(polygon, number, BEYOND_CRACK);
+            between = LineCoverage.beyond(polygon, number, NARROW);
         }
 
         void add(ConvexPolygon other) {
@@ -155,7 +155,7 @@ final class Outline {
 
         /** Metres from a point of the edge straight out to the next polygon. */
         private double gap(double at) {
-            Stretch out = edge.outFrom(at, 3 * Tolerance.CRACK);
+            LineCoverage out = edge.outFrom(at, 3 * Tolerance.CRACK);
             double least = Double.POSITIVE_INFINITY;
             for (ConvexPolygon other : others) {
                 double[] span = out.within(other);

@@ -3,10 +3,10 @@ package nephele.engine.portal.placement;
 import java.util.List;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Basis;
-import nephele.engine.math.ItemList;
 import nephele.engine.math.Ray;
-import nephele.engine.math.RayHit;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemList;
+import nephele.engine.math.bvh.RayHit;
 import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
@@ -31,14 +31,14 @@ public final class Placement {
     /** Re-triangulated, a surface gives the same place within this. */
     private static final double SAME_PLACE_METRES = 5e-5;
 
-    private final Surfaces surfaces;
+    private final PlacementSurfaces surfaces;
     private final Gun gun;
     private final RayHit hit = new RayHit();
     private final ForbiddenCentres forbidden = new ForbiddenCentres();
-    private final NearestPlace nearest = new NearestPlace(forbidden);
+    private final NearestPoint nearest = new NearestPoint(forbidden);
     private final ItemList found = new ItemList();
 
-    public Placement(Surfaces surfaces, Gun gun) {
+    public Placement(PlacementSurfaces surfaces, Gun gun) {
         this.surfaces = surfaces;
         this.gun = gun;
     }
@@ -48,22 +48,23 @@ public final class Placement {
      * @param others that stay open beside it
      * @param moving what else stops the shot
      */
-    public Placed place(String id, Aim aim, List<Portal> others, MovingSurfaces moving) {
+    public PlacementResult place(String id, ShotRay aim, List<Portal> others, MovingSurfaces moving) {
         Vec3 direction = aim.direction();
         Ray ray = Ray.of(aim.eye(), direction);
         boolean hits = surfaces.first(ray, hit);
         double limit = Math.min(gun.rangeMetres(), hits ? hit.distance() : Double.POSITIVE_INFINITY);
         double moved = moving.distance(aim.eye(), direction, limit);
         if (moved <= limit) {
-            return new Placed.Refused(Refusal.MOVING_SURFACE, ray.at(moved));
+            return new PlacementResult.Refused(Refusal.MOVING_SURFACE, ray.at(moved));
         }
         if (!hits || hit.distance() > gun.rangeMetres()) {
-            return new Placed.Refused(hits ? Refusal.OUT_OF_RANGE : Refusal.NOTHING_HIT, ray.at(gun.rangeMetres()));
+            return new PlacementResult.Refused(
+                    hits ? Refusal.OUT_OF_RANGE : Refusal.NOTHING_HIT, ray.at(gun.rangeMetres()));
         }
         Region region = surfaces.region(ray, hit.item());
         Vec3 where = ray.at(hit.distance());
         if (region == null) {
-            return new Placed.Refused(Refusal.NOT_PORTALABLE, where);
+            return new PlacementResult.Refused(Refusal.NOT_PORTALABLE, where);
         }
         return onRegion(id, region, onPlane(region.frame(), ray, where), aim.view(), others);
     }
@@ -71,8 +72,8 @@ public final class Placement {
     /** Whether a portal lies where a shot straight at its middle would put it, among what is there now. */
     public boolean holds(Portal portal, List<Portal> others) {
         Vec3 before = portal.world(0, 0, HOLDS_FROM_METRES);
-        Placed again = place(portal.id(), new Aim(before, portal.frame()), others, MovingSurfaces.NONE);
-        return again instanceof Placed.Fits fits
+        PlacementResult again = place(portal.id(), new ShotRay(before, portal.frame()), others, MovingSurfaces.NONE);
+        return again instanceof PlacementResult.Fits fits
                 && isSame(fits.portal().aperture(), portal.aperture())
                 && fits.portal().centre().toVector().distance(portal.centre().toVector()) <= SAME_PLACE_METRES
                 && fits.portal().frame().up().dot(portal.frame().up()) >= Tolerance.COPLANAR_COSINE;
@@ -93,17 +94,17 @@ public final class Placement {
         return hit.addScaled(-back, direction);
     }
 
-    private Placed onRegion(String id, Region region, Vec3 where, Basis view, List<Portal> others) {
+    private PlacementResult onRegion(String id, Region region, Vec3 where, Basis view, List<Portal> others) {
         PlaneFrame frame = region.frame();
         double x = frame.x(where);
         double y = frame.y(where);
         if (region.isBarred(x, y, found)) {
-            return new Placed.Refused(Refusal.NOT_PORTALABLE, where);
+            return new PlacementResult.Refused(Refusal.NOT_PORTALABLE, where);
         }
-        Vec3 up = Upright.on(frame.normal(), view);
+        Vec3 up = PortalUpright.on(frame.normal(), view);
         double upX = frame.xOf(up);
         double upY = frame.yOf(up);
-        TurnedAperture turned = new TurnedAperture(gun.aperture(), upX, upY);
+        ReflectedAperture turned = new ReflectedAperture(gun.aperture(), upX, upY);
         forbid(region, turned, x, y, gun.slideMetres());
         for (Portal other : others) {
             forbid(frame, other);
@@ -111,12 +112,12 @@ public final class Placement {
         if (nearest.find(region, x, y, gun.slideMetres())) {
             Basis axes = new Basis(frame.worldDirection(upY, -upX), up, frame.normal());
             Vec3 centre = frame.world(nearest.x(), nearest.y());
-            return new Placed.Fits(new Portal(id, centre, axes, gun.aperture()), nearest.distance());
+            return new PlacementResult.Fits(new Portal(id, centre, axes, gun.aperture()), nearest.distance());
         }
-        return new Placed.Refused(refusal(region, turned, x, y, !others.isEmpty()), where);
+        return new PlacementResult.Refused(refusal(region, turned, x, y, !others.isEmpty()), where);
     }
 
-    private Refusal refusal(Region region, TurnedAperture turned, double x, double y, boolean maybeOthers) {
+    private Refusal refusal(Region region, ReflectedAperture turned, double x, double y, boolean maybeOthers) {
         if (maybeOthers) {
             forbid(region, turned, x, y, gun.slideMetres());
             if (nearest.find(region, x, y, gun.slideMetres())) {
@@ -143,7 +144,7 @@ public final class Placement {
     }
 
     /** Everything that decides about centres within {@code metres} of a point. */
-    private void forbid(Region region, TurnedAperture turned, double x, double y, double metres) {
+    private void forbid(Region region, ReflectedAperture turned, double x, double y, double metres) {
         forbidden.begin(turned);
         double reachX = metres + turned.reachX();
         double reachY = metres + turned.reachY();

@@ -24,7 +24,7 @@ final class PortalWall {
     private final PlaneFrame frame;
     private final ConvexPolygon outline;
     private final Aabb bounds;
-    private final Remainder uncovered;
+    private final PolygonDifference uncovered;
     private boolean isCentreCovered;
     private boolean isCentreHidden;
     private final Set<String> mirrors;
@@ -35,7 +35,7 @@ final class PortalWall {
     PortalWall(Portal portal, Level level, StaticShapes statics) {
         frame = new PlaneFrame(portal.centre(), portal.frame());
         outline = FixedPortalRules.outline(frame, portal);
-        uncovered = new Remainder(outline);
+        uncovered = new PolygonDifference(outline);
         mirrors = MirrorFaces.materials(level.materials());
         Aabb flat = Aabb.EMPTY;
         for (int i = 0; i < portal.aperture().corners(); i++) {

@@ -1,7 +1,7 @@
 package nephele.engine.portal.placement;
 
 import nephele.engine.math.Aabb;
-import nephele.engine.math.ItemList;
+import nephele.engine.math.bvh.ItemList;
 
 /**
  * A connected part of a plane where portals are allowed.
@@ -10,7 +10,7 @@ import nephele.engine.math.ItemList;
  * @param outline segments around that union
  * @param bars what lies in the union and takes no portal: other faces of the plane, and what stands against it
  */
-record Region(PlaneFrame frame, ShapeSet faces, ShapeSet outline, ShapeSet bars) {
+record Region(PlaneFrame frame, PolygonIndex faces, PolygonIndex outline, PolygonIndex bars) {
     /** Whether a point lies on one of the faces or in a crack between them. */
     boolean covers(double x, double y, ItemList found) {
         return contains(faces, x, y, Tolerance.CRACK, found);
@@ -21,7 +21,7 @@ record Region(PlaneFrame frame, ShapeSet faces, ShapeSet outline, ShapeSet bars)
         return contains(bars, x, y, 0, found);
     }
 
-    private static boolean contains(ShapeSet set, double x, double y, double metres, ItemList found) {
+    private static boolean contains(PolygonIndex set, double x, double y, double metres, ItemList found) {
         found.clear();
         set.overlapping(new Aabb(x - metres, y - metres, 0, x + metres, y + metres, 0), found);
         for (int i = 0; i < found.size(); i++) {

@@ -7,8 +7,8 @@ import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.ItemList;
-import nephele.engine.math.SpatialIndex;
+import nephele.engine.math.bvh.ItemList;
+import nephele.engine.math.bvh.SpatialIndex;
 
 /**
  * Gathers portalable patches that touch and share a plane. Each region grows from its largest patch; then the plane is

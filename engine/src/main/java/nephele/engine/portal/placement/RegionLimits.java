@@ -3,8 +3,8 @@ package nephele.engine.portal.placement;
 import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.math.Aabb;
-import nephele.engine.math.ItemList;
-import nephele.engine.math.SpatialIndex;
+import nephele.engine.math.bvh.ItemList;
+import nephele.engine.math.bvh.SpatialIndex;
 
 /** Finds what bounds the regions: outlines, faces of the same plane without leave, and what stands against them. */
 final class RegionLimits {
@@ -43,14 +43,15 @@ final class RegionLimits {
             shapes.add(ConvexPolygon.of(frame, patches.get(patch).corners()));
             bounds = bounds.union(patches.get(patch).bounds());
         }
-        ShapeSet all = new ShapeSet(shapes);
+        PolygonIndex all = new PolygonIndex(shapes);
         List<ConvexPolygon> bars = new ArrayList<>();
         addFacesWithoutLeave(frame, all, bounds, bars);
         addFootprints(frame, all, bounds, bars);
-        return new Region(frame, all, new ShapeSet(Straightening.of(Outline.of(all))), new ShapeSet(bars));
+        return new Region(
+                frame, all, new PolygonIndex(OutlineSimplification.of(Outline.of(all))), new PolygonIndex(bars));
     }
 
-    private void addFacesWithoutLeave(PlaneFrame frame, ShapeSet all, Aabb bounds, List<ConvexPolygon> bars) {
+    private void addFacesWithoutLeave(PlaneFrame frame, PolygonIndex all, Aabb bounds, List<ConvexPolygon> bars) {
         near.clear();
         barredIndex.overlapping(bounds.grown(2 * Tolerance.COPLANAR), near);
         near.sort();
@@ -62,7 +63,7 @@ final class RegionLimits {
         }
     }
 
-    private void addFootprints(PlaneFrame frame, ShapeSet all, Aabb bounds, List<ConvexPolygon> bars) {
+    private void addFootprints(PlaneFrame frame, PolygonIndex all, Aabb bounds, List<ConvexPolygon> bars) {
         near.clear();
         blockerIndex.overlapping(bounds.grown(Tolerance.STANDS_AGAINST), near);
         near.sort();
@@ -82,7 +83,7 @@ final class RegionLimits {
         return Math.max(most, Math.max(Math.abs(box.minZ()), Math.abs(box.maxZ())));
     }
 
-    private void addWhereItLiesIn(ShapeSet all, ConvexPolygon bar, List<ConvexPolygon> bars) {
+    private void addWhereItLiesIn(PolygonIndex all, ConvexPolygon bar, List<ConvexPolygon> bars) {
         faces.clear();
         all.overlapping(bar.bounds(), faces);
         for (int i = 0; i < faces.size(); i++) {

@@ -7,13 +7,13 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.LineMesh;
-import nephele.engine.render.gl.ShaderSource;
-import nephele.engine.render.gl.Uniforms;
-import nephele.engine.render.gl.Uniforms.Matrix4;
-import nephele.engine.render.gl.Uniforms.Scalar;
-import nephele.engine.render.gl.Uniforms.Vector3;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.Matrix4;
+import nephele.engine.render.gl.shader.Uniforms.Scalar;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
 
 /** The world's axes, which take part in the depth test. They cross the picture from wherever they are looked at. */
 final class AxesDrawing implements AutoCloseable {

@@ -8,9 +8,9 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.TextureUnit;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
 
 /** A picture that fills the window behind the scene. */
 final class BackgroundDrawing implements AutoCloseable {

@@ -3,13 +3,13 @@ package nephele.engine.render.fixed;
 import java.util.Map;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.ShaderSource;
-import nephele.engine.render.gl.TextureUnit;
-import nephele.engine.render.gl.Uniforms;
-import nephele.engine.render.gl.Uniforms.Matrix4;
-import nephele.engine.render.gl.Uniforms.Vector3;
-import nephele.engine.render.gl.Uniforms.Vector4;
-import nephele.engine.render.gl.Uniforms.Whole;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.Matrix4;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector4;
+import nephele.engine.render.gl.shader.Uniforms.Whole;
 
 /** What models are drawn with in one kind of shading. */
 final class FixedProgram {
@@ -50,7 +50,7 @@ final class FixedProgram {
     }
 
     /** Sets what all models of a frame share. */
-    Inputs use(EyeNumbers eye, SceneLook look) {
+    Inputs use(EyeNumbers eye, SceneAppearance look) {
         Inputs inputs = program.uniforms();
         program.use();
         inputs.eye().set(eye.x(), eye.y(), eye.z());

@@ -60,7 +60,7 @@ public final class FixedSceneDrawing implements AutoCloseable {
      * @param seconds of the scene's clock
      * @param worldFromEntity where the entity is, without scale; not looked at where there is none
      */
-    public void draw(View view, double seconds, Matrix4dc worldFromEntity, SceneLook look, RenderTarget target) {
+    public void draw(View view, double seconds, Matrix4dc worldFromEntity, SceneAppearance look, RenderTarget target) {
         eye.set(view);
         scene.pose(seconds, AT_HOME);
         if (entity != null) {
@@ -71,19 +71,19 @@ public final class FixedSceneDrawing implements AutoCloseable {
         if (background != null) {
             background.draw();
         }
-        if (look.axes() == SceneLook.Axes.SHOWN) {
+        if (look.axes() == SceneAppearance.Axes.SHOWN) {
             axes.draw(eye);
         }
         drawModels(look);
     }
 
-    private void drawModels(SceneLook look) {
+    private void drawModels(SceneAppearance look) {
         gl.state().fill(look.shading() == Shading.WIREFRAME ? Fill.EDGES : Fill.WHOLE);
         var inputs = programs.computeIfAbsent(look.shading(), shading -> new FixedProgram(gl, shading))
                 .use(eye, look);
         // Rounded as shaders have it.
         frustum.restart(eye.x(), eye.y(), eye.z());
-        if (look.culling() == SceneLook.Culling.SPHERES) {
+        if (look.culling() == SceneAppearance.Culling.SPHERES) {
             frustum.keepAll(eye.exactClipFromRelative());
         }
         scene.draw(inputs, frustum);

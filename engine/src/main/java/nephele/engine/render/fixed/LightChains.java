@@ -3,7 +3,7 @@ package nephele.engine.render.fixed;
 import java.nio.FloatBuffer;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.TextureUnit;
+import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.xmlscene.PosedScene;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;

@@ -8,10 +8,10 @@ import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
-import nephele.engine.model.GeneratedName;
 import nephele.engine.model.Mesh;
 import nephele.engine.model.ModelFileException;
-import nephele.engine.model.ModelFiles;
+import nephele.engine.model.file.ModelFiles;
+import nephele.engine.model.shape.GeneratedName;
 import nephele.engine.xmlscene.XmlModel;
 
 /**

@@ -12,12 +12,12 @@ import org.joml.Matrix4dc;
 final class SceneOnGpu implements AutoCloseable {
     private final PosedScene posed;
     private final LightChains lights;
-    private final PlacedModels models;
+    private final FixedModels models;
 
     private SceneOnGpu(GlContext gl, Source source, Motion least, Texture white, PosedScene around) {
         posed = PosedScene.of(source.scene());
         lights = new LightChains(gl, posed, around);
-        models = new PlacedModels(gl, posed, ModelOrder.of(posed, source.files(), least), white, lights);
+        models = new FixedModels(gl, posed, ModelOrder.of(posed, source.files(), least), white, lights);
     }
 
     static SceneOnGpu atHome(GlContext gl, Source source, Texture white) {

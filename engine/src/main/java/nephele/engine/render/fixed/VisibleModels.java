@@ -6,7 +6,7 @@ import nephele.engine.math.Frustum;
 import nephele.engine.render.fixed.ModelOrder.Run;
 import nephele.engine.render.gl.BufferTexture;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.render.gl.TextureUnit;
+import nephele.engine.render.gl.shader.TextureUnit;
 import org.lwjgl.BufferUtils;
 
 /** The numbers of the models that a frame submits, run by run; the GPU hears of them when they have changed. */
@@ -34,7 +34,7 @@ final class VisibleModels implements AutoCloseable {
         runs = 0;
     }
 
-    void add(Run run, ModelPlaces places, Frustum frustum) {
+    void add(Run run, ModelPoses places, Frustum frustum) {
         for (int number = run.first(); number < run.end(); number++) {
             if (places.maySee(number, frustum)) {
                 numbers[size++] = number;

@@ -2,7 +2,7 @@ package nephele.engine.render.frame;
 
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
-import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.math.Vec3;
 import nephele.engine.scene.View;
 import org.joml.Vector3d;
@@ -23,7 +23,8 @@ public record ClearColour(float red, float green, float blue) {
 
     private static ClearColour of(Environment environment, Output output, Vector3dc tint) {
         Vec3 sky = environment.sky() instanceof Sky.Constant constant ? constant.radiance() : Vec3.ZERO;
-        Vec3 radiance = FogVeil.of(environment).map(FogVeil::radiance).orElse(sky);
+        Vec3 radiance =
+                FogTransmittance.of(environment).map(FogTransmittance::radiance).orElse(sky);
         return new ClearColour(
                 value(radiance.x() * tint.x(), environment, output),
                 value(radiance.y() * tint.y(), environment, output),
@@ -39,7 +40,7 @@ public record ClearColour(float red, float green, float blue) {
         return switch (output) {
             case PLAIN -> (float) radiance;
             case HDR -> (float) Math.min(radiance, LARGEST_HALF);
-            case DIRECT -> (float) Development.develop(radiance, exposure(environment), environment.toneCurve());
+            case DIRECT -> (float) ToneMapping.develop(radiance, exposure(environment), environment.toneCurve());
         };
     }
 

@@ -3,7 +3,7 @@ package nephele.engine.render.frame;
 import java.util.HashMap;
 import java.util.Map;
 import nephele.engine.level.Environment;
-import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.scene.ViewTree;
 
 /** The preprocessor names that a pass compiles its shaders with. */
@@ -15,8 +15,8 @@ public final class Defines {
         Environment environment = context.scene().level().environment();
         return new Defines()
                 .with(context.output().define())
-                .with(Development.define(environment.toneCurve()))
-                .withIf(FogVeil.of(environment).isPresent(), "FOG")
+                .with(ToneMapping.define(environment.toneCurve()))
+                .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
                 .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS")
                 .withIf(!context.scene().mirrors().isEmpty(), "MIRRORS");
     }

@@ -2,7 +2,7 @@ package nephele.engine.render.frame;
 
 import nephele.engine.math.Frustum;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.VisibleSet;
@@ -11,7 +11,7 @@ import nephele.engine.scene.VisibleSet;
 public final class FrameContext {
     private final NestedViews nested;
     private View view;
-    private Moment moment;
+    private FrameState frameState;
     private RenderTarget surface;
     private RenderTarget picture;
     private VisibleSet visible;
@@ -24,14 +24,14 @@ public final class FrameContext {
     }
 
     /** Begins a frame. */
-    public void into(Moment newMoment, RenderTarget newSurface, RenderTarget newPicture) {
-        moment = newMoment;
+    public void setTarget(FrameState newFrameState, RenderTarget newSurface, RenderTarget newPicture) {
+        frameState = newFrameState;
         surface = newSurface;
         picture = newPicture;
     }
 
     /** Another target for surfaces, as when their samples have been averaged. */
-    public void into(RenderTarget newSurface) {
+    public void setTarget(RenderTarget newSurface) {
         surface = newSurface;
     }
 
@@ -40,7 +40,7 @@ public final class FrameContext {
      *
      * @param newLimits beyond which nothing that moves is drawn; {@code null} for the sides of the view's picture
      */
-    public void see(View newView, ViewNode newNode, VisibleSet newVisible, Frustum newLimits) {
+    public void setView(View newView, ViewNode newNode, VisibleSet newVisible, Frustum newLimits) {
         limits = newLimits;
         view = newView;
         node = newNode;
@@ -52,8 +52,8 @@ public final class FrameContext {
     }
 
     /** What can change, as it is now. */
-    public Moment moment() {
-        return moment;
+    public FrameState frameState() {
+        return frameState;
     }
 
     /**

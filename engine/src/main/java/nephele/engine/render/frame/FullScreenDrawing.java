@@ -8,8 +8,9 @@ import nephele.engine.render.gl.FullScreenTriangle;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.ShaderSource;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.FrameUniforms;
 
 /** One shader over a whole target. */
 public final class FullScreenDrawing {

@@ -4,29 +4,31 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.scene.light.LightNeeds;
-import nephele.engine.scene.thing.FigurePresence;
+import nephele.engine.scene.dynamic.CharacterPresence;
+import nephele.engine.scene.light.LightRequirements;
 
 /**
  * The textures that a level's light is looked up in. Passes are required, declare, compile and bind by this one value.
  *
  * @param all of solids: the light map of the static faces too
- * @param things of what moves, which has no place in the light map
+ * @param dynamicObjects of what moves, which has no place in the light map
  */
-public record LightMaps(TargetReads all, TargetReads things) {
-    public static LightMaps of(Level level, StaticShapes statics, FigurePresence figure) {
+public record LightMaps(TargetReads all, TargetReads dynamicObjects) {
+    public static LightMaps of(Level level, StaticShapes statics, CharacterPresence figure) {
         List<Target> shadows = new ArrayList<>();
-        boolean moving = !level.bodies().isEmpty() || figure == FigurePresence.POSSIBLE;
-        boolean lamps = LightNeeds.lampShadow(level);
-        addIf(LightNeeds.sunShadow(level, statics), Target.SUN_SHADOW, shadows);
-        addIf(lamps, Target.LAMP_SHADOW, shadows);
+        boolean moving = !level.bodies().isEmpty() || figure == CharacterPresence.POSSIBLE;
+        boolean lights = LightRequirements.lightShadow(level);
+        addIf(LightRequirements.sunShadow(level, statics), Target.SUN_SHADOW, shadows);
+        addIf(lights, Target.LIGHT_SHADOW, shadows);
         addIf(
-                moving && LightNeeds.sun(level) && level.environment().sun().castsShadow(),
-                Target.THING_SUN_SHADOW,
+                moving
+                        && LightRequirements.sun(level)
+                        && level.environment().sun().castsShadow(),
+                Target.DYNAMIC_SUN_SHADOW,
                 shadows);
-        addIf(moving && lamps, Target.THING_LAMP_SHADOW, shadows);
+        addIf(moving && lights, Target.DYNAMIC_LIGHT_SHADOW, shadows);
         List<Target> all = new ArrayList<>(shadows);
-        addIf(LightNeeds.skyVisibility(level), Target.SKY_VISIBILITY, all);
+        addIf(LightRequirements.skyVisibility(level), Target.SKY_VISIBILITY, all);
         return new LightMaps(new TargetReads(all), new TargetReads(shadows));
     }
 

@@ -31,6 +31,6 @@ public interface NestedViews {
     /** How many openings the stencil of a target counts where a view begins to be drawn into it. */
     int openingsCounted(ViewNode node);
 
-    /** What covers an opening, at the places that {@link OpeningMesh} tells. */
+    /** What covers an opening, at the places that {@link nephele.engine.render.resource.OpeningMesh} tells. */
     Texture picture(ViewNode child);
 }

@@ -2,12 +2,13 @@ package nephele.engine.render.frame;
 
 import java.nio.ByteBuffer;
 import java.util.List;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.MipLevels;
 import nephele.engine.scene.SceneMaterials.PictureArray;
 import org.lwjgl.system.MemoryUtil;
 
@@ -33,7 +34,7 @@ public record PictureArrays(List<Texture> textures) {
                 format,
                 new Texture.Extent(array.width(), array.height(), array.layers().size()),
                 Sampling.MIPMAPPED_REPEAT);
-        Decoding decoding = format == PixelFormat.SRGB8_ALPHA8 ? Decoding.SRGB : Decoding.AS_STORED;
+        ColourDecoding decoding = format == PixelFormat.SRGB8_ALPHA8 ? ColourDecoding.SRGB : ColourDecoding.AS_STORED;
         List<List<byte[]>> smaller = array.layers().parallelStream()
                 .map(picture -> MipLevels.below(picture, decoding))
                 .toList();

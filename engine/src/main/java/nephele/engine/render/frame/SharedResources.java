@@ -15,12 +15,16 @@ import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.scene.Moment;
+import nephele.engine.render.resource.DynamicMeshes;
+import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.OpeningMesh;
+import nephele.engine.render.resource.SolidMesh;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.SceneMaterials.PictureArray;
-import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.dynamic.DynamicObjects;
+import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyProbes;
-import nephele.engine.scene.thing.Things;
 
 /**
  * What the passes of one renderer use together, made when the first of them asks. Whatever is owned here is closed with
@@ -30,7 +34,7 @@ public final class SharedResources implements GlObject {
     private final GlContext gl;
     private final Scene scene;
     private final FrameRequest request;
-    private final Surroundings surroundings;
+    private final FrameEnvironment surroundings;
     private final Deque<GlObject> owned = new ArrayDeque<>();
     private final Map<Target, Texture> textures = new EnumMap<>(Target.class);
     private final Map<String, WeakReference<Picture>> decoded = new HashMap<>();
@@ -40,13 +44,13 @@ public final class SharedResources implements GlObject {
     private PictureArrays normalPictures;
     private SurfaceLight surfaceLight;
     private OpeningMesh openings;
-    private ThingMeshes things;
+    private DynamicMeshes dynamicObjects;
 
     public SharedResources(GlContext gl, Scene scene, FrameRequest request) {
         this.gl = gl;
         this.scene = scene;
         this.request = request;
-        surroundings = new Surroundings(request.output());
+        surroundings = new FrameEnvironment(request.output());
     }
 
     /** What passes are made from. */
@@ -80,18 +84,18 @@ public final class SharedResources implements GlObject {
     }
 
     /** Begins a frame: what follows from the light outside is derived anew where that has changed. */
-    public void follow(Moment moment) {
-        surroundings.follow(moment.environment());
+    public void follow(FrameState frameState) {
+        surroundings.follow(frameState.environment());
         if (surfaceLight != null) {
-            surfaceLight.follow(moment.environment());
+            surfaceLight.follow(frameState.environment());
         }
     }
 
-    public Surroundings surroundings() {
+    public FrameEnvironment surroundings() {
         return surroundings;
     }
 
-    /** The block of {@code frame.glsl}, bound at {@link FrameUniforms#BINDING}. */
+    /** The block of {@code frame.glsl}, bound at {@link nephele.engine.render.resource.FrameUniforms#BINDING}. */
     public FrameUniforms frameUniforms() {
         if (frameUniforms == null) {
             frameUniforms = own(new FrameUniforms(gl, scene.level().environment()));
@@ -137,13 +141,13 @@ public final class SharedResources implements GlObject {
     }
 
     /** What moves, on the GPU. */
-    public ThingMeshes things() {
-        if (things == null) {
-            Things all = Things.of(scene.level(), scene.materials(), request.figure());
-            SkyProbes sky = LightNeeds.skyShines(scene.level()) ? new SkyProbes(scene.statics()) : null;
-            things = own(new ThingMeshes(gl, all, surfaceLight().anchor(), sky));
+    public DynamicMeshes dynamicObjects() {
+        if (dynamicObjects == null) {
+            DynamicObjects all = DynamicObjects.of(scene.level(), scene.materials(), request.figure());
+            SkyProbes sky = LightRequirements.skyShines(scene.level()) ? new SkyProbes(scene.statics()) : null;
+            dynamicObjects = own(new DynamicMeshes(gl, all, surfaceLight().anchor(), sky));
         }
-        return things;
+        return dynamicObjects;
     }
 
     /** Defines, numbers and textures of {@code surface-light.glsl}. */

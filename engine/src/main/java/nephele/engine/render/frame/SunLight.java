@@ -4,9 +4,10 @@ import java.util.List;
 import nephele.engine.level.Sun;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.gl.TextureUnit;
-import nephele.engine.render.gl.Uniforms;
-import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.LightBlock;
+import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
 
@@ -29,7 +30,7 @@ final class SunLight {
     }
 
     boolean shines() {
-        return LightNeeds.sun(request.level());
+        return LightRequirements.sun(request.level());
     }
 
     boolean hasShadow() {

@@ -3,17 +3,18 @@ package nephele.engine.render.frame;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Sky;
-import nephele.engine.level.appearance.Decoding;
+import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.SharedObjects.Same;
-import nephele.engine.render.gl.TextureUnit;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.LightBlock;
 import nephele.engine.scene.Scene;
-import nephele.engine.scene.light.LampTable;
-import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.PunctualLightTable;
 import nephele.engine.scene.light.ShadowFrame;
 import nephele.engine.scene.light.SkyIrradiance;
 
@@ -28,8 +29,8 @@ public final class SurfaceLight implements GlObject {
     private final LightMaps maps;
     private final LightBlock block;
     private final SunLight sun;
-    private final LampLight lamps;
-    private final ThingShade thingShade;
+    private final PunctualLighting lights;
+    private final DynamicShadows dynamicObjectShade;
     private Environment followed;
 
     SurfaceLight(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {
@@ -39,8 +40,8 @@ public final class SurfaceLight implements GlObject {
         maps = request.lightMaps();
         block = shared.own(new LightBlock(gl));
         sun = new SunLight(request, scene.statics(), anchor());
-        lamps = new LampLight(gl, request, scene.lamps(), anchor());
-        thingShade = new ThingShade(gl, maps);
+        lights = new PunctualLighting(gl, request, scene.lights(), anchor());
+        dynamicObjectShade = new DynamicShadows(gl, maps);
     }
 
     /**
@@ -53,11 +54,12 @@ public final class SurfaceLight implements GlObject {
             return;
         }
         sun.put(now.sun(), block);
-        lamps.put(block);
+        lights.put(block);
         if (now.ambient() != null) {
             block.ambient(now.ambient());
         }
-        if (LightNeeds.skyShines(level) && (followed == null || !now.sky().equals(followed.sky()))) {
+        if (LightRequirements.skyShines(level)
+                && (followed == null || !now.sky().equals(followed.sky()))) {
             block.sky(irradiance(now.sky()));
         }
         block.upload();
@@ -68,7 +70,7 @@ public final class SurfaceLight implements GlObject {
 
     private SkyIrradiance irradiance(Sky sky) {
         return shared.shareValue(SkyIrradiance.class, new SkyOfLevel(shared.openedLevel(), sky), () -> SkyRadiance.of(
-                        sky, shared::picture, Decoding.SRGB)
+                        sky, shared::picture, ColourDecoding.SRGB)
                 .map(SkyIrradiance::of)
                 .orElseGet(SkyIrradiance::black));
     }
@@ -79,8 +81,8 @@ public final class SurfaceLight implements GlObject {
     }
 
     /** What the shadows of things need. */
-    public ThingShade thingShade() {
-        return thingShade;
+    public DynamicShadows dynamicObjectShade() {
+        return dynamicObjectShade;
     }
 
     /** The sun's map as the sun stands now; {@code null} without a sun that casts. */
@@ -89,8 +91,8 @@ public final class SurfaceLight implements GlObject {
     }
 
     /** {@code null} without lamps. */
-    public LampTable lamps() {
-        return lamps.table();
+    public PunctualLightTable lights() {
+        return lights.table();
     }
 
     private boolean hasSkyVisibility() {
@@ -104,7 +106,7 @@ public final class SurfaceLight implements GlObject {
 
     /** Whether shaders need to know where on the level they are. */
     public boolean needsPositions() {
-        return sun.hasShadow() || lamps.table() != null || thingShade.sun();
+        return sun.hasShadow() || lights.table() != null || dynamicObjectShade.sun();
     }
 
     public Defines addTo(Defines defines) {
@@ -117,12 +119,12 @@ public final class SurfaceLight implements GlObject {
     }
 
     /** The same for what moves: it has no place in the light map, so its share of the sky comes otherwise. */
-    public Defines addForThings(Defines defines) {
-        return addLights(defines).with("ANCHOR_POSITION").withIf(LightNeeds.skyShines(level), "SKY_AMBIENT");
+    public Defines addForDynamicObjects(Defines defines) {
+        return addLights(defines).with("ANCHOR_POSITION").withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
     }
 
     private Defines addLights(Defines defines) {
-        return lamps.addTo(sun.addTo(thingShade.addTo(defines)))
+        return lights.addTo(sun.addTo(dynamicObjectShade.addTo(defines)))
                 .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
     }
 
@@ -139,35 +141,35 @@ public final class SurfaceLight implements GlObject {
         tieLights(uniforms, hasSkyVisibility());
     }
 
-    /** The same for {@link #addForThings}. */
-    public void tieForThings(Uniforms uniforms) {
-        tieLights(uniforms, LightNeeds.skyShines(level));
+    /** The same for {@link #addForDynamicObjects}. */
+    public void tieForDynamicObjects(Uniforms uniforms) {
+        tieLights(uniforms, LightRequirements.skyShines(level));
     }
 
     private void tieLights(Uniforms uniforms, boolean ofSky) {
-        thingShade.tie(uniforms);
+        dynamicObjectShade.tie(uniforms);
         sun.tie(uniforms);
-        lamps.tie(uniforms);
-        if (sun.shines() || lamps.table() != null || level.environment().ambient() != null || ofSky) {
+        lights.tie(uniforms);
+        if (sun.shines() || lights.table() != null || level.environment().ambient() != null || ofSky) {
             uniforms.block("Light", LightBlock.BINDING);
         }
     }
 
     /**
-     * Binds what a program needs that was made with {@link #addTo}, {@link #addForModels} or {@link #addForThings}.
+     * Binds what a program needs that was made with {@link #addTo}, {@link #addForModels} or {@link #addForDynamicObjects}.
      *
      * @param reads of {@link LightMaps}, as the pass declares them
      */
     public void bind(TargetReads reads) {
         reads.bind(shared);
         block.bind();
-        lamps.bind();
-        thingShade.bind();
+        lights.bind();
+        dynamicObjectShade.bind();
     }
 
     @Override
     public void close() {
-        thingShade.close();
-        lamps.close();
+        dynamicObjectShade.close();
+        lights.close();
     }
 }

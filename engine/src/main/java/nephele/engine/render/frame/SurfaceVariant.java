@@ -1,7 +1,9 @@
 package nephele.engine.render.frame;
 
-import nephele.engine.render.gl.TextureUnit;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.scene.SolidBatch;
 
 /** Which code for materials a shader holds, of solids or of things. */

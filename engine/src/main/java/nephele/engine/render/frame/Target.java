@@ -1,6 +1,6 @@
 package nephele.engine.render.frame;
 
-import nephele.engine.render.gl.TextureUnit;
+import nephele.engine.render.gl.shader.TextureUnit;
 
 /** What passes hand on to each other. */
 public enum Target {
@@ -9,10 +9,10 @@ public enum Target {
     /** The final 8-bit picture, display-referred. */
     PICTURE(null),
     SUN_SHADOW(TextureUnit.SUN_SHADOW),
-    LAMP_SHADOW(TextureUnit.LAMP_SHADOW),
+    LIGHT_SHADOW(TextureUnit.LIGHT_SHADOW),
     /** The sun's depth map of what moves. */
-    THING_SUN_SHADOW(TextureUnit.THING_SUN_SHADOW),
-    THING_LAMP_SHADOW(TextureUnit.THING_LAMP_SHADOW),
+    DYNAMIC_SUN_SHADOW(TextureUnit.DYNAMIC_SUN_SHADOW),
+    DYNAMIC_LIGHT_SHADOW(TextureUnit.DYNAMIC_LIGHT_SHADOW),
     /** Light map of the static faces. */
     SKY_VISIBILITY(TextureUnit.SKY_VISIBILITY),
     /**

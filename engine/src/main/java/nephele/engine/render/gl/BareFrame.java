@@ -157,7 +157,7 @@ public final class BareFrame implements AutoCloseable {
         }
 
         @Override
-        public void copied(int from, int to, int width, int height, Copied copied) {
+        public void copied(int from, int to, int width, int height, CopiedPlanes copied) {
             bindAll();
             words.add("copy " + copied + " " + from + " " + to + " " + width + " " + height);
             calls.add(() -> RenderTarget.copyPixels(from, to, width, height, copied));

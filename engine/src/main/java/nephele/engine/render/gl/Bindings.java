@@ -3,6 +3,7 @@ package nephele.engine.render.gl;
 import static org.lwjgl.opengl.GL41C.*;
 
 import java.util.Arrays;
+import nephele.engine.render.gl.shader.TextureUnit;
 
 /** Which object is bound where, and the viewport; calls OpenGL only for what differs. */
 final class Bindings {

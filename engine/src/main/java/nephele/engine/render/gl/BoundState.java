@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import nephele.engine.render.gl.shader.TextureUnit;
 import org.lwjgl.BufferUtils;
 
 /** Everything a draw call depends on, read back from OpenGL, as small steps that can be compared and repeated. */

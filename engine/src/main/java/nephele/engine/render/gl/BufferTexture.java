@@ -4,6 +4,7 @@ import static org.lwjgl.opengl.GL41C.*;
 
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import nephele.engine.render.gl.shader.TextureUnit;
 
 /** A list that shaders read by index: texels of four floats ({@code samplerBuffer}) or integers ({@code usamplerBuffer}). */
 public final class BufferTexture implements GlObject {

@@ -24,5 +24,5 @@ interface DrawListener {
     void drawnFullScreen();
 
     /** Pixels of framebuffer {@code from} are about to be copied to the bound one, of the same size. */
-    void copied(int from, int to, int width, int height, Copied copied);
+    void copied(int from, int to, int width, int height, CopiedPlanes copied);
 }

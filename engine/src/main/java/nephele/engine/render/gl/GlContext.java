@@ -2,6 +2,8 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
+import nephele.engine.render.gl.shader.GlException;
+import nephele.engine.render.gl.shader.LinkedPrograms;
 import org.lwjgl.opengl.GL;
 
 /** One OpenGL context, current on the thread that made it; every other object of this package takes it first. */
@@ -106,7 +108,7 @@ public final class GlContext implements AutoCloseable {
         glFinish();
     }
 
-    /** @throws GlException naming {@code doing} when OpenGL has recorded an error since the last call */
+    /** @throws nephele.engine.render.gl.shader.GlException naming {@code doing} when OpenGL has recorded an error since the last call */
     public void requireNoError(String doing) {
         int error = glGetError();
         if (error != GL_NO_ERROR) {

@@ -1,6 +1,7 @@
 package nephele.engine.render.gl;
 
 import java.util.function.IntConsumer;
+import nephele.engine.render.gl.shader.GlException;
 
 /** One OpenGL name with its one owner; closing twice is a mistake of the owner and throws. */
 final class GlHandle implements AutoCloseable {

@@ -5,6 +5,7 @@ import static org.lwjgl.opengl.GL41C.*;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.List;
+import nephele.engine.render.gl.shader.GlException;
 import org.lwjgl.BufferUtils;
 
 /** Where a pass draws: an offscreen picture with its own textures, one layer of a texture, or the window. */
@@ -245,9 +246,9 @@ public final class RenderTarget implements GlObject {
         glClear(GL_DEPTH_BUFFER_BIT);
     }
 
-    /** Copies the colours, as {@link #copyTo(RenderTarget, Copied)}. */
+    /** Copies the colours, as {@link #copyTo(RenderTarget, CopiedPlanes)}. */
     public void copyTo(RenderTarget target) {
-        copyTo(target, Copied.COLOUR);
+        copyTo(target, CopiedPlanes.COLOUR);
     }
 
     /**
@@ -255,7 +256,7 @@ public final class RenderTarget implements GlObject {
      * average of their colours, the depth of one. Colours of samples only to a target of the same format, depth never
      * from or to a window: its own formats are not known.
      */
-    public void copyTo(RenderTarget target, Copied copied) {
+    public void copyTo(RenderTarget target, CopiedPlanes copied) {
         target.bind();
         int from = framebuffer == null ? 0 : framebuffer.id();
         int to = target.framebuffer == null ? 0 : target.framebuffer.id();
@@ -266,7 +267,7 @@ public final class RenderTarget implements GlObject {
     }
 
     /** Leaves {@code to} bound for reading too, as {@link #bind} does. */
-    static void copyPixels(int from, int to, int width, int height, Copied copied) {
+    static void copyPixels(int from, int to, int width, int height, CopiedPlanes copied) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
         glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, copied.buffers, GL_NEAREST);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, to);

@@ -3,6 +3,7 @@ package nephele.engine.render.gl;
 import static org.lwjgl.opengl.GL41C.*;
 
 import java.nio.ByteBuffer;
+import nephele.engine.render.gl.shader.TextureUnit;
 
 /** A texture of one size and format: flat, an array of layers, a cube of six faces, or a volume of slices. */
 public final class Texture implements GlObject {

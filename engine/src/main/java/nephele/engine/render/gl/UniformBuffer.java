@@ -2,6 +2,8 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
+import nephele.engine.render.gl.shader.GlException;
+
 /** A uniform block's storage, std140: the caller lays out floats in multiples of four. */
 public final class UniformBuffer implements GlObject {
     private final GlHandle handle;

@@ -12,8 +12,8 @@ import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
-import nephele.engine.math.SpatialIndex;
 import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.SpatialIndex;
 
 /**
  * The solids that can cast a shadow on another shape; a ground that is behind everything need not be in the depth map.
@@ -116,7 +116,7 @@ public final class ShadowCasters {
         if (index == null) {
             index = SpatialIndex.of(shapes.stream().map(StaticShape::bounds).toList());
         }
-        index.passing((boxes, at) -> !search.isFound && mayReachBelow(boxes, at, plane), other -> shapes.get(other)
+        index.query((boxes, at) -> !search.isFound && mayReachBelow(boxes, at, plane), other -> shapes.get(other)
                 .select(search));
         return search.isFound;
     }

@@ -61,7 +61,7 @@ public final class ShadowFilter {
      *
      * @param gradientX change of 1 / distance per column
      */
-    public static double[] nearerThanPlaneOfLamp(
+    public static double[] nearerThanPlaneOfLight(
             double[] depths, double distance, double gradientX, double gradientY, double range, Footprint four) {
         double[] nearerBy = new double[4];
         for (int i = 0; i < 4; i++) {

@@ -2,8 +2,9 @@ package nephele.engine.scene.light;
 
 import java.util.Arrays;
 import nephele.engine.level.placed.StaticShapes;
-import nephele.engine.math.ItemRayTest;
 import nephele.engine.math.Ray;
+import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.scene.light.bake.Occluders;
 
 /**
  * The sky visibility of dynamic objects by direction; the counterpart of the light map. The visible shares of the

@@ -1,6 +1,6 @@
 // How much of what is behind a held body hides it: faces little, edges nearly all, so that its shape still reads.
 
-// FACE_OPACITY comes from render.pass.thing.ThingPass.HELD_FACE_OPACITY.
+// FACE_OPACITY comes from render.pass.dynamic object.DynamicPass.HELD_FACE_OPACITY.
 const float EDGE_OPACITY = 0.9;
 // The line along an edge, by the smallest half side; and how far the face thickens towards it.
 const float LINE_SHARE = 0.055;

@@ -6,8 +6,8 @@ layout(std140) uniform Light {
     mat4 sunMapFromAnchor; // metres from the anchor -> texture coordinates and depth, 0 to 1
     vec4 sunMapRight; // unit axis along the map's rows; w: texel side / depth range
     vec4 sunMapUp; // unit axis along its columns; w: half a texel side / depth range
-    vec3 lampGridMin; // metres from the anchor
-    vec3 lampGridCellsPerMetre;
-    vec3 lampGridSize;
+    vec3 lightGridMin; // metres from the anchor
+    vec3 lightGridCellsPerMetre;
+    vec3 lightGridSize;
     vec3 skyCoefficients[9]; // 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2
 };

@@ -4,7 +4,7 @@
 #include "fog.glsl"
 #endif
 #ifdef OUTPUT_DIRECT
-#include "develop.glsl"
+#include "tone-mapping.glsl"
 #endif
 
 layout(location = 0) out vec4 pixel;

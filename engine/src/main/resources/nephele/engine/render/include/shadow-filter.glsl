@@ -29,7 +29,7 @@ vec4 nearerThanPlane(vec4 depths, float planeDepth, vec2 gradient, Footprint fou
 
 // The same where depth is distance over range: over the picture of a plane 1 / distance is linear. gradient: change of
 // that from texel to texel.
-vec4 nearerThanPlaneOfLamp(vec4 depths, float distance, vec2 gradient, float range, Footprint four) {
+vec4 nearerThanPlaneOfLight(vec4 depths, float distance, vec2 gradient, float range, Footprint four) {
     vec4 perDistance = 1.0 / distance + gradient.x * four.dx + gradient.y * four.dy;
     return 1.0 / max(perDistance * range, 1.0) - depths;
 }

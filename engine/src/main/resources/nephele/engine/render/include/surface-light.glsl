@@ -1,7 +1,7 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. What is compiled is what the level asks for:
-//   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, THING_SUN_SHADOW, THING_LAMP_SHADOW, LAMPS, LAMP_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static faces.
+//   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW, DYNAMIC_LIGHT_SHADOW, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static faces.
 // CURVED_RECEIVER: triangles that stand for a curve, whose planes no depth map resolves, are shaded as what moves is.
-// ANCHOR_POSITION goes with each of SUN_SHADOW, THING_SUN_SHADOW and LAMPS.
+// ANCHOR_POSITION goes with each of SUN_SHADOW, DYNAMIC_SUN_SHADOW and PUNCTUAL_LIGHTS.
 
 struct Surface {
     vec3 baseColour;
@@ -29,24 +29,24 @@ struct Surface {
 const float PI = 3.14159265;
 #endif
 
-#if defined(SUN) || defined(LAMPS) || defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
+#if defined(SUN) || defined(PUNCTUAL_LIGHTS) || defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
 #include "light.glsl"
 #endif
-#if defined(SUN_SHADOW) || defined(LAMP_SHADOW) || defined(THING_SUN_SHADOW)
+#if defined(SUN_SHADOW) || defined(LIGHT_SHADOW) || defined(DYNAMIC_SUN_SHADOW)
 #include "shadow-filter.glsl"
 #endif
-#if defined(THING_SUN_SHADOW) || defined(THING_LAMP_SHADOW)
-#include "thing-shade.glsl"
+#if defined(DYNAMIC_SUN_SHADOW) || defined(DYNAMIC_LIGHT_SHADOW)
+#include "dynamic-shadows.glsl"
 #endif
 #ifdef SUN_SHADOW
 #include "sun-shadow.glsl"
 #endif
-#ifdef LAMPS
-#include "lamp-falloff.glsl"
-#include "lamps.glsl"
+#ifdef PUNCTUAL_LIGHTS
+#include "light-falloff.glsl"
+#include "punctual-lights.glsl"
 #endif
-#ifdef LAMP_SHADOW
-#include "lamp-shadow.glsl"
+#ifdef LIGHT_SHADOW
+#include "light-shadow.glsl"
 #endif
 #ifdef SKY_AMBIENT
 #include "sky-ambient.glsl"
@@ -76,7 +76,7 @@ vec3 reflected(vec3 albedo, Surface s, vec3 toLight) {
 }
 #endif
 
-#if defined(MODEL) && (defined(SUN) || defined(LAMPS))
+#if defined(MODEL) && (defined(SUN) || defined(PUNCTUAL_LIGHTS))
 // Where a triangle turns away from the light the curve does not yet, and light would end along its edges: it fades
 // instead (Chiang, Li and Burley 2019, "Taming the Shadow Terminator"). Twin: level.appearance.Terminator.
 float terminatorShare(Surface s, vec3 toLight) {
@@ -107,41 +107,41 @@ vec3 sunLight(REFLECTANCE r, Surface s) {
 #ifdef SUN_SHADOW
     lit *= sunLitShare(s.anchorPosition, s.faceNormal, nDotSun);
 #endif
-#ifdef THING_SUN_SHADOW
+#ifdef DYNAMIC_SUN_SHADOW
     if (lit > 0.0) {
-        lit *= thingSunLitShare(s.anchorPosition, s.faceNormal, nDotSun);
+        lit *= dynamicSunLitShare(s.anchorPosition, s.faceNormal, nDotSun);
     }
 #endif
     return reflected(r, s, sunDirection) * sunIrradiance * lit;
 }
 #endif
 
-#ifdef LAMPS
-vec3 lampLight(REFLECTANCE r, Surface s, int index) {
-    Lamp lamp = lampAt(index);
-    vec3 fromLamp = s.anchorPosition - lamp.position.xyz;
-    float squareDistance = dot(fromLamp, fromLamp);
-    vec3 toLamp = fromLamp * -inversesqrt(max(squareDistance, 1e-12));
-    float lit = dot(s.faceNormal, toLamp) > 0.0 ? 1.0 : 0.0;
+#ifdef PUNCTUAL_LIGHTS
+vec3 punctualLighting(REFLECTANCE r, Surface s, int index) {
+    PunctualLight punctualLight = lightAt(index);
+    vec3 fromLight = s.anchorPosition - punctualLight.position.xyz;
+    float squareDistance = dot(fromLight, fromLight);
+    vec3 towardsLight = fromLight * -inversesqrt(max(squareDistance, 1e-12));
+    float lit = dot(s.faceNormal, towardsLight) > 0.0 ? 1.0 : 0.0;
 #ifdef MODEL
-    lit *= terminatorShare(s, toLamp);
+    lit *= terminatorShare(s, towardsLight);
 #endif
-#ifdef LAMP_SHADOW
-    if (lamp.shadow.w >= 0.0) {
+#ifdef LIGHT_SHADOW
+    if (punctualLight.shadow.w >= 0.0) {
 #ifdef CURVED_RECEIVER
-        lit *= steepShare(dot(s.faceNormal, toLamp));
+        lit *= steepShare(dot(s.faceNormal, towardsLight));
 #endif
-        lit *= lampLitShare(lamp, fromLamp, s.faceNormal);
+        lit *= lightLitShare(punctualLight, fromLight, s.faceNormal);
     }
 #endif
-    return reflected(r, s, toLamp) * lampIrradiance(lamp, toLamp, squareDistance) * lit;
+    return reflected(r, s, towardsLight) * lightIrradiance(punctualLight, towardsLight, squareDistance) * lit;
 }
 
-vec3 allLamps(REFLECTANCE r, Surface s) {
+vec3 allLights(REFLECTANCE r, Surface s) {
     vec3 sum = vec3(0.0);
-    ivec2 list = lampListAt(s.anchorPosition, s.faceNormal);
+    ivec2 list = lightListAt(s.anchorPosition, s.faceNormal);
     for (int entry = list.x; entry < list.y; entry++) {
-        sum += lampLight(r, s, lampOfEntry(entry));
+        sum += punctualLighting(r, s, lightOfEntry(entry));
     }
     return sum;
 }
@@ -174,8 +174,8 @@ vec3 surfaceRadiance(Surface s) {
 #ifdef SUN
     sum += sunLight(r, s);
 #endif
-#ifdef LAMPS
-    sum += allLamps(r, s);
+#ifdef PUNCTUAL_LIGHTS
+    sum += allLights(r, s);
 #endif
 #if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
     sum += ambientLight(r, s);

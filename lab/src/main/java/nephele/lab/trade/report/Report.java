@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import nephele.engine.asset.WholeFile;
+import nephele.engine.asset.AtomicFile;
 import nephele.lab.trade.Findings;
 
 /** Writes all files of a report. */
@@ -25,6 +25,6 @@ public final class Report {
     }
 
     private static void text(Path file, String content) throws IOException {
-        WholeFile.write(file, content.getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(file, content.getBytes(StandardCharsets.UTF_8));
     }
 }

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import java.util.stream.Collectors;
-import nephele.engine.asset.WholeFile;
+import nephele.engine.asset.AtomicFile;
 import nephele.lab.trade.Cost;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.SubjectState;
@@ -77,7 +77,7 @@ final class SubjectFile {
         }
         var text = new StringWriter();
         saved.store(text, null);
-        WholeFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
+        AtomicFile.write(file, text.toString().getBytes(StandardCharsets.UTF_8));
     }
 
     private static SubjectState state(Properties saved) {

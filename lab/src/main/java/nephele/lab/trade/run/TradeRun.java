@@ -8,9 +8,9 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.named.LevelName;
 import nephele.engine.named.OpenedLevel;
-import nephele.lab.oracle.LevelState;
-import nephele.lab.prove.Surroundings;
-import nephele.lab.trade.CodeState;
+import nephele.lab.oracle.LevelHash;
+import nephele.lab.prove.ProofEnvironment;
+import nephele.lab.trade.CodeHash;
 import nephele.lab.trade.Experiment;
 import nephele.lab.trade.Findings;
 import nephele.lab.trade.SubjectState;
@@ -73,9 +73,9 @@ public final class TradeRun {
 
     /** Returns everything besides the subject that results depend on: results under another key do not count. */
     private String key(Trade trade) {
-        String elsewhere = trade.level() == null ? "" : " " + LevelState.key(new LevelName(trade.level()).open());
-        return "code " + CodeState.key() + "; level " + LevelState.key(opened) + elsewhere + "; " + seen.camera() + "; "
-                + request.extent() + "; slice " + request.sliceSeconds() + "; " + Surroundings.machine();
+        String elsewhere = trade.level() == null ? "" : " " + LevelHash.key(new LevelName(trade.level()).open());
+        return "code " + CodeHash.key() + "; level " + LevelHash.key(opened) + elsewhere + "; " + seen.camera() + "; "
+                + request.extent() + "; slice " + request.sliceSeconds() + "; " + ProofEnvironment.machine();
     }
 
     private SubjectState measured(Trade trade, TradeSite site, Path partial) throws IOException {

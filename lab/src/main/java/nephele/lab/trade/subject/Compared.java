@@ -8,9 +8,9 @@ import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.HdrFlip;
 import nephele.engine.measure.LinearPicture;
-import nephele.engine.render.DevelopedPicture;
-import nephele.engine.render.frame.Development;
+import nephele.engine.render.ToneMappedPicture;
 import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.lab.trade.TradeSite;
 
@@ -43,7 +43,7 @@ enum Compared {
 
         @Override
         BufferedImage shown(LinearPicture picture, Environment environment) {
-            return DevelopedPicture.of(picture.rgb(), picture.width(), environment, Output.DIRECT);
+            return ToneMappedPicture.of(picture.rgb(), picture.width(), environment, Output.DIRECT);
         }
     },
     /** The light that the display emits, against the engine's own radiance tone-mapped in double precision. */
@@ -58,7 +58,7 @@ enum Compared {
             ByteBuffer rgba = picture.readBytes();
             float[] rgb = new float[3 * picture.width() * picture.height()];
             for (int i = 0; i < rgb.length; i++) {
-                rgb[i] = (float) Development.decodeSrgb((rgba.get(i / 3 * 4 + i % 3) & 0xff) / 255.0);
+                rgb[i] = (float) ToneMapping.decodeSrgb((rgba.get(i / 3 * 4 + i % 3) & 0xff) / 255.0);
             }
             return new LinearPicture(picture.width(), picture.height(), rgb);
         }
@@ -70,7 +70,7 @@ enum Compared {
             float[] rgb = radiance.rgb().clone();
             double exposure = Math.pow(2, environment.exposureStops());
             for (int i = 0; i < rgb.length; i++) {
-                rgb[i] = (float) Development.toneCurve(Math.max(exposure * rgb[i], 0), environment.toneCurve());
+                rgb[i] = (float) ToneMapping.toneCurve(Math.max(exposure * rgb[i], 0), environment.toneCurve());
             }
             return new LinearPicture(radiance.width(), radiance.height(), rgb);
         }
@@ -86,7 +86,7 @@ enum Compared {
             for (int pixel = 0; pixel < picture.pixels(); pixel++) {
                 int code = 0;
                 for (int channel = 0; channel < 3; channel++) {
-                    double shown = Development.encodeSrgb(picture.rgb()[3 * pixel + channel]);
+                    double shown = ToneMapping.encodeSrgb(picture.rgb()[3 * pixel + channel]);
                     code = code << 8 | (int) Math.rint(255 * Math.min(Math.max(shown, 0), 1));
                 }
                 image.setRGB(pixel % picture.width(), picture.height() - 1 - pixel / picture.width(), code);

@@ -36,7 +36,7 @@ final class PictureExperiment implements Experiment {
     PictureExperiment(TradeSite site, List<PictureSetting> settings, Compared compared) {
         this.site = site;
         this.compared = compared;
-        usual = new Shot(site.level(), Outputs.requiredBy(site.level()), "high", Map.of());
+        usual = new Shot(site.level(), Outputs.defaultFor(site.level()), "high", Map.of());
         settings.forEach(setting -> shots.add(setting.change().apply(usual)));
         picture = RenderTarget.picture(
                 site.gl(),

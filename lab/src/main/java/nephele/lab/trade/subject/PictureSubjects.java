@@ -16,8 +16,8 @@ public final class PictureSubjects {
             "samples",
             new Trade.Text(
                     "Samples a pixel",
-                    "Edges of walls, portals and things are smoothed by testing coverage at several points of a pixel"
-                            + " (multisampling). One point gives stairs.",
+                    "Edges of walls, portals and dynamic objects are smoothed by testing coverage at several points of"
+                            + " a pixel (multisampling). One point gives stairs.",
                     ORACLE),
             List.of("samples"),
             "1",

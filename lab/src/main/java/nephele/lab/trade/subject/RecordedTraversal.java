@@ -13,11 +13,11 @@ import nephele.engine.level.Solid;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portals;
-import nephele.engine.sim.PlayerInput;
-import nephele.engine.sim.PlayerPose;
-import nephele.engine.sim.SimSettings;
-import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.player.PlayerPose;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
 
 /** A simulated walk into a portal of a hall, oblique and with a pitched view, tick by tick. */
 final class RecordedTraversal {
@@ -97,9 +97,9 @@ final class RecordedTraversal {
     }
 
     /** Returns the first pose that the source's rule would move; {@code null} if none comes near. */
-    Gaze near() {
+    ViewPose near() {
         for (int tick = 0; tick + 1 < states.size(); tick++) {
-            Gaze pose = pose(tick, 0);
+            ViewPose pose = pose(tick, 0);
             if (SourceTeleport.isDue(portals.portal(0), pose.eye())) {
                 return pose;
             }
@@ -110,7 +110,7 @@ final class RecordedTraversal {
     /**
      * Returns the last pose before and the first pose behind the portal; {@code null} if the eye does not go through.
      */
-    Gaze[] through() {
+    ViewPose[] through() {
         for (int tick = 0; tick + 1 < states.size(); tick++) {
             if (apart(pose(tick, 0), pose(tick, 1)) > 1) {
                 return bisected(tick);
@@ -119,7 +119,7 @@ final class RecordedTraversal {
         return null;
     }
 
-    private Gaze[] bisected(int tick) {
+    private ViewPose[] bisected(int tick) {
         double low = 0;
         double high = 1;
         for (int i = 0; i < 50; i++) {
@@ -130,14 +130,14 @@ final class RecordedTraversal {
                 high = middle;
             }
         }
-        return new Gaze[] {pose(tick, low), pose(tick, high)};
+        return new ViewPose[] {pose(tick, low), pose(tick, high)};
     }
 
-    private Gaze pose(int tick, double share) {
-        return Gaze.of(PlayerPose.between(states.get(tick), states.get(tick + 1), share));
+    private ViewPose pose(int tick, double share) {
+        return ViewPose.of(PlayerPose.between(states.get(tick), states.get(tick + 1), share));
     }
 
-    private static double apart(Gaze a, Gaze b) {
+    private static double apart(ViewPose a, ViewPose b) {
         return a.eye().toVector().distance(b.eye().toVector());
     }
 }

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.Action;
-import nephele.engine.sim.PlayerInput;
-import nephele.engine.sim.SimState;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimState;
 
 /**
  * A player's input as a function of time instead of ticks, so that every tick rate can run it: a new move intent every
@@ -16,7 +16,7 @@ import nephele.engine.sim.Simulation;
 final class ScriptedWalk {
     static final int SECONDS = 3;
     private static final int BEATS_PER_SECOND = 30;
-    private static final int BEATS_PER_WISH = 15;
+    private static final int BEATS_PER_INTENT = 15;
 
     /** A multiple of every number of ticks in a beat, so that a turn divides evenly among them. */
     private static final int TURN_STEP_MILLIDEGREES = 32;
@@ -29,7 +29,7 @@ final class ScriptedWalk {
     static ScriptedWalk random(long seed) {
         var random = new SplittableRandom(seed);
         var walk = new ScriptedWalk();
-        for (int i = 0; i < SECONDS * BEATS_PER_SECOND / BEATS_PER_WISH; i++) {
+        for (int i = 0; i < SECONDS * BEATS_PER_SECOND / BEATS_PER_INTENT; i++) {
             walk.wishes.add(new Wish(
                     random.nextInt(4) == 0 ? 0 : 100,
                     random.nextInt(3) == 0 ? random.nextInt(-1, 2) * 100 : 0,
@@ -42,7 +42,7 @@ final class ScriptedWalk {
     /** Returns a walk that stands, jumps once and stands again. */
     static ScriptedWalk jump() {
         var walk = new ScriptedWalk();
-        for (int i = 0; i < SECONDS * BEATS_PER_SECOND / BEATS_PER_WISH; i++) {
+        for (int i = 0; i < SECONDS * BEATS_PER_SECOND / BEATS_PER_INTENT; i++) {
             walk.wishes.add(new Wish(0, 0, 0, i == 1));
         }
         return walk;
@@ -53,9 +53,9 @@ final class ScriptedWalk {
         int ticksPerBeat = simulation.settings().ticksPerSecond() / BEATS_PER_SECOND;
         List<Vec3> feet = new ArrayList<>();
         SimState state = simulation.start();
-        for (Wish wish : wishes) {
-            var input = input(wish, ticksPerBeat);
-            for (int tick = 1; tick <= BEATS_PER_WISH * ticksPerBeat; tick++) {
+        for (Wish intent : wishes) {
+            var input = input(intent, ticksPerBeat);
+            for (int tick = 1; tick <= BEATS_PER_INTENT * ticksPerBeat; tick++) {
                 state = simulation.step(state, input);
                 if (tick % ticksPerBeat == 0) {
                     feet.add(state.player().feet());
@@ -70,9 +70,9 @@ final class ScriptedWalk {
         int ticksPerBeat = simulation.settings().ticksPerSecond() / BEATS_PER_SECOND;
         SimState state = simulation.start();
         double highest = Double.NEGATIVE_INFINITY;
-        for (Wish wish : wishes) {
-            var input = input(wish, ticksPerBeat);
-            for (int tick = 0; tick < BEATS_PER_WISH * ticksPerBeat; tick++) {
+        for (Wish intent : wishes) {
+            var input = input(intent, ticksPerBeat);
+            for (int tick = 0; tick < BEATS_PER_INTENT * ticksPerBeat; tick++) {
                 state = simulation.step(state, input);
                 highest = Math.max(highest, state.player().feet().y());
             }
@@ -80,8 +80,10 @@ final class ScriptedWalk {
         return highest;
     }
 
-    private static PlayerInput input(Wish wish, int ticksPerBeat) {
-        var input = PlayerInput.NONE.walking(wish.forward, wish.right).turning(wish.turnMillidegrees / ticksPerBeat, 0);
-        return wish.jumps ? input.holding(Action.JUMP) : input;
+    private static PlayerInput input(Wish intent, int ticksPerBeat) {
+        var input = PlayerInput.NONE
+                .walking(intent.forward, intent.right)
+                .turning(intent.turnMillidegrees / ticksPerBeat, 0);
+        return intent.jumps ? input.holding(Action.JUMP) : input;
     }
 }

@@ -18,7 +18,7 @@ public final class ShadowSubject {
             new Trade.Text(
                     "Sun shadow",
                     "The sun's shadows come from a depth map of this many texels along its longer side, but of no finer"
-                            + " texels than 1 cm. Off means that neither sun nor lamps cast any.",
+                            + " texels than 1 cm. Off means that neither sun nor punctual lights cast any.",
                     "the oracle: every shadow is a ray"),
             List.of(FIELD),
             "4096",

@@ -2,8 +2,8 @@ package nephele.lab.trade.subject;
 
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Passage;
 import nephele.engine.portal.Portal;
+import nephele.engine.portal.PortalTransform;
 
 /**
  * The student report's rule for going through a portal: an eye that comes near is moved in front of the other portal
@@ -27,13 +27,13 @@ final class SourceTeleport {
     /**
      * Returns the pose in front of the middle of the other portal, {@link #NEAR_METRES} away, looking along its normal.
      */
-    static Gaze alongNormal(Portal exit) {
-        return new Gaze(exit.world(0, 0, NEAR_METRES), ahead(exit));
+    static ViewPose alongNormal(Portal exit) {
+        return new ViewPose(exit.world(0, 0, NEAR_METRES), ahead(exit));
     }
 
     /** Returns the same position with the view mapped through the portal, the smallest repair of the rule. */
-    static Gaze keepingView(Passage passage, Portal exit, Gaze before) {
-        return new Gaze(exit.world(0, 0, NEAR_METRES), passage.basis(before.view()));
+    static ViewPose keepingView(PortalTransform transform, Portal exit, ViewPose before) {
+        return new ViewPose(exit.world(0, 0, NEAR_METRES), transform.basis(before.view()));
     }
 
     private static Basis ahead(Portal exit) {

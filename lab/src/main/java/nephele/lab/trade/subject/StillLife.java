@@ -5,8 +5,8 @@ import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 import nephele.engine.asset.Picture;
-import nephele.engine.model.GeneratedName;
 import nephele.engine.model.Mesh;
+import nephele.engine.model.shape.GeneratedName;
 import nephele.engine.render.fixed.SceneFiles;
 import nephele.engine.xmlscene.XmlModel;
 import nephele.engine.xmlscene.XmlScene;
@@ -66,30 +66,30 @@ final class StillLife {
         int parts = Math.max(1, slices / 4);
         String cut = "_" + slices + "_" + slices;
         return read(floor(parts)
-                + thing("sphere_1" + cut, new Place(-2.1, 0.8, 0.3, 0.8, 0), look(60, 70, 110, 190))
-                + thing("torus_0.7_0.32" + cut, new Place(2.2, 0.32, 0.6, 1, 0), look(40, 190, 80, 50))
-                + thing("cone_0.8_2.2" + cut, new Place(1.4, 0, -1.5, 1, 0), look(20, 90, 160, 80))
-                + thing("bezier_" + parts, new Place(0, 0, 0, 0.42, -90), look(90, 200, 160, 70)));
+                + dynamicObject("sphere_1" + cut, new Place(-2.1, 0.8, 0.3, 0.8, 0), look(60, 70, 110, 190))
+                + dynamicObject("torus_0.7_0.32" + cut, new Place(2.2, 0.32, 0.6, 1, 0), look(40, 190, 80, 50))
+                + dynamicObject("cone_0.8_2.2" + cut, new Place(1.4, 0, -1.5, 1, 0), look(20, 90, 160, 80))
+                + dynamicObject("bezier_" + parts, new Place(0, 0, 0, 0.42, -90), look(90, 200, 160, 70)));
     }
 
     /** Returns a scene of three cones: slender, as wide as high, flat. */
     static XmlScene cones(int slices) {
         String cut = "_" + slices + "_16";
         return read(floor(1)
-                + thing("cone_0.6_2.4" + cut, new Place(-2.2, 0, 0, 1, 0), look(40, 190, 80, 50))
-                + thing("cone_1_2" + cut, new Place(0, 0, 0, 1, 0), look(40, 90, 160, 80))
-                + thing("cone_1.2_0.8" + cut, new Place(2.5, 0, 0, 1, 0), look(40, 70, 110, 190)));
+                + dynamicObject("cone_0.6_2.4" + cut, new Place(-2.2, 0, 0, 1, 0), look(40, 190, 80, 50))
+                + dynamicObject("cone_1_2" + cut, new Place(0, 0, 0, 1, 0), look(40, 90, 160, 80))
+                + dynamicObject("cone_1.2_0.8" + cut, new Place(2.5, 0, 0, 1, 0), look(40, 70, 110, 190)));
     }
 
     private static String floor(int divisions) {
-        return thing("plane_9_" + divisions, new Place(0, 0, 0, 1, 0), look(0, 120, 115, 110));
+        return dynamicObject("plane_9_" + divisions, new Place(0, 0, 0, 1, 0), look(0, 120, 115, 110));
     }
 
     private static Look look(int shininess, int... rgb) {
         return new Look(rgb, shininess);
     }
 
-    private static String thing(String shape, Place at, Look look) {
+    private static String dynamicObject(String shape, Place at, Look look) {
         int gloss = look.shininess > 0 ? 200 : 0;
         return String.format(
                 Locale.ROOT,
@@ -107,8 +107,8 @@ final class StillLife {
                 look.shininess);
     }
 
-    private static XmlScene read(String things) {
-        String text = String.format(Locale.ROOT, AROUND, things);
+    private static XmlScene read(String dynamicObjects) {
+        String text = String.format(Locale.ROOT, AROUND, dynamicObjects);
         return XmlSceneFile.read("still-life.xml", text.getBytes(StandardCharsets.UTF_8));
     }
 

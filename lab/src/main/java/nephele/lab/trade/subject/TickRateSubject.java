@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.engine.level.Level;
-import nephele.engine.level.LevelFile;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.math.Vec3;
-import nephele.engine.sim.PlayerBody;
-import nephele.engine.sim.SimSettings;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.state.PlayerDimensions;
+import nephele.engine.sim.state.SimSettings;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Experiment;
@@ -75,7 +75,7 @@ public final class TickRateSubject implements Experiment {
         }
         Arrays.sort(deviations);
         double apex = ScriptedWalk.jump().highest(simulations.get(setting));
-        return Judgement.of(deviations[WALKS / 2], deviations[WALKS - 1], 1e3 * (PlayerBody.JUMP_HEIGHT - apex));
+        return Judgement.of(deviations[WALKS / 2], deviations[WALKS - 1], 1e3 * (PlayerDimensions.JUMP_METRES - apex));
     }
 
     private static List<List<Vec3>> walks(Simulation simulation) {

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Crossing;
-import nephele.engine.portal.Passage;
+import nephele.engine.portal.PortalCrossing;
+import nephele.engine.portal.PortalTransform;
 import nephele.engine.portal.Portals;
 import nephele.lab.trade.CostMetric;
 import nephele.lab.trade.ErrorMetric;
@@ -49,7 +49,7 @@ public final class TraversalSubject implements Experiment {
     private final List<Vec3> places = new ArrayList<>();
     private final List<Vector3d> centres = new ArrayList<>();
     private final List<Vector3d> velocities = new ArrayList<>();
-    private final Crossing crossing = new Crossing();
+    private final PortalCrossing crossing = new PortalCrossing();
     /** Uses the result, so that the compiler cannot eliminate the timed code. */
     private int found;
 
@@ -84,19 +84,19 @@ public final class TraversalSubject implements Experiment {
 
     private static ViewJump jump(int setting, RecordedTraversal walk) {
         Portals portals = walk.portals();
-        Passage passage = portals.passage(0);
+        PortalTransform transform = portals.transform(0);
         if (setting == 2) {
-            Gaze[] through = walk.through();
-            return through == null ? null : ViewJump.of(passage, through[0], through[1]);
+            ViewPose[] through = walk.through();
+            return through == null ? null : ViewJump.of(transform, through[0], through[1]);
         }
-        Gaze near = walk.near();
+        ViewPose near = walk.near();
         if (near == null) {
             return null;
         }
-        Gaze moved = setting == 0
+        ViewPose moved = setting == 0
                 ? SourceTeleport.alongNormal(portals.portal(1))
-                : SourceTeleport.keepingView(passage, portals.portal(1), near);
-        return ViewJump.of(passage, near, moved);
+                : SourceTeleport.keepingView(transform, portals.portal(1), near);
+        return ViewJump.of(transform, near, moved);
     }
 
     @Override

@@ -2,7 +2,7 @@ package nephele.lab.trade.subject;
 
 import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
-import nephele.engine.portal.Passage;
+import nephele.engine.portal.PortalTransform;
 import org.joml.Vector3d;
 
 /**
@@ -28,8 +28,8 @@ record ViewJump(double degrees, double metres, double pixels) {
      * @param before the last pose in front of the portal
      * @param after the first pose behind it
      */
-    static ViewJump of(Passage passage, Gaze before, Gaze after) {
-        Gaze expected = before.through(passage);
+    static ViewJump of(PortalTransform transform, ViewPose before, ViewPose after) {
+        ViewPose expected = before.through(transform);
         Vector3d way = after.eye().toVector().sub(expected.eye().toVector());
         return new ViewJump(turnDegrees(expected.view(), after.view()), way.length(), meanPixels(expected, after));
     }
@@ -45,7 +45,7 @@ record ViewJump(double degrees, double metres, double pixels) {
         return a.toVector().distanceSquared(b.toVector());
     }
 
-    private static double meanPixels(Gaze expected, Gaze after) {
+    private static double meanPixels(ViewPose expected, ViewPose after) {
         double sum = 0;
         for (int column = 0; column < COLUMNS; column++) {
             for (int row = 0; row < ROWS; row++) {
@@ -63,7 +63,7 @@ record ViewJump(double degrees, double metres, double pixels) {
      * @param x pixels to the right of the picture's middle
      * @param y pixels up from the picture's middle
      */
-    private static double moved(Gaze expected, Gaze after, double x, double y) {
+    private static double moved(ViewPose expected, ViewPose after, double x, double y) {
         double perPixel = TAN_HALF_HEIGHT / HALF_HEIGHT_PIXELS;
         Vector3d point = expected.eye()
                 .toVector()

@@ -7,8 +7,8 @@ import nephele.engine.measure.ErrorMap;
 import nephele.engine.measure.Flip;
 import nephele.engine.measure.LinearPicture;
 import nephele.engine.render.fixed.FixedSceneDrawing;
+import nephele.engine.render.fixed.SceneAppearance;
 import nephele.engine.render.fixed.SceneFiles;
-import nephele.engine.render.fixed.SceneLook;
 import nephele.engine.render.fixed.Shading;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
@@ -45,7 +45,7 @@ final class XmlPictureExperiment implements Experiment {
     private DrawnScene scene(Way way, int side) {
         int width = side * site.extent().width();
         int height = side * site.extent().height();
-        var look = SceneLook.USUAL.with(way.shading());
+        var look = SceneAppearance.USUAL.with(way.shading());
         return DrawnScene.of(site.gl(), way.scene(), way.files(), look, width, height);
     }
 
@@ -90,11 +90,12 @@ final class XmlPictureExperiment implements Experiment {
     }
 
     /** An XML scene loaded for drawing in one way, with the picture that it is drawn into. */
-    private record DrawnScene(FixedSceneDrawing drawing, View view, SceneLook look, RenderTarget picture)
+    private record DrawnScene(FixedSceneDrawing drawing, View view, SceneAppearance look, RenderTarget picture)
             implements AutoCloseable {
         private static final Matrix4d AT_HOME = new Matrix4d();
 
-        static DrawnScene of(GlContext gl, XmlScene scene, SceneFiles files, SceneLook look, int width, int height) {
+        static DrawnScene of(
+                GlContext gl, XmlScene scene, SceneFiles files, SceneAppearance look, int width, int height) {
             var source = new FixedSceneDrawing.Source(scene, files);
             return new DrawnScene(
                     FixedSceneDrawing.load(gl, new FixedSceneDrawing.Sources(source, null, null)),

@@ -6,7 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 
 class OverlayCanvasTest {
-    private static final Colour WHITE = Colour.opaque(0xffffff);
+    private static final OverlayColour WHITE = OverlayColour.opaque(0xffffff);
     private final OverlayCanvas canvas = new OverlayCanvas(new Lettering());
 
     @Test

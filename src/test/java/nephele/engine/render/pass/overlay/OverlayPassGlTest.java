@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class OverlayPassGlTest {
-    private static final Colour WHITE = Colour.opaque(0xffffff);
+    private static final OverlayColour WHITE = OverlayColour.opaque(0xffffff);
     private final Lettering lettering = new Lettering();
     private GlContext gl;
     private RenderTarget picture;
@@ -72,7 +72,7 @@ class OverlayPassGlTest {
         picture.clear(1, 1, 1);
         var canvas = new OverlayCanvas(lettering);
         canvas.begin(1);
-        canvas.rectangle(0, 0, 200, 100, Colour.opaque(0).withAlpha(0.25));
+        canvas.rectangle(0, 0, 200, 100, OverlayColour.opaque(0).withAlpha(0.25));
         pass.draw(canvas, picture);
         assertEquals(191, picture.readBytes().get(0) & 255, 1);
     }

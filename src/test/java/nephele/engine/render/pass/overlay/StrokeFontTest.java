@@ -41,7 +41,7 @@ class StrokeFontTest {
         for (int column = 0; column < cell.width(); column++) {
             double distance = Math.abs(column + 0.5 - FontAtlas.originTexels());
             double expected = 128 + (halfPen - distance) * FontAtlas.STEPS_PER_TEXEL;
-            int found = atlas.texels()[(cell.y() + row) * FontAtlas.WIDTH + cell.x() + column] & 255;
+            int found = atlas.texels()[(cell.y() + row) * FontAtlas.WIDTH_TEXELS + cell.x() + column] & 255;
             assertEquals(Math.max(0, Math.min(255, expected)), found, 0.51);
         }
     }
@@ -52,7 +52,7 @@ class StrokeFontTest {
         for (var glyph : font.glyphs()) {
             var cell = atlas.cell(glyph.codePoint());
             for (int row = 0; row < cell.height(); row++) {
-                int start = (cell.y() + row) * FontAtlas.WIDTH + cell.x();
+                int start = (cell.y() + row) * FontAtlas.WIDTH_TEXELS + cell.x();
                 assertEquals(0, atlas.texels()[start], "left edge of " + Character.toString(glyph.codePoint()));
                 assertEquals(0, atlas.texels()[start + cell.width() - 1]);
             }

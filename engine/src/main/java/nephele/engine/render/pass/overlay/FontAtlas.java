@@ -10,12 +10,12 @@ import java.util.Map;
  * One distance field serves every size (Green 2007, "Improved Alpha-Tested Magnification").
  */
 final class FontAtlas {
-    static final int WIDTH = 768;
+    static final int WIDTH_TEXELS = 768;
     static final double TEXELS_PER_EM = 56;
     static final int STEPS_PER_TEXEL = 24;
 
     /** Free texels around a letter: the field's reach, so that neighbours never mix. */
-    static final int MARGIN = 6;
+    static final int MARGIN_TEXELS = 6;
 
     /** One texel that is inside everywhere: what panels are filled with. */
     static final int SOLID_TEXELS = 4;
@@ -35,9 +35,9 @@ final class FontAtlas {
     static FontAtlas bake(StrokeFont font) {
         var atlas = new FontAtlas();
         atlas.layOut(font);
-        atlas.texels = new byte[WIDTH * atlas.height];
+        atlas.texels = new byte[WIDTH_TEXELS * atlas.height];
         for (int row = 0; row < SOLID_TEXELS; row++) {
-            Arrays.fill(atlas.texels, row * WIDTH, row * WIDTH + SOLID_TEXELS, (byte) 255);
+            Arrays.fill(atlas.texels, row * WIDTH_TEXELS, row * WIDTH_TEXELS + SOLID_TEXELS, (byte) 255);
         }
         for (var glyph : font.glyphs()) {
             atlas.draw(glyph, atlas.cells.get(glyph.codePoint()));
@@ -61,17 +61,18 @@ final class FontAtlas {
 
     /** Texels from a cell's bottom edge up to the baseline. */
     static double baselineTexels() {
-        return MARGIN - LOWEST_HUNDREDTHS / 100 * TEXELS_PER_EM;
+        return MARGIN_TEXELS - LOWEST_HUNDREDTHS / 100 * TEXELS_PER_EM;
     }
 
     private void layOut(StrokeFont font) {
-        int cellHeight = (int) Math.ceil((HIGHEST_HUNDREDTHS - LOWEST_HUNDREDTHS) / 100 * TEXELS_PER_EM) + 2 * MARGIN;
+        int cellHeight =
+                (int) Math.ceil((HIGHEST_HUNDREDTHS - LOWEST_HUNDREDTHS) / 100 * TEXELS_PER_EM) + 2 * MARGIN_TEXELS;
         int x = SOLID_TEXELS;
         int y = 0;
         for (var glyph : font.glyphs()) {
             int width = (int) Math.ceil((glyph.widthHundredths() + 2 * StrokeFont.PEN_HUNDREDTHS) / 100 * TEXELS_PER_EM)
-                    + 2 * MARGIN;
-            if (x + width > WIDTH) {
+                    + 2 * MARGIN_TEXELS;
+            if (x + width > WIDTH_TEXELS) {
                 x = 0;
                 y += cellHeight;
             }
@@ -84,7 +85,7 @@ final class FontAtlas {
 
     /** The pen's first position lies one pen width right of the margin, on the baseline. */
     static double originTexels() {
-        return MARGIN + StrokeFont.PEN_HUNDREDTHS / 100 * TEXELS_PER_EM;
+        return MARGIN_TEXELS + StrokeFont.PEN_HUNDREDTHS / 100 * TEXELS_PER_EM;
     }
 
     private void draw(Glyph glyph, Cell cell) {
@@ -108,7 +109,7 @@ final class FontAtlas {
         int bottom = Math.max(0, (int) Math.floor(segment.bottom() - reach));
         int top = Math.min(cell.height - 1, (int) Math.ceil(segment.top() + reach));
         for (int row = bottom; row <= top; row++) {
-            int rowStart = (cell.y + row) * WIDTH + cell.x;
+            int rowStart = (cell.y + row) * WIDTH_TEXELS + cell.x;
             for (int column = left; column <= right; column++) {
                 double inside = halfPen - segment.distance(column + 0.5, row + 0.5);
                 int value = (int) Math.max(0, Math.min(255, Math.round(128 + inside * STEPS_PER_TEXEL)));

@@ -34,7 +34,7 @@ public final class OverlayCanvas {
     }
 
     /** A filled rectangle. */
-    public void rectangle(double x, double y, double width, double height, Colour colour) {
+    public void rectangle(double x, double y, double width, double height, OverlayColour colour) {
         double solid = FontAtlas.SOLID_TEXELS / 2.0;
         corner(x * scale, y * scale, solid, solid, colour);
         corner((x + width) * scale, y * scale, solid, solid, colour);
@@ -48,7 +48,7 @@ public final class OverlayCanvas {
      * @param em size of the letters in points; capitals are 0.7 em high
      * @return where the next letter would begin
      */
-    public double text(double x, double baseline, double em, Colour colour, String line) {
+    public double text(double x, double baseline, double em, OverlayColour colour, String line) {
         double texelPixels = em * scale / FontAtlas.TEXELS_PER_EM;
         double pen = x * scale;
         double baselinePixels = Math.rint(baseline * scale);
@@ -84,7 +84,7 @@ public final class OverlayCanvas {
         return version;
     }
 
-    private void letter(FontAtlas.Cell cell, double[] penBaselineTexel, Colour colour) {
+    private void letter(FontAtlas.Cell cell, double[] penBaselineTexel, OverlayColour colour) {
         double texel = penBaselineTexel[2];
         double left = penBaselineTexel[0] - FontAtlas.originTexels() * texel;
         double bottom = penBaselineTexel[1] + FontAtlas.baselineTexels() * texel;
@@ -96,7 +96,7 @@ public final class OverlayCanvas {
         corner(left, bottom, cell.x(), cell.y(), colour);
     }
 
-    private void corner(double x, double y, double u, double v, Colour colour) {
+    private void corner(double x, double y, double u, double v, OverlayColour colour) {
         if (length == vertices.length) {
             vertices = Arrays.copyOf(vertices, 2 * length);
         }

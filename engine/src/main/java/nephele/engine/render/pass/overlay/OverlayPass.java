@@ -11,12 +11,12 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.QuadStream;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Sampling;
-import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.TextureUnit;
-import nephele.engine.render.gl.Uniforms;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
 import org.lwjgl.system.MemoryUtil;
 
 /**
@@ -69,7 +69,7 @@ public final class OverlayPass implements AutoCloseable {
     private void build() {
         var atlas = lettering.atlas();
         var defines = Map.of(
-                "ATLAS_WIDTH", FontAtlas.WIDTH + ".0",
+                "ATLAS_WIDTH", FontAtlas.WIDTH_TEXELS + ".0",
                 "ATLAS_HEIGHT", atlas.height() + ".0",
                 "STEPS_PER_TEXEL", FontAtlas.STEPS_PER_TEXEL + ".0");
         program = new GlProgram<>(
@@ -86,7 +86,7 @@ public final class OverlayPass implements AutoCloseable {
                 "letters",
                 Texture.Shape.FLAT,
                 PixelFormat.R8,
-                Texture.Extent.flat(FontAtlas.WIDTH, atlas.height()),
+                Texture.Extent.flat(FontAtlas.WIDTH_TEXELS, atlas.height()),
                 Sampling.LINEAR_CLAMP);
         ByteBuffer texels = MemoryUtil.memAlloc(atlas.texels().length);
         letters.upload(0, texels.put(atlas.texels()).flip());

@@ -1,16 +1,16 @@
 package nephele.engine.render.pass.portal;
 
-import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.OpeningMesh;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.ViewNode;
 import org.joml.Vector3dc;
 
@@ -31,7 +31,8 @@ final class MirrorFog {
 
     /** {@code null} where no fog lies before mirrors, or where the output holds no linear light to add to. */
     static MirrorFog of(LoadContext context) {
-        boolean isFoggy = FogVeil.of(context.scene().level().environment()).isPresent();
+        boolean isFoggy =
+                FogTransmittance.of(context.scene().level().environment()).isPresent();
         return isFoggy
                         && context.output() != Output.DIRECT
                         && !context.scene().mirrors().isEmpty()

@@ -3,8 +3,7 @@ package nephele.engine.render.pass.portal;
 import java.util.List;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.OpeningMesh;
-import nephele.engine.render.frame.OpeningNeeds;
+import nephele.engine.render.frame.OpeningRequirements;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Stage;
@@ -14,6 +13,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.ViewNode;
 
 /** Lays down the depth of openings before anything else: the wall that they lie in is not drawn, nor what it hides. */
@@ -21,7 +21,7 @@ public final class OpeningDepthPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
             "portal.depth",
             Stage.IN_VIEWS,
-            request -> OpeningNeeds.of(request, "where openings hide what is behind", OpeningDepthPass::new));
+            request -> OpeningRequirements.of(request, "where openings hide what is behind", OpeningDepthPass::new));
 
     private final GlContext gl;
     private final GlProgram<?> program;

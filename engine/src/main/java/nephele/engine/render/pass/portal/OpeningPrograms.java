@@ -3,12 +3,12 @@ package nephele.engine.render.pass.portal;
 import java.util.Map;
 import java.util.function.Function;
 import nephele.engine.render.frame.Defines;
-import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.ShaderSource;
-import nephele.engine.render.gl.TextureUnit;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.FrameUniforms;
 
 /** Programs that place openings alike, to the last bit of their depth. */
 final class OpeningPrograms {

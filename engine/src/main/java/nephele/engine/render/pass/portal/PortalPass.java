@@ -3,17 +3,16 @@ package nephele.engine.render.pass.portal;
 import java.util.List;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
-import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews;
-import nephele.engine.render.frame.OpeningMesh;
-import nephele.engine.render.frame.OpeningNeeds;
+import nephele.engine.render.frame.OpeningRequirements;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Stage;
-import nephele.engine.render.frame.Surroundings;
 import nephele.engine.render.gl.DrawState;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
@@ -22,8 +21,9 @@ import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.DrawState.Stencil;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.TextureUnit;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.ViewNode;
 
 /**
@@ -33,7 +33,9 @@ import nephele.engine.scene.ViewNode;
  */
 public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
-            "portal", Stage.IN_VIEWS, request -> OpeningNeeds.of(request, "openings to see through", PortalPass::new));
+            "portal",
+            Stage.IN_VIEWS,
+            request -> OpeningRequirements.of(request, "openings to see through", PortalPass::new));
 
     private static final ClearColour MARK = ClearColour.of(NestedViews.MARK);
 
@@ -42,7 +44,7 @@ public final class PortalPass implements Pass {
     private final GlProgram<Uniforms.Vector4> colour;
     private final GlProgram<?> picture;
     private final OpeningMesh openings;
-    private final Surroundings surroundings;
+    private final FrameEnvironment surroundings;
     /** {@code null} where nothing is to be added. */
     private final MirrorFog fog;
     /** Whether something is drawn wherever nothing else is, so that the clear colour never shows. */
@@ -59,7 +61,7 @@ public final class PortalPass implements Pass {
         Environment environment = context.scene().level().environment();
         skyCovers = environment.sky() != null
                 && !(environment.sky() instanceof Sky.Constant)
-                && FogVeil.of(environment).isEmpty();
+                && FogTransmittance.of(environment).isEmpty();
     }
 
     @Override

@@ -5,10 +5,10 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.ShaderSource;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.Uniforms;
 
-/** The membrane in openings as {@link nephele.engine.render.frame.OpeningMesh} holds them, however near the eye is. */
+/** The membrane in openings as {@link nephele.engine.render.resource.OpeningMesh} holds them, however near the eye is. */
 final class OpeningMembrane {
     private static final String FOLDER = "/nephele/engine/render/pass/rim/";
 

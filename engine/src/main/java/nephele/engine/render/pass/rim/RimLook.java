@@ -6,9 +6,9 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
-import nephele.engine.scene.Ghost;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 import nephele.engine.scene.Opening;
+import nephele.engine.scene.PortalPreview;
 import nephele.engine.scene.View;
 
 /** One rim as a view sees it; one object, filled again for each. */
@@ -21,7 +21,7 @@ final class RimLook {
 
     private static final Vec3 SILVER = new Vec3(0.3, 0.33, 0.36);
 
-    private static final double GHOST_OPACITY = 0.92;
+    private static final double PREVIEW_OPACITY = 0.92;
 
     private final List<Vec3> huesOfPairs = new ArrayList<>();
 
@@ -44,25 +44,25 @@ final class RimLook {
 
     boolean isOpen;
 
-    void of(Moment moment, int index, View newView) {
+    void of(FrameState frameState, int index, View newView) {
         view = newView;
-        lie(moment.portals().portal(index));
-        tint = tint(moment, index);
-        openness = moment.openness(index);
+        lie(frameState.portals().portal(index));
+        tint = tint(frameState, index);
+        openness = frameState.openness(index);
         opacity = 1;
-        seconds = moment.seconds() % REPEAT_SECONDS;
-        kind = Math.min(moment.colour(index), OF_LEVEL);
-        isOpen = moment.portals().partner(index) != Portals.CLOSED;
+        seconds = frameState.seconds() % REPEAT_SECONDS;
+        kind = Math.min(frameState.colour(index), OF_LEVEL);
+        isOpen = frameState.portals().partner(index) != Portals.CLOSED;
     }
 
-    void of(Ghost ghost, Moment moment, View newView) {
+    void of(PortalPreview preview, FrameState frameState, View newView) {
         view = newView;
-        lie(ghost.portal());
-        tint = RimColours.ofShot(ghost.colour());
+        lie(preview.portal());
+        tint = RimColours.ofShot(preview.colour());
         openness = 1;
-        opacity = GHOST_OPACITY;
-        seconds = moment.seconds() % REPEAT_SECONDS;
-        kind = ghost.colour();
+        opacity = PREVIEW_OPACITY;
+        seconds = frameState.seconds() % REPEAT_SECONDS;
+        kind = preview.colour();
         isOpen = true;
     }
 
@@ -88,12 +88,12 @@ final class RimLook {
         halfMetres = Math.max(portal.aperture().widthMetres(), portal.aperture().heightMetres()) / 2;
     }
 
-    private Vec3 tint(Moment moment, int portal) {
-        int colour = moment.colour(portal);
+    private Vec3 tint(FrameState frameState, int portal) {
+        int colour = frameState.colour(portal);
         if (colour < OF_LEVEL) {
             return RimColours.ofShot(colour);
         }
-        int partner = moment.portals().partner(portal);
+        int partner = frameState.portals().partner(portal);
         int pair = partner == Portals.CLOSED ? portal : Math.min(portal, partner);
         while (huesOfPairs.size() <= pair) {
             huesOfPairs.add(RimColours.ofPair(huesOfPairs.size()));

@@ -5,7 +5,7 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Pass;
-import nephele.engine.render.frame.PortalNeeds;
+import nephele.engine.render.frame.PortalRequirements;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
@@ -16,7 +16,7 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.scene.Moment;
+import nephele.engine.scene.FrameState;
 
 /**
  * Rims around portals, in every view and before the openings are filled: a ring that stands before a neighbour's opening
@@ -38,24 +38,24 @@ public final class RimPass implements Pass {
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        return PortalNeeds.of(request, "rims of openings", RimPass::new);
+        return PortalRequirements.of(request, "rims of openings", RimPass::new);
     }
 
     @Override
     public void draw(FrameContext frame) {
-        Moment moment = frame.moment();
+        FrameState frameState = frame.frameState();
         frame.surface().bind();
         gl.state().depthOf(DepthOf.OPENING);
-        for (int i = 0; i < moment.portals().size(); i++) {
-            look.of(moment, i, frame.view());
+        for (int i = 0; i < frameState.portals().size(); i++) {
+            look.of(frameState, i, frame.view());
             if (look.isIn(frame.surface().height())) {
                 drawRim(frame);
             }
         }
-        for (int i = 0; i < moment.ghosts().size(); i++) {
-            look.of(moment.ghosts().get(i), moment, frame.view());
+        for (int i = 0; i < frameState.previews().size(); i++) {
+            look.of(frameState.previews().get(i), frameState, frame.view());
             if (look.isIn(frame.surface().height())) {
-                drawGhost(frame);
+                drawPreview(frame);
             }
         }
         gl.state().depthOf(DepthOf.SURFACE);
@@ -76,7 +76,7 @@ public final class RimPass implements Pass {
         }
     }
 
-    private void drawGhost(FrameContext frame) {
+    private void drawPreview(FrameContext frame) {
         RimShape shape = shapes.of(look.portal.aperture());
         look.cells = shape.cells();
         gl.state().set(Depth.LESS_OR_EQUAL, Blend.OVER, Cull.NONE, frame.clipDistances());

@@ -5,8 +5,7 @@ import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.NestedViews.Filling;
-import nephele.engine.render.frame.OpeningMesh;
-import nephele.engine.render.frame.OpeningNeeds;
+import nephele.engine.render.frame.OpeningRequirements;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
@@ -16,6 +15,7 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.DrawState.DepthOf;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.Opening;
 import nephele.engine.scene.ViewNode;
 
@@ -39,7 +39,7 @@ public final class UnfilledPass implements Pass {
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        return OpeningNeeds.of(request, "openings that nothing fills", UnfilledPass::new);
+        return OpeningRequirements.of(request, "openings that nothing fills", UnfilledPass::new);
     }
 
     @Override
@@ -55,9 +55,9 @@ public final class UnfilledPass implements Pass {
     private void cover(FrameContext frame, ViewNode child) {
         Opening opening = child.opening();
         if (opening.portal() == Opening.NO_PORTAL) {
-            look.of(opening, frame.moment().seconds(), frame.view());
+            look.of(opening, frame.frameState().seconds(), frame.view());
         } else {
-            look.of(frame.moment(), opening.portal(), frame.view());
+            look.of(frame.frameState(), opening.portal(), frame.view());
         }
         frame.surface().bind();
         gl.state().depthOf(OpeningMesh.depthOf(child));

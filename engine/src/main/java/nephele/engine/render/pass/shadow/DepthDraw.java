@@ -5,16 +5,16 @@ import nephele.engine.math.Frustum;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.RenderTarget;
-import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.SharedObjects.Same;
-import nephele.engine.render.gl.Uniforms.Matrix4;
-import nephele.engine.render.gl.Uniforms.Scalar;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.Uniforms.Matrix4;
+import nephele.engine.render.gl.shader.Uniforms.Scalar;
+import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.VisibleSet;
 import org.joml.Matrix4d;
@@ -50,7 +50,7 @@ final class DepthDraw {
 
     /** A sun's picture. @param clipFromAnchor clip space from metres relative to {@code anchor} */
     void drawAll(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor) {
-        visible.takeAll();
+        visible.selectAll();
         draw(target, clipFromAnchor, anchor, 0);
     }
 

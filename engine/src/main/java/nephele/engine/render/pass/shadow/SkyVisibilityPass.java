@@ -17,8 +17,8 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.scene.light.LightNeeds;
-import nephele.engine.scene.light.SkyVisibility;
+import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.bake.SkyVisibility;
 
 /** Hands the baked light map of the static faces to the surfaces. */
 public final class SkyVisibilityPass implements Pass {
@@ -35,7 +35,7 @@ public final class SkyVisibilityPass implements Pass {
     private static List<Required> requiredBy(FrameRequest request) {
         return request.lightMaps().has(Target.SKY_VISIBILITY)
                 ? List.of(new Required(
-                        "environment.sky: its light falls on " + LightNeeds.surfaces(request.level()),
+                        "environment.sky: its light falls on " + LightRequirements.surfaces(request.level()),
                         SkyVisibilityPass::new))
                 : List.of();
     }

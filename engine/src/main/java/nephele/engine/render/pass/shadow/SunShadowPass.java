@@ -14,7 +14,7 @@ import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowFrame;
 
 /** The sun's depth map over all solids that can shade another; drawn again when the sun or a solid has moved. */
@@ -42,7 +42,8 @@ public final class SunShadowPass implements Pass {
     private static List<Required> requiredBy(FrameRequest request) {
         return request.lightMaps().has(Target.SUN_SHADOW)
                 ? List.of(new Required(
-                        "environment.sun.castsShadow: " + LightNeeds.surfaces(request.level()) + " that shade others",
+                        "environment.sun.castsShadow: " + LightRequirements.surfaces(request.level())
+                                + " that shade others",
                         SunShadowPass::new))
                 : List.of();
     }

@@ -3,7 +3,7 @@ package nephele.engine.render.pass.sky;
 import java.util.List;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
-import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
@@ -15,7 +15,7 @@ import nephele.engine.render.frame.RenderFeature.Role;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.Depth;
-import nephele.engine.render.gl.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
 
 /** Zenith, horizon and ground blended by altitude, where no solid has been drawn. Nothing is seen of it through fog. */
 public final class GradientSkyPass implements Pass {
@@ -41,7 +41,7 @@ public final class GradientSkyPass implements Pass {
     private static List<Required> requiredBy(FrameRequest request) {
         Environment environment = request.level().environment();
         Sky sky = environment.sky();
-        if (FogVeil.of(environment).isPresent()) {
+        if (FogTransmittance.of(environment).isPresent()) {
             return List.of();
         } else if (sky instanceof Sky.Gradient) {
             return List.of(new Required("environment.sky: a gradient", GradientSkyPass::new));
@@ -59,7 +59,7 @@ public final class GradientSkyPass implements Pass {
 
     @Override
     public void draw(FrameContext frame) {
-        Sky now = frame.moment().environment().sky();
+        Sky now = frame.frameState().environment().sky();
         Sky.Gradient sky = now instanceof Sky.Gradient gradient ? gradient : GradientSky.ATMOSPHERE_STAND_IN;
         set(colours.zenith, sky.zenith());
         set(colours.horizon, sky.horizon());

@@ -6,11 +6,10 @@ import java.nio.IntBuffer;
 import java.util.List;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Sky;
-import nephele.engine.level.appearance.FogVeil;
+import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
@@ -25,12 +24,13 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.GpuMesh;
-import nephele.engine.render.gl.ShaderSource;
 import nephele.engine.render.gl.SharedObjects.Same;
 import nephele.engine.render.gl.Texture;
-import nephele.engine.render.gl.TextureUnit;
 import nephele.engine.render.gl.VertexFormat;
 import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.resource.FrameUniforms;
 import org.joml.Vector3d;
 
 /** Six pictures around the eye, where no solid has been drawn. Nothing is seen of them through fog. */
@@ -51,7 +51,7 @@ public final class SkyboxPass implements Pass {
     /** Six pictures and what they are drawn on. */
     private record Cube(Texture faces, GpuMesh mesh) implements GlObject {
         static Cube of(LoadContext context, Sky.Skybox sky) {
-            SkyboxFaces pictures = SkyboxFaces.of(sky, context.shared()::picture);
+            SkyboxLayers pictures = SkyboxLayers.of(sky, context.shared()::picture);
             return new Cube(SkyboxTexture.upload(context, pictures), cube(context.gl(), pictures.side()));
         }
 
@@ -82,7 +82,7 @@ public final class SkyboxPass implements Pass {
 
     private static List<Required> requiredBy(FrameRequest request) {
         Environment environment = request.level().environment();
-        boolean isSeen = FogVeil.of(environment).isEmpty();
+        boolean isSeen = FogTransmittance.of(environment).isEmpty();
         return isSeen && environment.sky() instanceof Sky.Skybox skybox
                 ? List.of(new Required("environment.sky: a skybox", context -> new SkyboxPass(context, skybox)))
                 : List.of();

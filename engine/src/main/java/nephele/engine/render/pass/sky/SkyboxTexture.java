@@ -17,7 +17,7 @@ import org.lwjgl.system.MemoryUtil;
 final class SkyboxTexture {
     private SkyboxTexture() {}
 
-    static Texture upload(LoadContext context, SkyboxFaces faces) {
+    static Texture upload(LoadContext context, SkyboxLayers faces) {
         int side = faces.side() + 2;
         PixelFormat format = context.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
         Texture.Extent extent = new Texture.Extent(side, side, 6);
@@ -33,7 +33,7 @@ final class SkyboxTexture {
         return texture;
     }
 
-    private static void fill(ByteBuffer texels, SkyboxFaces faces, int face) {
+    private static void fill(ByteBuffer texels, SkyboxLayers faces, int face) {
         int side = faces.side();
         byte[] own = faces.pictures().get(face).samples();
         for (int y = -1; y <= side; y++) {
@@ -49,7 +49,7 @@ final class SkyboxTexture {
         }
     }
 
-    private static void putFromNeighbour(ByteBuffer texels, SkyboxFaces faces, int face, int x, int y) {
+    private static void putFromNeighbour(ByteBuffer texels, SkyboxLayers faces, int face, int x, int y) {
         int side = faces.side();
         Vector3d point = SkyboxCube.point(face, (2.0 * x + 1) / side - 1, (2.0 * y + 1) / side - 1);
         int neighbour = SkyboxCube.faceOf(point);

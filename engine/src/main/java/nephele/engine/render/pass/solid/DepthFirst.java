@@ -4,15 +4,15 @@ import java.util.Map;
 import java.util.Optional;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.FrameContext;
-import nephele.engine.render.frame.FrameUniforms;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.ShaderSource;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.render.resource.SolidMesh;
 
 /** Lays down the depth of all solids, so that costly light is computed once a pixel and not for what is covered. */
 final class DepthFirst {

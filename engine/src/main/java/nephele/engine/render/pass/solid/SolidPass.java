@@ -10,12 +10,10 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.LoadContext;
-import nephele.engine.render.frame.MaterialBlocks;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.PictureArrays;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
-import nephele.engine.render.frame.SolidMesh;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.Target;
@@ -25,9 +23,11 @@ import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.TextureUnit;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.resource.MaterialBlocks;
+import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.SolidBatch;
-import nephele.engine.scene.light.LightNeeds;
+import nephele.engine.scene.light.LightRequirements;
 
 /** Solids and models: one multi-draw for each batch. */
 public final class SolidPass implements Pass {
@@ -65,10 +65,10 @@ public final class SolidPass implements Pass {
 
     private static List<Required> requiredBy(FrameRequest request) {
         Level level = request.level();
-        if (!LightNeeds.hasSurfaces(level)) {
+        if (!LightRequirements.hasSurfaces(level)) {
             return List.of();
         }
-        String what = LightNeeds.surfaces(level);
+        String what = LightRequirements.surfaces(level);
         TargetReads reads = request.lightMaps().all();
         return List.of(new Required(what + ": surfaces to see", context -> new SolidPass(context, reads)));
     }

@@ -2,7 +2,7 @@ package nephele.engine.render.pass.solid;
 
 import java.util.Optional;
 import nephele.engine.math.Vec3;
-import nephele.engine.render.gl.Uniforms.Vector3;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
 
 /** What changes from batch to batch. */
 record SolidUniforms(Vector3 eyeHigh, Vector3 eyeLow, Optional<Vector3> cellFromAnchor) {

@@ -8,8 +8,8 @@ import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
-import nephele.engine.render.gl.ShaderSource;
-import nephele.engine.render.gl.Uniforms;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.SolidBatch;
 
 /**

@@ -14,7 +14,7 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
-import nephele.engine.render.gl.TextureUnit;
+import nephele.engine.render.gl.shader.TextureUnit;
 
 /** Exposure, tone curve, sRGB and dither over the whole picture; exists only for output HDR. */
 public final class ToneMapPass implements Pass {

@@ -1,5 +1,5 @@
 #include "shadow-filter.glsl"
-#include "lamp-depth.glsl"
+#include "light-depth.glsl"
 
 flat in uint octant;
 

@@ -1,4 +1,4 @@
-#include "develop.glsl"
+#include "tone-mapping.glsl"
 
 uniform sampler2D linearPicture;
 

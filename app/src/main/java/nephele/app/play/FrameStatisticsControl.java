@@ -1,0 +1,60 @@
+package nephele.app.play;
+
+import java.util.List;
+import nephele.app.play.hud.HudContent;
+import nephele.engine.playthrough.Playthrough;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.Renderer.StepListener;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.timing.StepTimer;
+
+/** The F3 panel; nothing is timed while it is closed. */
+final class FrameStatisticsControl implements AutoCloseable {
+    private final GlContext gl;
+
+    private FrameStatistics figures;
+    private List<HudContent.Figure> lines = List.of();
+
+    FrameStatisticsControl(GlContext gl) {
+        this.gl = gl;
+    }
+
+    /** Opens the panel for {@code renderer}, or closes it. */
+    void toggle(Renderer renderer) {
+        boolean closes = figures != null;
+        close();
+        if (!closes) {
+            figures = new FrameStatistics(
+                    renderer, StepTimer.of(gl, renderer.stepNames().size()));
+        }
+    }
+
+    /** Returns the lines for the last frames; empty if the panel is closed. */
+    List<HudContent.Figure> lines() {
+        return lines;
+    }
+
+    /** Starts to time a frame, if the panel is open. */
+    StepListener frameBegins() {
+        if (figures == null) {
+            return StepListener.NONE;
+        }
+        figures.timer().frameBegins();
+        return figures.timer();
+    }
+
+    void frameEnds(Playthrough playthrough) {
+        if (figures != null) {
+            lines = figures.afterFrame(playthrough);
+        }
+    }
+
+    @Override
+    public void close() {
+        if (figures != null) {
+            figures.close();
+            figures = null;
+            lines = List.of();
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package nephele.engine.asset;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Locale;
+
+/**
+ * Reads and writes files as a whole. If writing fails at any point, the file is the old or the new one, never a part:
+ * the bytes are written to a temporary file beside it, forced to disk and renamed atomically. Devices are written
+ * directly.
+ */
+public final class AtomicFile {
+    private static final int UNIX_KIND = 0170000;
+    private static final int UNIX_CHARACTER_DEVICE = 0020000;
+
+    private AtomicFile() {}
+
+    /**
+     * Returns the whole file, or its first {@code most + 1} bytes if it has more than {@code most}. Pipes and sockets,
+     * which could block for ever, are rejected.
+     */
+    public static byte[] read(Path file, int most) throws IOException {
+        if (Files.readAttributes(file, BasicFileAttributes.class).isOther() && !isCharacterDevice(file)) {
+            throw new FileSystemException(file.toString(), null, "it is not a file");
+        }
+        try (var stream = Files.newInputStream(file)) {
+            return stream.readNBytes(most + 1);
+        }
+    }
+
+    /**
+     * Replaces or creates the file, and its folder if that is missing. A link stays a link; a device is written to.
+     *
+     * @throws IOException with a message for users that names the file and the reason; the file is then unchanged
+     */
+    public static void write(Path file, byte[] bytes) throws IOException {
+        try {
+            if (Files.exists(file)) {
+                overwrite(file.toRealPath(), bytes);
+            } else {
+                create(file.toAbsolutePath(), bytes);
+            }
+        } catch (IOException problem) {
+            throw new IOException(file + ": can't be written: " + reason(problem), problem);
+        }
+    }
+
+    private static void overwrite(Path file, byte[] bytes) throws IOException {
+        if (Files.isDirectory(file)) {
+            throw new IOException("it is a folder");
+        }
+        if (!Files.isWritable(file)) {
+            throw new AccessDeniedException(file.toString());
+        }
+        if (Files.isRegularFile(file)) {
+            replace(file, bytes);
+        } else {
+            Files.write(file, bytes, StandardOpenOption.WRITE);
+        }
+    }
+
+    private static void create(Path file, byte[] bytes) throws IOException {
+        if (Files.isSymbolicLink(file)) {
+            throw new IOException("it is a link to a file that is missing");
+        }
+        try {
+            Files.createDirectories(file.getParent());
+        } catch (FileAlreadyExistsException noFolder) {
+            throw new IOException(noFolder.getFile() + " is not a folder", noFolder);
+        }
+        replace(file, bytes);
+    }
+
+    private static void replace(Path file, byte[] bytes) throws IOException {
+        Path fresh = file.resolveSibling(String.format(Locale.ROOT, ".nephele-%x.tmp", System.nanoTime()));
+        try {
+            Files.write(fresh, bytes, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+            try (var channel = FileChannel.open(fresh, StandardOpenOption.WRITE)) {
+                channel.force(true);
+            }
+            Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE);
+        } finally {
+            Files.deleteIfExists(fresh);
+        }
+    }
+
+    private static boolean isCharacterDevice(Path file) throws IOException {
+        boolean unix = file.getFileSystem().supportedFileAttributeViews().contains("unix");
+        return unix && ((int) Files.getAttribute(file, "unix:mode") & UNIX_KIND) == UNIX_CHARACTER_DEVICE;
+    }
+
+    /** Returns the reason of a failure in words that complete "FILE can't be read: ". */
+    public static String reason(IOException problem) {
+        if (problem instanceof AccessDeniedException) {
+            return "access is denied";
+        }
+        if (problem instanceof NoSuchFileException) {
+            return "there is no such file or folder";
+        }
+        String detail = problem instanceof FileSystemException system ? system.getReason() : problem.getMessage();
+        return detail == null || detail.isBlank() ? problem.getClass().getSimpleName() : detail;
+    }
+}

@@ -1,0 +1,17 @@
+package nephele.engine.asset;
+
+/** Shortens texts for messages, because a text from a file may be as long as the file. */
+public final class MessageText {
+    private static final int MOST = 600;
+    private static final int LAST = 150;
+
+    private MessageText() {}
+
+    /** Returns the text, or its beginning and end with at most 600 characters; {@code null} for {@code null}. */
+    public static String shortened(String text) {
+        if (text == null || text.length() <= MOST) {
+            return text;
+        }
+        return text.substring(0, MOST - LAST - 1) + "…" + text.substring(text.length() - LAST);
+    }
+}

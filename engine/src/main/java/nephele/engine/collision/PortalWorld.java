@@ -1,0 +1,131 @@
+package nephele.engine.collision;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.ItemList;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.Portals;
+import org.joml.Vector3dc;
+
+/**
+ * The static world as bodies collide with it near portals: this side is cut open behind each aperture and holds the
+ * other side's solids there. A body uses the world of the portals on which it is <em>active</em>: its centre is in
+ * front of them and it reaches their neighbourhood. Bit i of a mask is the portal with index i. Each mask's world is
+ * built once, on first use. Not thread-safe.
+ */
+public final class PortalWorld {
+    /** Number of bits of a mask: portals with a greater index are closed. */
+    public static final int MOST_PORTALS = Long.SIZE;
+
+    /** Distance in front of an exit's centre at which a solid makes the exit unusable. */
+    private static final double EXIT_CLEARANCE_METRES = 1e-3;
+
+    private final CollisionWorld statics;
+    private final Portals portals;
+    private final ApertureCutter cutter;
+    private final long open;
+    private final ApertureProximity proximity = new ApertureProximity();
+    private final RayCast cast = new RayCast();
+    private final Map<Long, CollisionWorld> worlds = new TreeMap<>();
+
+    private PortalWorld(CollisionWorld statics, Portals portals) {
+        this.statics = statics;
+        this.portals = portals;
+        cutter = new ApertureCutter(statics, portals);
+        long mask = 0;
+        for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
+            mask |= portals.isOpen(i) ? 1L << i : 0;
+        }
+        open = mask;
+    }
+
+    /** Returns a world without portals. */
+    public static PortalWorld of(CollisionWorld statics) {
+        return new PortalWorld(statics, Portals.NONE);
+    }
+
+    /** Returns the world with these portals; closed are those where the exit is obstructed. */
+    /** Builds the world, with those pairs closed of which an exit is blocked by a solid. */
+    public static PortalWorld of(CollisionWorld statics, Portals portals) {
+        return new PortalWorld(statics, withValidExits(statics, portals));
+    }
+
+    private static Portals withValidExits(CollisionWorld statics, Portals portals) {
+        List<Portal> all = new ArrayList<>();
+        List<Integer> partners = new ArrayList<>();
+        boolean changed = false;
+        for (int i = 0; i < portals.size(); i++) {
+            int partner = portals.partner(i);
+            boolean closed =
+                    partner != Portals.CLOSED && !(isValid(statics, portals, i) && isValid(statics, portals, partner));
+            changed |= closed;
+            all.add(portals.portal(i));
+            partners.add(closed ? Portals.CLOSED : partner);
+        }
+        return changed ? new Portals(all, partners) : portals;
+    }
+
+    private static boolean isValid(CollisionWorld statics, Portals portals, int index) {
+        Vec3 outside = portals.portal(index).world(0, 0, EXIT_CLEARANCE_METRES);
+        ItemList near = new ItemList();
+        statics.overlapping(
+                new Aabb(outside.x(), outside.y(), outside.z(), outside.x(), outside.y(), outside.z()), near);
+        for (int i = 0; i < near.size(); i++) {
+            if (statics.collider(near.get(i)).containsStrictly(outside.x(), outside.y(), outside.z())) {
+                return false;
+            }
+        }
+        return index < MOST_PORTALS;
+    }
+
+    /** Returns the world without openings. */
+    public CollisionWorld statics() {
+        return statics;
+    }
+
+    /** Returns the part of a motion before the first solid, 0 to 1; portals count as wall. */
+    public double free(Vector3dc from, Vector3dc way) {
+        var ray = new Ray(from.x(), from.y(), from.z(), way.x(), way.y(), way.z());
+        return cast.cast(statics, ray, 1) ? cast.distance() : 1;
+    }
+
+    /** Returns the given portals, with those of unusable exits closed; portal crossings must be tested with these. */
+    public Portals portals() {
+        return portals;
+    }
+
+    /**
+     * Returns the mask of open portals on which a shape is active while its centre moves from {@code at} by
+     * {@code way}.
+     */
+    public long active(RoundedHull shape, Vector3dc at, Vector3dc way) {
+        long mask = 0;
+        for (int i = 0; i < Math.min(portals.size(), MOST_PORTALS); i++) {
+            if (portals.isOpen(i) && proximity.isActive(portals.portal(i), shape, at, way)) {
+                mask |= 1L << i;
+            }
+        }
+        return mask;
+    }
+
+    /**
+     * Returns the solids for a body active on these portals; the static world itself for none. Closed portals are wall.
+     */
+    public CollisionWorld openedFor(long activeMask) {
+        long mask = activeMask & open;
+        if (mask == 0) {
+            return statics;
+        }
+        CollisionWorld world = worlds.get(mask);
+        if (world == null) {
+            world = cutter.open(mask);
+            worlds.put(mask, world);
+        }
+        return world;
+    }
+}

@@ -1,0 +1,94 @@
+package nephele.engine.level.appearance;
+
+import java.util.Optional;
+import nephele.engine.level.Light;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+
+/**
+ * A lamp as the shader sees it: the cone as a ramp over the cosine, the range as 1/range². A point lamp has a ramp that
+ * is 1 everywhere.
+ *
+ * @param axis unit direction of a spot, zero for a point
+ * @param source the lamp as written
+ */
+public record PunctualLight(
+        Vec3 position,
+        Vec3 radiantIntensity,
+        double rangeMetres,
+        Vec3 axis,
+        double coneScale,
+        double coneOffset,
+        Light source) {
+    private static final double MIN_RANGE_METRES = 1e-3;
+    private static final double MAX_RANGE_METRES = 1e9;
+    private static final double MAX_WATTS_PER_STERADIAN = 1e12;
+
+    /** Narrower ramps than this are steps that a float cannot resolve. */
+    private static final double MIN_COSINE_RAMP = 1e-4;
+
+    /** Empty for a lamp that lights nothing: no range, no intensity, or numbers that are none. */
+    public static Optional<PunctualLight> of(Light light) {
+        Vec3 intensity = clampedIntensity(light.radiantIntensity());
+        double range = Math.min(light.rangeMetres(), MAX_RANGE_METRES);
+        boolean dark = intensity.equals(Vec3.ZERO);
+        if (dark || !(range >= MIN_RANGE_METRES) || !isFinite(light.position())) {
+            return Optional.empty();
+        }
+        if (light instanceof Light.Spot spot) {
+            return ofSpot(spot, intensity, range);
+        }
+        return Optional.of(new PunctualLight(light.position(), intensity, range, Vec3.ZERO, 0, 1, light));
+    }
+
+    private static Optional<PunctualLight> ofSpot(Light.Spot spot, Vec3 intensity, double range) {
+        Vector3d axis = spot.direction().toVector();
+        double length = axis.length();
+        double outer = Math.min(spot.outerConeDegrees(), 180);
+        double inner = Math.min(spot.innerConeDegrees(), outer);
+        if (!(length > 0 && length < Double.POSITIVE_INFINITY) || !(outer > 0) || Double.isNaN(inner)) {
+            return Optional.empty();
+        }
+        axis.div(length);
+        double cosOuter = StrictMath.cos(StrictMath.toRadians(outer));
+        double cosInner = StrictMath.cos(StrictMath.toRadians(Math.max(inner, 0)));
+        double scale = 1 / Math.max(cosInner - cosOuter, MIN_COSINE_RAMP);
+        return Optional.of(new PunctualLight(
+                spot.position(), intensity, range, new Vec3(axis.x, axis.y, axis.z), scale, -cosOuter * scale, spot));
+    }
+
+    private static Vec3 clampedIntensity(Vec3 i) {
+        return new Vec3(clampedIntensity(i.x()), clampedIntensity(i.y()), clampedIntensity(i.z()));
+    }
+
+    private static double clampedIntensity(double i) {
+        return i > 0 ? Math.min(i, MAX_WATTS_PER_STERADIAN) : 0;
+    }
+
+    private static boolean isFinite(Vec3 p) {
+        return Double.isFinite(p.x()) && Double.isFinite(p.y()) && Double.isFinite(p.z());
+    }
+
+    public boolean isSpot() {
+        return coneScale != 0;
+    }
+
+    public double inverseSquareRange() {
+        return 1 / (rangeMetres * rangeMetres);
+    }
+
+    /** Cosine of the outer half angle; −1 for a point lamp. */
+    public double cosOuter() {
+        return isSpot() ? -coneOffset / coneScale : -1;
+    }
+
+    /** Irradiance at {@code p} on a plane perpendicular to the light, without shadow. */
+    public Vector3d irradianceAt(Vec3 p) {
+        Vector3d fromLight = p.toVector().sub(position.toVector());
+        double d2 = fromLight.lengthSquared();
+        double cosine = fromLight.dot(axis.toVector()) / Math.sqrt(Math.max(d2, 1e-12));
+        double falloff = LightFalloff.windowedInverseSquare(d2, inverseSquareRange())
+                * LightFalloff.cone(cosine, coneScale, coneOffset);
+        return radiantIntensity.toVector().mul(falloff);
+    }
+}

@@ -1,0 +1,233 @@
+package nephele.engine.level.json;
+
+import com.google.gson.Strictness;
+import com.google.gson.stream.JsonReader;
+import java.io.ByteArrayInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * UTF-8 bytes to a tree. Gson's strict mode still lets duplicate keys, byte-order marks, unpaired surrogates and endless
+ * documents through; this does not.
+ */
+public final class JsonTree {
+    static final int MAX_FILE_BYTES = 16 << 20;
+
+    private static final int MAX_DEPTH = 32;
+    private static final int MAX_VALUES = 1_000_000;
+    private static final int MAX_SHARED_NAMES = 1_000;
+    private static final int MOST_SHOWN = 60;
+
+    private final JsonReader reader;
+    private final Problems problems;
+    private final Map<String, String> names = new HashMap<>();
+    private int values;
+    private int depth;
+
+    private JsonTree(JsonReader reader, Problems problems) {
+        this.reader = reader;
+        this.problems = problems;
+    }
+
+    /** Stops the walk: a document this broken has no readable rest. */
+    private static final class Abandoned extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        Abandoned() {
+            super(null, null, false, false);
+        }
+    }
+
+    /** The document, or {@code null} after reporting why there is none. */
+    static JsonValue read(byte[] utf8, Problems problems) {
+        String objection = encodingObjection(utf8);
+        if (objection != null) {
+            problems.error(objection);
+            return null;
+        }
+        var decoder = StandardCharsets.UTF_8
+                .newDecoder()
+                .onMalformedInput(CodingErrorAction.REPORT)
+                .onUnmappableCharacter(CodingErrorAction.REPORT);
+        var reader = new JsonReader(new InputStreamReader(new ByteArrayInputStream(utf8), decoder));
+        reader.setStrictness(Strictness.STRICT);
+        reader.setNestingLimit(MAX_DEPTH + 1);
+        return new JsonTree(reader, problems).document();
+    }
+
+    private static String encodingObjection(byte[] bytes) {
+        if (bytes.length > MAX_FILE_BYTES) {
+            return "the file has more than 16 MiB: split the level";
+        }
+        int first = bytes.length > 0 ? bytes[0] & 0xff : ' ';
+        int second = bytes.length > 1 ? bytes[1] & 0xff : ' ';
+        if (first == 0xef && second == 0xbb) {
+            return "the file starts with a byte-order mark: save it as UTF-8 without one";
+        }
+        if (first >= 0xfe || second == 0 && first != 0) {
+            return "the file is not UTF-8 but UTF-16: save it as UTF-8";
+        }
+        return first == 0 ? "the file holds zero bytes instead of text: restore it from a copy or the .bak file" : null;
+    }
+
+    private JsonValue document() {
+        try {
+            JsonValue root = value();
+            reader.peek();
+            return root;
+        } catch (EOFException end) {
+            problems.error(values <= 1 ? "the file is empty" : "the file ends too early" + where());
+        } catch (CharacterCodingException notUtf8) {
+            problems.error("the file is not UTF-8 text" + where());
+        } catch (IOException | IllegalStateException syntax) {
+            problems.error(plain(syntax.getMessage()) + where());
+        } catch (OutOfMemoryError tooLarge) {
+            problems.error("the file does not fit into memory: split the level");
+        } catch (Abandoned reported) {
+            return null;
+        }
+        return null;
+    }
+
+    private JsonValue value() throws IOException {
+        if (++values > MAX_VALUES) {
+            throw abandon("the file holds more than " + MAX_VALUES + " values: split the level");
+        }
+        return switch (reader.peek()) {
+            case BEGIN_OBJECT -> object();
+            case BEGIN_ARRAY -> array();
+            case NUMBER -> number(reader.nextString());
+            case STRING -> text(reader.nextString());
+            case BOOLEAN -> reader.nextBoolean() ? JsonValue.Literal.TRUE : JsonValue.Literal.FALSE;
+            case NULL -> {
+                reader.nextNull();
+                yield JsonValue.Literal.NULL;
+            }
+            case END_ARRAY, END_OBJECT, END_DOCUMENT, NAME -> throw abandon("this is not valid JSON" + where());
+        };
+    }
+
+    private JsonValue object() throws IOException {
+        deeper();
+        var members = new JsonValue.Members();
+        reader.beginObject();
+        while (reader.hasNext()) {
+            String name = shared(reader.nextName());
+            int mark = problems.enter(name);
+            if (members.size() == JsonValue.Members.MOST) {
+                throw abandon("more than " + JsonValue.Members.MOST + " keys in one object");
+            }
+            if (members.contains(name)) {
+                problems.error("the key is there twice: delete one");
+                value();
+            } else {
+                members.with(name, value());
+            }
+            problems.leave(mark);
+        }
+        reader.endObject();
+        depth--;
+        return members;
+    }
+
+    /** The same few names occur in every record: one copy of each is enough. */
+    private String shared(String name) {
+        String known = names.get(name);
+        if (known == null && names.size() < MAX_SHARED_NAMES) {
+            names.put(name, name);
+        }
+        return known == null ? name : known;
+    }
+
+    private JsonValue array() throws IOException {
+        deeper();
+        List<JsonValue> elements = new ArrayList<>(4);
+        reader.beginArray();
+        while (reader.hasNext()) {
+            int mark = problems.enter(elements.size());
+            elements.add(value());
+            problems.leave(mark);
+        }
+        reader.endArray();
+        depth--;
+        return new JsonValue.Array(elements);
+    }
+
+    private JsonValue number(String text) {
+        double value = Double.parseDouble(text);
+        if (Double.isInfinite(value)) {
+            problems.error("the number " + shortened(text) + " is too large");
+            value = 0;
+        }
+        return new JsonValue.Number(value);
+    }
+
+    private JsonValue text(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            boolean pair = Character.isHighSurrogate(c)
+                    && i + 1 < text.length()
+                    && Character.isLowSurrogate(text.charAt(i + 1));
+            if (pair) {
+                i++;
+            } else if (Character.isSurrogate(c)) {
+                problems.error("the text holds half of a surrogate pair at character " + i);
+                break;
+            }
+        }
+        return new JsonValue.Text(text);
+    }
+
+    private void deeper() {
+        if (++depth > MAX_DEPTH) {
+            throw abandon("nested deeper than " + MAX_DEPTH + " levels");
+        }
+    }
+
+    private Abandoned abandon(String message) {
+        problems.error(message);
+        return new Abandoned();
+    }
+
+    /** Gson tells line and column in its description only: {@code JsonReader at line 3 column 7 path $.x}. */
+    private String where() {
+        String text = reader.toString();
+        int line = text.indexOf(" at line ");
+        int path = text.indexOf(" path ", Math.max(line, 0));
+        return line < 0 || path < 0 ? "" : " (" + text.substring(line + 4, path).replace(" column", ", column") + ")";
+    }
+
+    /** Gson's message without its advice to its own callers and without the place. */
+    private static String plain(String message) {
+        if (message == null || message.startsWith("Use JsonReader") || message.startsWith("Nesting")) {
+            return "this is not valid JSON";
+        }
+        int at = message.indexOf(" at line ");
+        int end = message.indexOf('\n');
+        String first = message.substring(0, at >= 0 ? at : end >= 0 ? end : message.length());
+        return "this is not valid JSON: " + shortened(first);
+    }
+
+    /** A key as a path shows it. */
+    static String printable(String name) {
+        String shown = name.length() <= MOST_SHOWN ? name : name.substring(0, MOST_SHOWN) + "…";
+        for (int i = 0; i < shown.length(); i++) {
+            if (shown.charAt(i) < ' ' || shown.charAt(i) > '~' && shown.charAt(i) != '…') {
+                return shown.replaceAll("[^ -~…]", "?");
+            }
+        }
+        return shown;
+    }
+
+    public static String shortened(String text) {
+        return text.length() <= 40 ? text : text.substring(0, 40) + "…";
+    }
+}

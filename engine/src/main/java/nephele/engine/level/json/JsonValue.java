@@ -1,0 +1,113 @@
+package nephele.engine.level.json;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** A JSON document in memory. */
+sealed interface JsonValue {
+    record Text(String value) implements JsonValue {}
+
+    record Number(double value) implements JsonValue {}
+
+    enum Literal implements JsonValue {
+        TRUE,
+        FALSE,
+        NULL
+    }
+
+    record Array(List<JsonValue> values) implements JsonValue {}
+
+    /** Members in file order; remembers which ones were asked for, so that the rest can be called unknown. */
+    final class Members implements JsonValue {
+        /** Past this many the object cannot be one of ours; it bounds the linear searches. */
+        static final int MOST = Long.SIZE;
+
+        private static final int USUAL = 4;
+
+        private String[] names = new String[USUAL];
+        private JsonValue[] values = new JsonValue[USUAL];
+        private int size;
+        private long asked;
+
+        Members with(String name, JsonValue value) {
+            insert(size, name, value);
+            return this;
+        }
+
+        void insert(int index, String name, JsonValue value) {
+            if (size == names.length) {
+                names = Arrays.copyOf(names, 2 * size);
+                values = Arrays.copyOf(values, 2 * size);
+            }
+            System.arraycopy(names, index, names, index + 1, size - index);
+            System.arraycopy(values, index, values, index + 1, size - index);
+            names[index] = name;
+            values[index] = value;
+            size++;
+        }
+
+        boolean contains(String name) {
+            return index(name) >= 0;
+        }
+
+        int size() {
+            return size;
+        }
+
+        String name(int index) {
+            return names[index];
+        }
+
+        JsonValue value(int index) {
+            return values[index];
+        }
+
+        /** The member's value, or {@code null}; marks it as known. */
+        JsonValue ask(String name) {
+            int index = index(name);
+            if (index < 0) {
+                return null;
+            }
+            asked |= 1L << index;
+            return values[index];
+        }
+
+        /** The names that nobody asked for. */
+        List<String> unknown() {
+            if (Long.bitCount(asked) == size) {
+                return List.of();
+            }
+            List<String> unknown = new ArrayList<>();
+            for (int i = 0; i < size; i++) {
+                if ((asked >>> i & 1) == 0) {
+                    unknown.add(names[i]);
+                }
+            }
+            return unknown;
+        }
+
+        private int index(String name) {
+            for (int i = 0; i < size; i++) {
+                if (names[i].equals(name)) {
+                    return i;
+                }
+            }
+            return -1;
+        }
+    }
+
+    /** How a message calls this kind of value. */
+    default String kind() {
+        if (this instanceof Text) {
+            return "a text";
+        } else if (this instanceof Number) {
+            return "a number";
+        } else if (this instanceof Array) {
+            return "an array";
+        } else if (this instanceof Members) {
+            return "an object";
+        }
+        return this == Literal.NULL ? "null" : "true or false";
+    }
+}

@@ -1,0 +1,43 @@
+package nephele.engine.level.json;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import nephele.engine.level.Problem;
+
+/** A file that is no level: all that is wrong with it, one line each in the message. */
+public final class LevelFormatException extends RuntimeException {
+    private static final long serialVersionUID = 1;
+
+    private final String file;
+    private final transient List<Problem> problems;
+    private final boolean damage;
+
+    public LevelFormatException(String file, List<Problem> problems) {
+        this(file, problems, false);
+    }
+
+    private LevelFormatException(String file, List<Problem> problems, boolean damage) {
+        super(problems.stream().map(problem -> problem.line(file)).collect(Collectors.joining("\n")));
+        this.file = file;
+        this.problems = List.copyOf(problems);
+        this.damage = damage;
+    }
+
+    /** For a file that cannot be read, or is no JSON document at all. */
+    static LevelFormatException damage(String file, List<Problem> problems) {
+        return new LevelFormatException(file, problems, true);
+    }
+
+    public String file() {
+        return file;
+    }
+
+    public List<Problem> problems() {
+        return problems;
+    }
+
+    /** Whether the file looks damaged rather than wrongly written, so that a backup may stand in. */
+    public boolean isDamage() {
+        return damage;
+    }
+}

@@ -1,0 +1,104 @@
+package nephele.engine.level.json;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.List;
+import nephele.engine.level.Level;
+
+/** Level files of version 1: bytes to records and back. */
+public final class LevelJson {
+    private static final String FORMAT = "nephele-level";
+    private static final int VERSION = 1;
+    private static final FileHeader HEADER = new FileHeader("level", FORMAT, VERSION);
+    private static final RecordFormat LEVEL = FormatBuilder.record(Level.class);
+
+    private LevelJson() {}
+
+    /**
+     * Reads strictly: unknown or duplicate keys, wrong types and numbers out of range are errors. What needs more than
+     * one value to be judged is left to {@link nephele.engine.level.rule.LevelRules}.
+     *
+     * @param file how messages call it
+     * @throws LevelFormatException with all that is wrong
+     */
+    public static Level read(String file, byte[] utf8) throws LevelFormatException {
+        Problems problems = new Problems();
+        JsonValue root = JsonTree.read(utf8, problems);
+        if (root == null) {
+            throw LevelFormatException.damage(file, problems.found());
+        }
+        Level level = null;
+        if (root instanceof JsonValue.Members members) {
+            if (HEADER.isThat(members, problems)) {
+                requireNoEntities(members, problems);
+                level = (Level) LEVEL.read(members, problems);
+                if (level == null) {
+                    new WrittenMaterials(members, problems).tellUnknown();
+                }
+            }
+        } else {
+            ValueFormat.mismatch("an object, a level", root, problems);
+        }
+        problems.throwIfAny(file);
+        return level;
+    }
+
+    /** Canonical text: fixed key order, defaults left out, numbers as {@link NumberText} has them. */
+    public static String write(Level level) {
+        JsonValue.Members members = HEADER.written();
+        LEVEL.writeMembers(level, members);
+        return JsonText.of(members);
+    }
+
+    /** SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits. */
+    public static String sha256(Level level) {
+        try {
+            byte[] text = write(level).getBytes(StandardCharsets.UTF_8);
+            return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(text));
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new IllegalStateException("every Java has SHA-256", impossible);
+        }
+    }
+
+    /** JSON Schema of what {@link #read} accepts, as far as a schema can say it. */
+    public static String schema() {
+        SchemaDefinitions definitions = new SchemaDefinitions();
+        JsonValue.Members level = LEVEL.schemaBeside(definitions);
+        var properties = new JsonValue.Members()
+                .with("format", new JsonValue.Members().with("const", new JsonValue.Text(FORMAT)))
+                .with("version", new JsonValue.Members().with("const", new JsonValue.Number(VERSION)));
+        JsonValue.Members own = (JsonValue.Members) level.ask("properties");
+        for (int i = 0; i < own.size(); i++) {
+            properties.with(own.name(i), own.value(i));
+        }
+        properties.with(
+                "entities",
+                new JsonValue.Members()
+                        .with("type", new JsonValue.Text("array"))
+                        .with("maxItems", new JsonValue.Number(0)));
+        return JsonText.of(new JsonValue.Members()
+                .with("$schema", new JsonValue.Text("https://json-schema.org/draft/2020-12/schema"))
+                .with("title", new JsonValue.Text("Nephele level, version " + VERSION))
+                .with("type", new JsonValue.Text("object"))
+                .with("properties", properties)
+                .with("required", SchemaDefinitions.texts(List.of("format", "version")))
+                .with("unevaluatedProperties", JsonValue.Literal.FALSE)
+                .with("$defs", definitions.toJson()));
+    }
+
+    private static void requireNoEntities(JsonValue.Members members, Problems problems) {
+        JsonValue entities = members.ask("entities");
+        if (entities == null) {
+            return;
+        }
+        int mark = problems.enter("entities");
+        if (!(entities instanceof JsonValue.Array array)) {
+            ValueFormat.mismatch("an array", entities, problems);
+        } else if (!array.values().isEmpty()) {
+            problems.error("this version knows no entities: leave the array empty");
+        }
+        problems.leave(mark);
+    }
+}

@@ -1,0 +1,95 @@
+package nephele.engine.level.json;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.level.Level;
+
+/**
+ * Replaces a file so that at every moment, whatever fails, a complete version of it exists: the new content goes to a
+ * file beside it, is forced to disk and then takes the old one's name in one step (Pillai et al., OSDI 2014, on why each
+ * step is needed). The previous version stays as {@code .bak}.
+ */
+final class LevelSaver {
+    private final FileOperations files;
+
+    LevelSaver(FileOperations files) {
+        this.files = files;
+    }
+
+    void save(Path path, Level level) throws LevelSaveException {
+        byte[] bytes = checkedText(path, level);
+        Path target = followed(path);
+        Path fresh = beside(target, ".tmp");
+        Path backup = beside(target, ".bak");
+        Path freshBackup = beside(target, ".bak.tmp");
+        try {
+            files.write(fresh, bytes);
+            files.force(fresh);
+            keepOld(target, freshBackup, backup);
+            files.moveOver(fresh, target);
+        } catch (IOException problem) {
+            discard(fresh);
+            discard(freshBackup);
+            throw new LevelSaveException(path.toString(), AtomicFile.reason(problem), problem);
+        }
+        forceFolder(target);
+    }
+
+    static Path beside(Path file, String suffix) {
+        return file.resolveSibling(file.getFileName() + suffix);
+    }
+
+    /** What cannot be read back equal is not written at all. */
+    private static byte[] checkedText(Path path, Level level) {
+        String file = path.toString();
+        byte[] bytes = LevelJson.write(level).getBytes(StandardCharsets.UTF_8);
+        if (!LevelJson.read(file, bytes).equals(level)) {
+            throw new LevelSaveException(file, "its text does not read back as the same level", null);
+        }
+        return bytes;
+    }
+
+    /** A link stays a link: the file that it leads to is replaced. */
+    private static Path followed(Path path) {
+        try {
+            return Files.exists(path) ? path.toRealPath() : path.toAbsolutePath();
+        } catch (IOException unreadable) {
+            return path.toAbsolutePath();
+        }
+    }
+
+    /** A damaged file does not push a good backup out. */
+    private void keepOld(Path target, Path freshBackup, Path backup) throws IOException {
+        if (!files.exists(target)) {
+            return;
+        }
+        byte[] old = files.read(target, JsonTree.MAX_FILE_BYTES);
+        if (JsonTree.read(old, new Problems()) == null) {
+            return;
+        }
+        files.write(freshBackup, old);
+        files.force(freshBackup);
+        files.moveOver(freshBackup, backup);
+    }
+
+    private void discard(Path file) {
+        try {
+            files.deleteIfExists(file);
+        } catch (IOException leftover) {
+            // The next save overwrites it.
+            return;
+        }
+    }
+
+    /** Best effort: the new file is complete already, and Windows refuses to force folders. */
+    private void forceFolder(Path target) {
+        try {
+            files.force(target.getParent());
+        } catch (IOException refused) {
+            return;
+        }
+    }
+}

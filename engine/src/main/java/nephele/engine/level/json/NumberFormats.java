@@ -1,0 +1,128 @@
+package nephele.engine.level.json;
+
+import java.util.List;
+import nephele.engine.math.Vec3;
+
+/** Numbers and vectors of numbers, checked as doubles against a range. */
+final class NumberFormats {
+    private NumberFormats() {}
+
+    /** {@code number} of any primitive type; {@code fallback} is that of an absent key. */
+    record Real(double min, double max, Double fallback) implements ValueFormat {
+        @Override
+        public Object read(JsonValue json, Problems problems) {
+            return json instanceof JsonValue.Number number
+                    ? inRange(number.value(), min, max, problems)
+                    : ValueFormat.mismatch("a number", json, problems);
+        }
+
+        @Override
+        public JsonValue write(Object value) {
+            return new JsonValue.Number((Double) value);
+        }
+
+        @Override
+        public JsonValue.Members schema(SchemaDefinitions definitions) {
+            return range("number", min, max);
+        }
+
+        @Override
+        public Object absent() {
+            return fallback;
+        }
+    }
+
+    /** An integer that fits its Java type; {@code narrow} makes an {@code Integer} of it. */
+    record Whole(double min, double max, boolean narrow) implements ValueFormat {
+        @Override
+        public Object read(JsonValue json, Problems problems) {
+            if (!(json instanceof JsonValue.Number number)) {
+                return ValueFormat.mismatch("a whole number", json, problems);
+            }
+            if (number.value() != Math.rint(number.value())) {
+                return problems.error("this must be a whole number, not " + NumberText.of(number.value()));
+            }
+            Object checked = inRange(number.value(), min, max, problems);
+            return checked == null ? null : boxed((long) number.value());
+        }
+
+        private Object boxed(long value) {
+            return narrow ? (Object) Math.toIntExact(value) : (Object) value;
+        }
+
+        @Override
+        public JsonValue write(Object value) {
+            return new JsonValue.Number(((java.lang.Number) value).doubleValue());
+        }
+
+        @Override
+        public JsonValue.Members schema(SchemaDefinitions definitions) {
+            return range("integer", min, max);
+        }
+
+        @Override
+        public Object absent() {
+            return boxed(0);
+        }
+    }
+
+    /** {@code [x, y, z]}, the same range for each. */
+    record Vector(double min, double max) implements ValueFormat {
+        @Override
+        public Object read(JsonValue json, Problems problems) {
+            if (!(json instanceof JsonValue.Array array)) {
+                return ValueFormat.mismatch("an array of three numbers", json, problems);
+            }
+            if (array.values().size() != 3) {
+                return problems.error(
+                        "this must hold three numbers, not " + array.values().size());
+            }
+            Double x = component(array, 0, problems);
+            Double y = component(array, 1, problems);
+            Double z = component(array, 2, problems);
+            return x == null || y == null || z == null ? null : new Vec3(x, y, z);
+        }
+
+        private Double component(JsonValue.Array array, int index, Problems problems) {
+            if (array.values().get(index) instanceof JsonValue.Number number
+                    && number.value() >= min
+                    && number.value() <= max) {
+                return number.value();
+            }
+            int mark = problems.enter(index);
+            Object value = new Real(min, max, null).read(array.values().get(index), problems);
+            problems.leave(mark);
+            return (Double) value;
+        }
+
+        @Override
+        public JsonValue write(Object value) {
+            Vec3 v = (Vec3) value;
+            return new JsonValue.Array(
+                    List.of(new JsonValue.Number(v.x()), new JsonValue.Number(v.y()), new JsonValue.Number(v.z())));
+        }
+
+        @Override
+        public JsonValue.Members schema(SchemaDefinitions definitions) {
+            return new JsonValue.Members()
+                    .with("type", new JsonValue.Text("array"))
+                    .with("items", range("number", min, max))
+                    .with("minItems", new JsonValue.Number(3))
+                    .with("maxItems", new JsonValue.Number(3));
+        }
+    }
+
+    private static Object inRange(double value, double min, double max, Problems problems) {
+        return value >= min && value <= max
+                ? (Object) value
+                : problems.error("must be from " + NumberText.of(min) + " to " + NumberText.of(max) + ", not "
+                        + NumberText.of(value));
+    }
+
+    private static JsonValue.Members range(String type, double min, double max) {
+        return new JsonValue.Members()
+                .with("type", new JsonValue.Text(type))
+                .with("minimum", new JsonValue.Number(min))
+                .with("maximum", new JsonValue.Number(max));
+    }
+}

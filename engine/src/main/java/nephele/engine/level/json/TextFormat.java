@@ -1,0 +1,89 @@
+package nephele.engine.level.json;
+
+import java.util.Locale;
+import nephele.engine.asset.AssetId;
+import nephele.engine.level.TextRule;
+
+/** Texts, by what they may consist of. */
+record TextFormat(TextRule rule, String fallback) implements ValueFormat {
+    /** Letters that are drawn as nothing (Hangul fillers) and the empty Braille pattern. */
+    private static final String BLANK_LETTERS = "\u115f\u1160\u3164\uffa0\u2800";
+
+    @Override
+    public Object read(JsonValue json, Problems problems) {
+        if (!(json instanceof JsonValue.Text text)) {
+            return ValueFormat.mismatch("a text", json, problems);
+        }
+        String objection = objection(text.value());
+        return objection == null ? text.value() : problems.error(objection);
+    }
+
+    private String objection(String text) {
+        if (text.length() < rule.shortest() || text.length() > rule.longest()) {
+            return "a text of " + rule.shortest() + " to " + rule.longest() + " characters is wanted, this one has "
+                    + text.length();
+        }
+        if (rule == TextRule.ASSET) {
+            return AssetId.rejectionReason(text);
+        }
+        if (rule == TextRule.SHA256) {
+            return text.matches("[0-9a-fA-F]*") ? null : "64 hexadecimal digits are wanted";
+        }
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            if (rule == TextRule.ID && isInvisible(c)) {
+                return String.format(
+                        Locale.ROOT,
+                        "an id holds no invisible characters, this one has U+%04X at position %d",
+                        (int) c,
+                        i);
+            }
+            if (Character.isISOControl(c) && !(rule == TextRule.PROSE && (c == '\n' || c == '\t'))) {
+                return "the text holds a control character at position " + i;
+            }
+        }
+        return rule == TextRule.ID && isBlank(text) ? "an id needs a character that can be seen" : null;
+    }
+
+    @Override
+    public JsonValue write(Object value) {
+        return new JsonValue.Text((String) value);
+    }
+
+    @Override
+    public JsonValue.Members schema(SchemaDefinitions definitions) {
+        var schema = new JsonValue.Members()
+                .with("type", new JsonValue.Text("string"))
+                .with("minLength", new JsonValue.Number(rule.shortest()))
+                .with("maxLength", new JsonValue.Number(rule.longest()));
+        return switch (rule) {
+            case ASSET -> schema.with("pattern", new JsonValue.Text("^[A-Za-z0-9._][A-Za-z0-9._/-]*$"));
+            case ID -> schema.with("pattern", new JsonValue.Text("\\S"));
+            case SHA256 -> schema.with("pattern", new JsonValue.Text("^[0-9a-fA-F]{64}$"));
+            case NAME, PROSE -> schema;
+        };
+    }
+
+    @Override
+    public Object absent() {
+        return fallback;
+    }
+
+    /** Control and format characters, among them those that turn the direction of writing, and ends of lines. */
+    private static boolean isInvisible(char c) {
+        int type = Character.getType(c);
+        return type == Character.CONTROL
+                || type == Character.FORMAT
+                || type == Character.LINE_SEPARATOR
+                || type == Character.PARAGRAPH_SEPARATOR;
+    }
+
+    /** Whether there is nothing to see but space. */
+    private static boolean isBlank(String text) {
+        return text.chars()
+                .allMatch(c -> Character.isWhitespace(c)
+                        || Character.isSpaceChar(c)
+                        || isInvisible((char) c)
+                        || BLANK_LETTERS.indexOf(c) >= 0);
+    }
+}

@@ -1,0 +1,98 @@
+package nephele.engine.level.rule;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.Picture;
+import nephele.engine.asset.PictureDecoder;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Problem;
+import nephele.engine.level.Sky;
+import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.appearance.SkyboxSizes;
+
+/** Every file that the level names is there, and every picture can be decoded. */
+final class AssetRules {
+    static final LevelRule READABLE = (level, assets, report) -> {
+        Check check = new Check(assets, report, new HashMap<>());
+        LevelRule.each("materials", level.materials(), (path, material) -> {
+            check.picture(path + ".texture", material.texture());
+            check.picture(path + ".normalTexture", material.normalTexture());
+        });
+        if (level.environment().sky() instanceof Sky.Skybox skybox) {
+            check.skybox("environment.sky.files", skybox);
+        }
+        LevelRule.each(
+                "environment.clouds",
+                level.environment().clouds(),
+                (path, cloud) -> check.density(path + ".density.file", cloud.density()));
+    };
+
+    private AssetRules() {}
+
+    /** @param objection {@code null} for a picture that can be used, whose size follows */
+    private record Verdict(String objection, int width, int height) {}
+
+    private record Check(AssetSource assets, Consumer<Problem> report, Map<String, Verdict> verdicts) {
+        /** The picture's size; {@code null} after reporting that there is none. */
+        Verdict picture(String path, String id) {
+            Verdict verdict = id == null ? null : verdicts.computeIfAbsent(id, this::verdict);
+            if (verdict != null && verdict.objection() != null) {
+                report.accept(Problem.error(path, verdict.objection()));
+                return null;
+            }
+            return verdict;
+        }
+
+        private Verdict verdict(String id) {
+            try {
+                Picture picture = PictureDecoder.decode(id, assets.bytes(id));
+                return new Verdict(null, picture.width(), picture.height());
+            } catch (AssetException problem) {
+                return new Verdict(problem.getMessage(), 0, 0);
+            }
+        }
+
+        void skybox(String path, Sky.Skybox skybox) {
+            Verdict first = null;
+            for (int i = 0; i < skybox.files().size(); i++) {
+                String file = skybox.files().get(i);
+                Verdict size = picture(path + "[" + i + "]", file);
+                first = first == null ? size : first;
+                if (size != null) {
+                    size(path + "[" + i + "]", file, size, skybox.layout() == SkyboxLayout.FACES ? first : null);
+                }
+            }
+        }
+
+        /** @param first of six faces, {@code null} for a cross */
+        private void size(String path, String file, Verdict size, Verdict first) {
+            try {
+                if (first == null) {
+                    SkyboxSizes.crossSide(file, size.width(), size.height());
+                } else {
+                    SkyboxSizes.requireFace(file, size.width(), size.height(), first.width());
+                }
+            } catch (AssetException problem) {
+                report.accept(Problem.error(path, problem.getMessage()));
+            }
+        }
+
+        void density(String path, Cloud.Density density) {
+            if (density instanceof Cloud.Density.Image image) {
+                picture(path, image.file());
+            } else if (density instanceof Cloud.Density.Grid grid) {
+                file(path, grid.file());
+            }
+        }
+
+        void file(String path, String id) {
+            if (!assets.exists(id)) {
+                report.accept(Problem.error(
+                        path, id + ": there is no such file; put it into the level's folder or into assets/"));
+            }
+        }
+    }
+}

@@ -1,0 +1,40 @@
+package nephele.engine.level.rule;
+
+import java.util.function.Consumer;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Problem;
+import nephele.engine.level.Sky;
+import nephele.engine.level.SkyboxLayout;
+import nephele.engine.level.json.WordFormats;
+
+/** A sky that can be shown. */
+final class EnvironmentRules {
+    /** As many files as the layout of a skybox needs. */
+    static final LevelRule SKY_FILES = (level, assets, report) -> {
+        if (level.environment().sky() instanceof Sky.Skybox skybox) {
+            int wanted = skybox.layout() == SkyboxLayout.FACES ? 6 : 1;
+            if (skybox.files().size() != wanted) {
+                String layout = WordFormats.Choice.word(skybox.layout());
+                report.accept(Problem.error(
+                        "environment.sky.files",
+                        "layout " + layout + " needs " + wanted + " files, not "
+                                + skybox.files().size()));
+            }
+        }
+    };
+
+    /** What is read and checked but is not shown yet, so that nobody looks for it in the picture. */
+    static final LevelRule NOT_YET = (level, assets, report) -> {
+        Environment environment = level.environment();
+        tell(!environment.clouds().isEmpty(), "environment.clouds", report);
+        tell(environment.sky() instanceof Sky.Atmosphere, "environment.sky", report);
+    };
+
+    private EnvironmentRules() {}
+
+    private static void tell(boolean present, String path, Consumer<Problem> report) {
+        if (present) {
+            report.accept(Problem.warning(path, "is not drawn by this version yet"));
+        }
+    }
+}

@@ -1,0 +1,76 @@
+package nephele.engine.level.rule;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import nephele.engine.level.Body;
+import nephele.engine.level.Camera;
+import nephele.engine.level.Cloud;
+import nephele.engine.level.Light;
+import nephele.engine.level.Material;
+import nephele.engine.level.ModelPlacement;
+import nephele.engine.level.PortalSpec;
+import nephele.engine.level.Problem;
+import nephele.engine.level.Solid;
+import nephele.engine.level.json.WrittenMaterials;
+
+/** Names: each given once in its section, each reference meets one. */
+final class IdRules {
+    static final LevelRule UNIQUE = (level, assets, report) -> {
+        unique("environment.clouds", level.environment().clouds(), Cloud::id, report);
+        unique("cameras", level.cameras(), Camera::id, report);
+        unique("materials", level.materials(), Material::id, report);
+        unique("solids", level.solids(), Solid::id, report);
+        unique("lights", level.lights(), Light::id, report);
+        unique("portals", level.portals(), PortalSpec::id, report);
+        unique("models", level.models(), ModelPlacement::id, report);
+        unique("bodies", level.bodies(), Body::id, report);
+    };
+
+    static final LevelRule MATERIALS = (level, assets, report) -> {
+        Set<String> known = new HashSet<>();
+        level.materials().forEach(material -> known.add(material.id()));
+        References references = new References(known, report);
+        LevelRule.each("solids", level.solids(), references::solid);
+        LevelRule.each("models", level.models(), (path, model) -> references.material(path, model.material()));
+        LevelRule.each("bodies", level.bodies(), (path, body) -> references.material(path, body.material()));
+    };
+
+    private IdRules() {}
+
+    private static <T> void unique(String section, List<T> records, Function<T, String> id, Consumer<Problem> report) {
+        Map<String, Integer> first = new HashMap<>();
+        for (int i = 0; i < records.size(); i++) {
+            String name = id.apply(records.get(i));
+            Integer before = first.putIfAbsent(name, i);
+            if (before != null) {
+                report.accept(Problem.error(
+                        section + "[" + i + "].id",
+                        "'" + name + "' is already the id of " + section + "[" + before + "]: give it another"));
+            }
+        }
+    }
+
+    private record References(Set<String> known, Consumer<Problem> report) {
+        void material(String path, String material) {
+            if (material != null && !known.contains(material)) {
+                report.accept(Problem.error(path + ".material", WrittenMaterials.noMaterial(material)));
+            }
+        }
+
+        void solid(String path, Solid solid) {
+            material(path, solid.material());
+            if (solid instanceof Solid.Box box) {
+                box.faces().forEach((side, face) -> material(path + ".faces." + side.text(), face.material()));
+            } else if (solid instanceof Solid.Wedge wedge) {
+                wedge.faces().forEach((side, face) -> material(path + ".faces." + side, face.material()));
+            } else if (solid instanceof Solid.Planes planes) {
+                LevelRule.each(path + ".planes", planes.planes(), (face, plane) -> material(face, plane.material()));
+            }
+        }
+    }
+}

@@ -1,0 +1,55 @@
+package nephele.engine.level.rule;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Level;
+import nephele.engine.level.Problem;
+
+/** The rules of a level, in the order in which their problems are told. */
+public final class LevelRules {
+    /** What can be said without opening another file. */
+    public static final List<LevelRule> STRUCTURE = List.of(
+            IdRules.UNIQUE,
+            IdRules.MATERIALS,
+            DirectionRules.NOT_ZERO,
+            SolidRules.BOUNDED,
+            CameraRules.VIEW,
+            LightRules.CONES,
+            LightRules.SHADOWS,
+            EnvironmentRules.SKY_FILES,
+            PortalRules.LINKS,
+            PortalRules.COUNT,
+            PortalRules.ON_SURFACE,
+            ModelRules.PARENTS,
+            BodyRules.SHAPES,
+            MirrorRules.FLAT,
+            BodyRules.REACH,
+            PlayerRules.FREE,
+            PlayerRules.SOMEWHERE,
+            EnvironmentRules.NOT_YET);
+
+    /** All rules; the last ones read every picture and every mesh. */
+    public static final List<LevelRule> ALL = all();
+
+    private LevelRules() {}
+
+    private static List<LevelRule> all() {
+        List<LevelRule> all = new ArrayList<>(STRUCTURE);
+        all.add(AssetRules.READABLE);
+        all.add(ModelRules.READABLE);
+        return List.copyOf(all);
+    }
+
+    /** Every problem, errors and warnings. */
+    public static List<Problem> check(Level level, AssetSource assets) {
+        return check(ALL, level, assets);
+    }
+
+    /** The problems that {@code rules} find. */
+    public static List<Problem> check(List<LevelRule> rules, Level level, AssetSource assets) {
+        List<Problem> problems = new ArrayList<>();
+        rules.forEach(rule -> rule.check(level, assets, problems::add));
+        return problems;
+    }
+}

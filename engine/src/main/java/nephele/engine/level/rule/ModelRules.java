@@ -1,0 +1,102 @@
+package nephele.engine.level.rule;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import nephele.engine.asset.AssetException;
+import nephele.engine.level.Level;
+import nephele.engine.level.Problem;
+import nephele.engine.level.placed.MeshAssets;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.PlacedModels;
+import nephele.engine.model.Mesh;
+
+/** Models hang below models, without circles, and all meshes can be read and are few and near enough. */
+final class ModelRules {
+    static final LevelRule PARENTS = (level, assets, report) -> {
+        Map<String, String> parents = new HashMap<>();
+        level.models().forEach(model -> parents.put(model.id(), model.parent()));
+        Map<String, Boolean> circular = new HashMap<>();
+        LevelRule.each("models", level.models(), (entry, model) -> {
+            String path = entry + ".parent";
+            if (model.parent() != null && !parents.containsKey(model.parent())) {
+                report.accept(Problem.error(path, "there is no model '" + model.parent() + "'"));
+            } else if (circles(model.id(), parents, circular)) {
+                report.accept(Problem.error(path, "'" + model.id() + "' hangs below itself: break the circle"));
+            }
+        });
+    };
+
+    static final LevelRule READABLE = (level, assets, report) -> {
+        Map<String, Mesh> meshes = new HashMap<>();
+        Map<String, String> objections = new HashMap<>();
+        MeshAssets source = new MeshAssets(assets);
+        long triangles = 0;
+        for (int i = 0; i < level.models().size(); i++) {
+            String file = level.models().get(i).file();
+            if (!meshes.containsKey(file) && !objections.containsKey(file)) {
+                read(source, file, meshes, objections);
+            }
+            if (objections.containsKey(file)) {
+                report.accept(Problem.error("models[" + i + "].file", objections.get(file)));
+                continue;
+            }
+            triangles += meshes.get(file).triangleCount();
+            if (triangles > PlacedModels.MOST_TRIANGLES) {
+                // That is told below; to read on might fill the memory.
+                break;
+            }
+        }
+        if (objections.isEmpty()) {
+            placeable(level, meshes, report);
+        }
+    };
+
+    private ModelRules() {}
+
+    private static void read(MeshAssets source, String file, Map<String, Mesh> meshes, Map<String, String> objections) {
+        try {
+            meshes.put(file, source.mesh(file));
+        } catch (AssetException problem) {
+            objections.put(file, problem.getMessage());
+        }
+    }
+
+    private static void placeable(Level level, Map<String, Mesh> meshes, Consumer<Problem> report) {
+        try {
+            PlacedModels placed = PlacedModels.of(level, meshes::get);
+            tellEmpty(placed, report);
+            PlayerRules.tellInside(level, placed, report);
+            PortalRules.tellFree(level, placed, report);
+        } catch (AssetException problem) {
+            report.accept(Problem.error("models", problem.getMessage()));
+        } catch (IllegalArgumentException toldByAnotherRule) {
+            return;
+        }
+    }
+
+    private static void tellEmpty(PlacedModels placed, Consumer<Problem> report) {
+        for (PlacedModel model : placed.all()) {
+            if (model.isEmpty()) {
+                report.accept(Problem.warning(
+                        "models[" + model.index() + "]",
+                        "'" + model.said().id() + "' draws nothing: none of the triangles of "
+                                + model.said().file() + " has an area here; check its scale, or delete it"));
+            }
+        }
+    }
+
+    /** @param verdicts of the ids walked so far; grows, so that a chain is walked once */
+    private static boolean circles(String start, Map<String, String> parents, Map<String, Boolean> verdicts) {
+        Set<String> walked = new HashSet<>();
+        String id = start;
+        while (id != null && !verdicts.containsKey(id) && walked.add(id)) {
+            id = parents.get(id);
+        }
+        boolean circular = id != null && verdicts.getOrDefault(id, true);
+        walked.forEach(each -> verdicts.put(each, circular));
+        return circular;
+    }
+}

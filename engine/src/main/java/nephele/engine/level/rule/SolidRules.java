@@ -1,0 +1,79 @@
+package nephele.engine.level.rule;
+
+import java.util.Set;
+import java.util.function.Consumer;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Problem;
+import nephele.engine.level.Solid;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Vec3;
+
+/** Every solid encloses a bounded volume. */
+final class SolidRules {
+    private static final Set<String> WEDGE_FACES = Set.of("+x", "-x", "-y", "+z", "-z", "slope");
+
+    /** Triples of planes whose intersection is looked at before the rest is let through: about a second's work. */
+    private static final long MOST_TRIPLES = 5_000_000;
+
+    static final LevelRule BOUNDED = (level, assets, report) -> {
+        long triples = 0;
+        for (int i = 0; i < level.solids().size(); i++) {
+            String path = "solids[" + i + "]";
+            Solid solid = level.solids().get(i);
+            if (solid instanceof Solid.Wedge wedge) {
+                wedgeFaces(path, wedge, report);
+            }
+            triples += triples(solid);
+            if (triples > MOST_TRIPLES) {
+                report.accept(Problem.warning(path, "so many planes: this solid and those after it are not checked"));
+                return;
+            }
+            if (triples(solid) > 0) {
+                bounded(path, solid, report);
+            }
+        }
+    };
+
+    private SolidRules() {}
+
+    /** The work of deriving the shape; 0 for those that are bounded as soon as their numbers are positive. */
+    private static long triples(Solid solid) {
+        if (solid instanceof Solid.Box box && positive(box.size())) {
+            return 0;
+        }
+        if (solid instanceof Solid.Prism prism
+                && prism.radiusMetres() > 0
+                && prism.heightMetres() > 0
+                && prism.sides() >= 3
+                && prism.sides() <= ConvexPolyhedron.MAX_PLANES - 2) {
+            return 0;
+        }
+        long planes = solid instanceof Solid.Planes given ? given.planes().size() : 6;
+        return 1 + planes * (planes - 1) * (planes - 2) / 6;
+    }
+
+    private static boolean positive(Vec3 size) {
+        return size.x() > 0 && size.y() > 0 && size.z() > 0;
+    }
+
+    private static void bounded(String path, Solid solid, Consumer<Problem> report) {
+        boolean toldAlready = solid instanceof Solid.Planes planes
+                && planes.planes().stream().anyMatch(plane -> DirectionRules.isZero(plane.normal()));
+        try {
+            if (!toldAlready) {
+                Brush.of(solid);
+            }
+        } catch (IllegalArgumentException problem) {
+            report.accept(Problem.error(path, problem.getMessage()));
+        }
+    }
+
+    private static void wedgeFaces(String path, Solid.Wedge wedge, Consumer<Problem> report) {
+        for (String name : wedge.faces().keySet()) {
+            if (!WEDGE_FACES.contains(name)) {
+                report.accept(Problem.error(
+                        path + ".faces." + name, "a wedge has no such face: +x, -x, -y, +z, -z and slope are known"));
+            }
+        }
+    }
+}

@@ -1,0 +1,274 @@
+package nephele.engine.math.heightfield;
+
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Directions;
+import nephele.engine.math.Ray;
+import nephele.engine.math.RayTriangleIntersection;
+import nephele.engine.math.Vec3;
+import nephele.engine.math.bvh.BoxTest;
+import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.math.bvh.ItemVisitor;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.bvh.SweptAabb;
+
+/**
+ * A surface over a regular grid of heights. Each cell is split into two triangles along the diagonal from its corner of
+ * least x and z to that of greatest x and z. Cells and triangles are not stored; they are computed, and found through a
+ * min-max pyramid of the heights. Triangle 2 (row · cells per row + column) is the half of a cell with the greater z,
+ * the next number the half with the greater x; their front faces point up. Immutable and thread-safe.
+ */
+public final class HeightField {
+    /** The maximum number of samples along a side. */
+    public static final int MOST_SAMPLES = 8193;
+
+    /** A descending ray that starts at most this far below a triangle counts as starting on it. */
+    private static final double ON_SURFACE_METRES = 1e-9;
+
+    /** About ninety ε. */
+    private static final double RELATIVE_ROUNDING = 1e-14;
+
+    private static final double LEAST_CELL_METRES = 1e-3;
+
+    private static final double FARTHEST_METRES = 1e7;
+
+    private final Vec3 origin;
+    private final double cellMetres;
+    private final int columns;
+    private final int rows;
+    private final double[] heights;
+    private final MinMaxPyramid pyramid;
+
+    /** A function that returns the height of each sample, in metres above the origin. */
+    @FunctionalInterface
+    public interface Heights {
+        double metres(int column, int row);
+    }
+
+    private HeightField(Vec3 origin, double cellMetres, int columns, int rows, Heights source) {
+        this.origin = origin;
+        this.cellMetres = cellMetres;
+        this.columns = columns;
+        this.rows = rows;
+        heights = new double[columns * rows];
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                heights[row * columns + column] = checked(source.metres(column, row), column, row);
+            }
+        }
+        pyramid = new MinMaxPyramid(heights, columns, rows);
+    }
+
+    /**
+     * Creates a height field.
+     *
+     * @param origin position of the sample at column 0 and row 0 for height 0; columns run along x, rows along z
+     * @param cellMetres edge length of a cell, 1e-3 to 1e7
+     * @param columns samples along x, 2 to {@link #MOST_SAMPLES}
+     * @param rows samples along z, 2 to {@link #MOST_SAMPLES}
+     * @param source called once for each sample
+     * @throws IllegalArgumentException with the reason if the grid is too small or too large, extends beyond 1e7 m, or
+     *     a height is NaN or beyond 1e7 m
+     */
+    public static HeightField of(Vec3 origin, double cellMetres, int columns, int rows, Heights source) {
+        if (Math.min(columns, rows) < 2 || Math.max(columns, rows) > MOST_SAMPLES) {
+            throw new IllegalArgumentException("a height field has 2 to " + MOST_SAMPLES
+                    + " samples along each side, not " + columns + " × " + rows);
+        }
+        if (!(cellMetres >= LEAST_CELL_METRES && cellMetres <= FARTHEST_METRES)) {
+            throw new IllegalArgumentException("a height field's cells are " + LEAST_CELL_METRES + " m to "
+                    + FARTHEST_METRES + " m wide, not " + cellMetres + " m");
+        }
+        double farthest = Math.max(
+                Math.max(Math.abs(origin.x()), Math.abs(origin.x() + (columns - 1) * cellMetres)),
+                Math.max(Math.abs(origin.z()), Math.abs(origin.z() + (rows - 1) * cellMetres)));
+        if (!(Math.max(farthest, Math.abs(origin.y())) <= FARTHEST_METRES)) {
+            throw new IllegalArgumentException("a height field reaches no farther than " + FARTHEST_METRES
+                    + " m from the world's origin; this one begins at " + origin);
+        }
+        return new HeightField(origin, cellMetres, columns, rows, source);
+    }
+
+    private static double checked(double height, int column, int row) {
+        if (!(Math.abs(height) <= FARTHEST_METRES)) {
+            throw new IllegalArgumentException("the height at column " + column + ", row " + row + " is " + height
+                    + ": heights are numbers of metres, at most " + FARTHEST_METRES + " above or below the origin");
+        }
+        return height;
+    }
+
+    /** Returns the number of triangles, two for each cell. */
+    public int triangles() {
+        return 2 * (columns - 1) * (rows - 1);
+    }
+
+    /** Returns the edge length of a cell in metres. */
+    public double cellMetres() {
+        return cellMetres;
+    }
+
+    int cellColumns() {
+        return columns - 1;
+    }
+
+    int cellRows() {
+        return rows - 1;
+    }
+
+    MinMaxPyramid pyramid() {
+        return pyramid;
+    }
+
+    double x(int column) {
+        return origin.x() + column * cellMetres;
+    }
+
+    double z(int row) {
+        return origin.z() + row * cellMetres;
+    }
+
+    /** Returns the world y of a height. */
+    double y(double height) {
+        return origin.y() + height;
+    }
+
+    double height(int column, int row) {
+        return heights[row * columns + column];
+    }
+
+    /** Returns the box that contains the whole field. */
+    public Aabb bounds() {
+        return new Aabb(
+                x(0),
+                y(pyramid.least(pyramid.top(), 0, 0)),
+                z(0),
+                x(columns - 1),
+                y(pyramid.greatest(pyramid.top(), 0, 0)),
+                z(rows - 1));
+    }
+
+    /**
+     * Returns the position of corner 0 to 2, counter-clockwise seen from above; adjacent triangles share the bits of
+     * their corners.
+     */
+    public Vec3 corner(int triangle, int corner) {
+        int column = sampleColumn(triangle, corner);
+        int row = sampleRow(triangle, corner);
+        return new Vec3(x(column), y(height(column, row)), z(row));
+    }
+
+    private int sampleColumn(int triangle, int corner) {
+        boolean isGreaterZ = (triangle & 1) == 0;
+        return (triangle >> 1) % (columns - 1) + (corner == 0 || corner == 1 && isGreaterZ ? 0 : 1);
+    }
+
+    private int sampleRow(int triangle, int corner) {
+        boolean isGreaterX = (triangle & 1) == 1;
+        return (triangle >> 1) / (columns - 1) + (corner == 0 || corner == 2 && isGreaterX ? 0 : 1);
+    }
+
+    /** Returns the upward normal of a triangle; its length is not 1. */
+    private Vec3 upwards(int triangle) {
+        int column = (triangle >> 1) % (columns - 1);
+        int row = (triangle >> 1) / (columns - 1);
+        double least = height(column, row);
+        double greatest = height(column + 1, row + 1);
+        boolean isGreaterZ = (triangle & 1) == 0;
+        double between = isGreaterZ ? height(column, row + 1) : height(column + 1, row);
+        return isGreaterZ
+                ? new Vec3(between - greatest, cellMetres, least - between)
+                : new Vec3(least - between, cellMetres, between - greatest);
+    }
+
+    /** Returns the unit normal of a triangle's front face. */
+    public Vec3 normal(int triangle) {
+        Vec3 up = upwards(triangle);
+        return Directions.unit(up);
+    }
+
+    /** Returns the ray parameter of the hit of a triangle from either side; infinity for a miss. */
+    public double intersection(Ray ray, int triangle) {
+        double parameter = signedIntersection(ray, triangle);
+        return parameter >= 0 && isNear(ray, parameter, triangle, 0) ? parameter : Double.POSITIVE_INFINITY;
+    }
+
+    /** Returns the ray parameter at which a descending ray hits a triangle; infinity for a miss. */
+    public double entry(Ray ray, int triangle) {
+        Vec3 up = upwards(triangle);
+        double rate = up.x() * ray.directionX() + up.y() * ray.directionY() + up.z() * ray.directionZ();
+        if (!(rate < 0)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double parameter = signedIntersection(ray, triangle);
+        if (parameter >= 0) {
+            return isNear(ray, parameter, triangle, 0) ? parameter : Double.POSITIVE_INFINITY;
+        }
+        boolean startedOnIt =
+                parameter * rate <= ON_SURFACE_METRES * up.length() && isNear(ray, 0, triangle, ON_SURFACE_METRES);
+        return startedOnIt ? 0 : Double.POSITIVE_INFINITY;
+    }
+
+    private double signedIntersection(Ray ray, int triangle) {
+        double[] corners = new double[9];
+        for (int corner = 0; corner < 3; corner++) {
+            int column = sampleColumn(triangle, corner);
+            int row = sampleRow(triangle, corner);
+            corners[3 * corner] = x(column);
+            corners[3 * corner + 1] = y(height(column, row));
+            corners[3 * corner + 2] = z(row);
+        }
+        return RayTriangleIntersection.hitParameter(ray, corners, 0);
+    }
+
+    /**
+     * Returns true if a point of the ray is within a triangle's grown box. Without this test, rounding would let a ray
+     * parallel to the triangle's plane hit it from anywhere.
+     */
+    private boolean isNear(Ray ray, double parameter, int triangle, double metres) {
+        int column = (triangle >> 1) % (columns - 1);
+        int row = (triangle >> 1) / (columns - 1);
+        double[] box = new double[6];
+        HeightFieldBoxQuery.writeTriangle(this, column, row, triangle & 1, metres + rounding(ray), box);
+        double x = ray.originX() + parameter * ray.directionX();
+        double y = ray.originY() + parameter * ray.directionY();
+        double z = ray.originZ() + parameter * ray.directionZ();
+        return box[0] <= x && x <= box[3] && box[1] <= y && y <= box[4] && box[2] <= z && z <= box[5];
+    }
+
+    /**
+     * Returns the distance in metres by which a ray may miss a triangle and still hit it due to rounding. The signed
+     * volumes of {@link nephele.engine.math.RayTriangleIntersection} are products of up to three coordinates relative to the ray's origin: for
+     * coordinates up to L and edges of at least one cell c, their zero is off by a few ε L² / c, ε = 2⁻⁵³.
+     */
+    private double rounding(Ray ray) {
+        Aabb all = bounds();
+        double farthest = farther(ray.originX(), all.minX(), all.maxX())
+                + farther(ray.originY(), all.minY(), all.maxY())
+                + farther(ray.originZ(), all.minZ(), all.maxZ());
+        return RELATIVE_ROUNDING * farthest * (1 + farthest / cellMetres);
+    }
+
+    private static double farther(double from, double a, double b) {
+        return Math.max(Math.abs(a - from), Math.abs(b - from));
+    }
+
+    /** Reports every triangle with a box that {@code box} may touch along {@code motion}, in no particular order. */
+    public boolean nearest(Ray ray, double limit, ItemRayTest test, RayHit hit) {
+        hit.reset(limit);
+        if (ray.isCastable()) {
+            new HeightFieldRayQuery(this, ray, 2 * (ON_SURFACE_METRES + rounding(ray)), test, hit).walk();
+        }
+        return hit.item() >= 0;
+    }
+
+    /** Reports every triangle with a box that passes; the order does not follow the triangle numbers. */
+    public void passing(BoxTest test, ItemVisitor found) {
+        new HeightFieldBoxQuery(this, test, found).walk();
+    }
+
+    /**
+     * Reports every triangle with a box that {@code box} may touch along {@code motion}, in no particular order.
+     */
+    public void swept(Aabb box, Vec3 motion, ItemVisitor found) {
+        passing(SweptAabb.of(box, motion)::touches, found);
+    }
+}

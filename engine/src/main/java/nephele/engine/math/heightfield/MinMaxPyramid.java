@@ -1,0 +1,105 @@
+package nephele.engine.math.heightfield;
+
+/**
+ * A min-max pyramid: the least and greatest heights of square blocks of a grid's cells. Blocks of each level are twice
+ * as wide as those of the level below, up to one block that covers everything. Blocks are addressed by arithmetic;
+ * there are no nodes.
+ */
+final class MinMaxPyramid {
+    /** Cells along a side of a block of the lowest level; with this size the pyramid adds 1.4 bytes per sample. */
+    static final int BLOCK_CELLS = 4;
+
+    private final int[] columns;
+    private final int[] rows;
+    private final int[] first;
+    /** Least and greatest height of each block, by level, then row. */
+    private final double[] ranges;
+
+    /** @param samples in row-major order */
+    MinMaxPyramid(double[] samples, int sampleColumns, int sampleRows) {
+        int width = blocks(sampleColumns - 1, BLOCK_CELLS);
+        int depth = blocks(sampleRows - 1, BLOCK_CELLS);
+        int levels = 1 + 32 - Integer.numberOfLeadingZeros(Math.max(width, depth) - 1);
+        columns = new int[levels];
+        rows = new int[levels];
+        first = new int[levels + 1];
+        for (int level = 0; level < levels; level++) {
+            columns[level] = width;
+            rows[level] = depth;
+            first[level + 1] = first[level] + width * depth;
+            width = blocks(width, 2);
+            depth = blocks(depth, 2);
+        }
+        ranges = new double[2 * first[levels]];
+        for (int row = 0; row < rows[0]; row++) {
+            for (int column = 0; column < columns[0]; column++) {
+                fillFromSamples(column, row, samples, sampleColumns, sampleRows);
+            }
+        }
+        for (int level = 1; level < levels; level++) {
+            for (int block = 0; block < columns[level] * rows[level]; block++) {
+                fillFromBelow(level, block % columns[level], block / columns[level]);
+            }
+        }
+    }
+
+    private static int blocks(int parts, int partsOfBlock) {
+        return (parts + partsOfBlock - 1) / partsOfBlock;
+    }
+
+    private void fillFromSamples(int column, int row, double[] samples, int sampleColumns, int sampleRows) {
+        double least = Double.POSITIVE_INFINITY;
+        double greatest = Double.NEGATIVE_INFINITY;
+        int endRow = Math.min((row + 1) * BLOCK_CELLS, sampleRows - 1);
+        int endColumn = Math.min((column + 1) * BLOCK_CELLS, sampleColumns - 1);
+        for (int z = row * BLOCK_CELLS; z <= endRow; z++) {
+            for (int x = column * BLOCK_CELLS; x <= endColumn; x++) {
+                double height = samples[z * sampleColumns + x];
+                least = Math.min(least, height);
+                greatest = Math.max(greatest, height);
+            }
+        }
+        keep(0, column, row, least, greatest);
+    }
+
+    private void fillFromBelow(int level, int column, int row) {
+        double least = Double.POSITIVE_INFINITY;
+        double greatest = Double.NEGATIVE_INFINITY;
+        for (int child = 0; child < 4; child++) {
+            int x = 2 * column + (child & 1);
+            int z = 2 * row + (child >> 1);
+            if (has(level - 1, x, z)) {
+                least = Math.min(least, least(level - 1, x, z));
+                greatest = Math.max(greatest, greatest(level - 1, x, z));
+            }
+        }
+        keep(level, column, row, least, greatest);
+    }
+
+    private void keep(int level, int column, int row, double least, double greatest) {
+        int at = at(level, column, row);
+        ranges[at] = least;
+        ranges[at + 1] = greatest;
+    }
+
+    private int at(int level, int column, int row) {
+        return 2 * (first[level] + row * columns[level] + column);
+    }
+
+    /** Returns the level of the one block that covers everything; level 0 has the smallest blocks. */
+    int top() {
+        return columns.length - 1;
+    }
+
+    boolean has(int level, int column, int row) {
+        return column < columns[level] && row < rows[level];
+    }
+
+    double least(int level, int column, int row) {
+        return ranges[at(level, column, row)];
+    }
+
+    double greatest(int level, int column, int row) {
+        return ranges[at(level, column, row) + 1];
+    }
+}

@@ -1,0 +1,39 @@
+package nephele.engine.model.file;
+
+import java.util.Locale;
+import java.util.function.Function;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.model.Mesh;
+import nephele.engine.model.ModelFileException;
+
+/** Reads meshes by the extension of their file name. */
+public final class ModelFiles {
+    private ModelFiles() {}
+
+    /**
+     * Reads a mesh.
+     *
+     * @param file its name, which decides the format: .3d, .obj, .gltf or .glb
+     * @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none
+     * @throws nephele.engine.model.ModelFileException if the file is malformed, too large or of unknown format
+     */
+    public static Mesh read(String file, byte[] bytes, Function<String, byte[]> neighbour) {
+        String name = file.toLowerCase(Locale.ROOT);
+        if (name.endsWith(".3d")) {
+            return new TextMeshFile(file, bytes).read();
+        }
+        if (name.endsWith(".obj")) {
+            return new ObjFile(file, bytes).read();
+        }
+        if (name.endsWith(".gltf") || name.endsWith(".glb")) {
+            return new GltfFile(file, bytes, neighbour).read();
+        }
+        throw new ModelFileException(file, 0, "is no mesh that can be read", "use .3d, .obj, .gltf or .glb");
+    }
+
+    /** Returns a reader of files in the same folder as a file; it returns {@code null} for missing files. */
+    public static Function<String, byte[]> besides(AssetSource assets, String file) {
+        String folder = file.substring(0, file.lastIndexOf('/') + 1);
+        return name -> assets.exists(folder + name) ? assets.bytes(folder + name) : null;
+    }
+}

@@ -1,0 +1,249 @@
+package nephele.engine.playthrough;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.math.Vec3;
+import nephele.engine.named.Viewpoints;
+import nephele.engine.portal.CrossingWord;
+import nephele.engine.portal.Portals;
+import nephele.engine.scene.FrameState;
+import nephele.engine.scene.View;
+import nephele.engine.sim.FixedStep;
+import nephele.engine.sim.Simulation;
+import nephele.engine.sim.player.PlayerPose;
+import nephele.engine.sim.replay.ReplayRecorder;
+import nephele.engine.sim.state.FaultLog;
+import nephele.engine.sim.state.GunPortals;
+import nephele.engine.sim.state.PlayerState;
+import nephele.engine.sim.state.SimLevel;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
+import nephele.engine.sim.state.TickEvent;
+import org.joml.Vector3d;
+
+/**
+ * The simulated part of a game: two states between which frames interpolate, the clock that makes ticks and the record
+ * of all input.
+ */
+public final class Playthrough {
+    /** A displacement longer by this than the velocities account for is a discontinuity: the player was reset. */
+    private static final double LEAP_METRES = 1;
+
+    private static final double LEAST_DEPTH_METRES = 0.1;
+
+    /** Time in which a held body becomes transparent, or opaque again when the camera leaves the eye. */
+    private static final double CLEARING_SECONDS = 0.2;
+
+    private final Simulation simulation;
+    private final double secondsPerTick;
+    private final TickInput input;
+    private final ReplayRecorder recorder;
+    private final FixedStep clock;
+    private final List<TickEvent> news = new ArrayList<>();
+    private final PortalAges ages;
+    private final FrameInterpolation live;
+    private final CameraBoom boom;
+    private final ShotPreviews aiming;
+    private SimState before;
+    private SimState after;
+    private Seen seen;
+    private Vec3 heldFromEye;
+    private double heldClarity;
+    private boolean isCut = true;
+    private AnimationState animationBefore = AnimationState.STANDING;
+    private AnimationState animationAfter = AnimationState.STANDING;
+
+    /**
+     * The start of a walk and the name in its recording.
+     *
+     * @param levelFile file of the level, as the recording names it
+     * @param from {@code null} for the start of the level
+     */
+    public record Beginning(String levelFile, SimSettings settings, PlayerStart from) {}
+
+    /** Starts a walk through a level without models. */
+    public Playthrough(Level level, Beginning beginning, TickInput input) {
+        this(level, SimLevel.of(level), beginning, input);
+    }
+
+    /**
+     * Starts a walk through a level.
+     *
+     * @param simLevel made from the level
+     */
+    public Playthrough(Level level, SimLevel simLevel, Beginning beginning, TickInput input) {
+        this.input = input;
+        simulation = new Simulation(simLevel, beginning.settings, FaultLog.SILENT);
+        SimState start = beginning.from == null ? simulation.start() : simulation.startFrom(beginning.from);
+        secondsPerTick = 1.0 / beginning.settings.ticksPerSecond();
+        recorder = new ReplayRecorder(beginning.levelFile, beginning.settings, beginning.from);
+        clock = new FixedStep(beginning.settings.ticksPerSecond());
+        before = start;
+        after = start;
+        ages = new PortalAges(start, secondsPerTick);
+        live = new FrameInterpolation(level);
+        boom = new CameraBoom(simLevel.statics(), secondsPerTick);
+        aiming = new ShotPreviews(simulation);
+    }
+
+    /** Simulates the ticks that are due after a frame of this length. */
+    public void advance(long elapsedNanos) {
+        int due = clock.advance(elapsedNanos);
+        for (int i = 0; i < due; i++) {
+            tick();
+        }
+    }
+
+    /** Simulates one tick. */
+    public void tick() {
+        var done = input.next();
+        recorder.record(done);
+        before = after;
+        after = simulation.step(after, done);
+        news.addAll(after.world().trace().events());
+        ages.after(after);
+        aiming.after(after);
+        fadeHeld(PlayerPose.heldFromEye(after));
+        animationBefore = animationAfter;
+        animationAfter = animationAfter.next(after, secondsPerTick);
+        if (isDiscontinuity()) {
+            before = after;
+            animationBefore = animationAfter;
+            boom.cut();
+            isCut = true;
+        } else {
+            boom.tick(before, after);
+        }
+    }
+
+    private boolean isDiscontinuity() {
+        PlayerState from = before.player();
+        PlayerState to = after.player();
+        CrossingWord crossed = after.world().trace().playerCrossed();
+        Portals portals = after.world().portals();
+        Vec3 place = from.centre();
+        for (int i = 0; i < crossed.length(); i++) {
+            place = portals.transform(crossed.entry(i)).point(place);
+        }
+        double metres = to.centre().toVector().distance(place.toVector());
+        double speed =
+                from.velocity().toVector().length() + to.velocity().toVector().length();
+        return metres > LEAP_METRES + speed * secondsPerTick;
+    }
+
+    /** Returns the events since the last call. */
+    public List<TickEvent> takeEvents() {
+        List<TickEvent> taken = List.copyOf(news);
+        news.clear();
+        return taken;
+    }
+
+    /**
+     * Returns true if the view is discontinuous with the one before: at first, and after a reset of the player. Clears
+     * the flag.
+     */
+    public boolean takeCut() {
+        boolean was = isCut;
+        isCut = false;
+        return was;
+    }
+
+    /** Returns true when the input is a replay that has no further tick. */
+    public boolean isFinished() {
+        return input.isFinished();
+    }
+
+    /** Returns the state after the last tick. */
+    public SimState state() {
+        return after;
+    }
+
+    /** Returns the record of all input so far. */
+    public ReplayRecorder recorder() {
+        return recorder;
+    }
+
+    /** Switches between first and third person. */
+    public void changePerson() {
+        boom.toggle();
+    }
+
+    /** Returns the player's view between the last two ticks: from the eye, or from the camera boom. */
+    public View view(double aspect) {
+        PlayerPose camera = seen().camera();
+        return Viewpoints.ofEye(camera.eye(), camera.view(), aspect);
+    }
+
+    /** Returns the crosshair of the last view, for a picture of this size. */
+    public CrosshairState sights(double widthPoints, double heightPoints) {
+        Seen now = seen();
+        View view = view(widthPoints / heightPoints);
+        Vector3d way = now.aimed().toVector().sub(view.eye().toVector());
+        double depth = Math.max(-way.dot(view.back().toVector()), LEAST_DEPTH_METRES);
+        double pointsPerUnit =
+                now.isFirstPerson() ? 0 : heightPoints / 2 / (view.projection().tanHalfHeight() * depth);
+        return new CrosshairState(
+                toHalves(way.dot(view.right().toVector()) * pointsPerUnit),
+                toHalves(-way.dot(view.up().toVector()) * pointsPerUnit),
+                aiming.half(after, GunPortals.Colour.FIRST),
+                aiming.half(after, GunPortals.Colour.SECOND));
+    }
+
+    /** Rounds to half points: the overlay is redrawn whenever it changes. */
+    private static double toHalves(double points) {
+        return Math.rint(2 * points) / 2 + 0.0;
+    }
+
+    /** Returns the frame state between the last two ticks; always the same object. */
+    public FrameState frameState() {
+        double share = clock.share();
+        double seconds = Math.max(0, after.tick() - 1 + share) * secondsPerTick;
+        live.frameState().previews(aiming.previews(after));
+        live.world(before, after, share, ages);
+        live.held(after, heldFromCamera(share), heldClarity);
+        live.figure(seen().player(), animationBefore.towards(animationAfter, share), seconds);
+        return live.frameState();
+    }
+
+    /** @param fromEye position of the held body, {@code null} for none, which is never transparent */
+    private void fadeHeld(Vec3 fromEye) {
+        double step = (boom.isOut() ? -1 : 1) * secondsPerTick / CLEARING_SECONDS;
+        heldFromEye = fromEye;
+        heldClarity = fromEye == null ? 0 : Math.max(0, Math.min(1, heldClarity + step));
+    }
+
+    /** Returns the held body's position relative to the camera, also while the camera leaves the eye. */
+    private Vec3 heldFromCamera(double share) {
+        if (heldClarity == 0 || !boom.isOut()) {
+            return heldFromEye;
+        }
+        return Vec3.of(
+                heldFromEye.toVector().sub(boom.offset(before, after, share).toVector()));
+    }
+
+    /**
+     * The camera of a frame, and the hit of a shot from the eye.
+     *
+     * @param aimed in the camera's space
+     */
+    private record Seen(SimState after, double share, PlayerPose player, PlayerPose camera, Vec3 aimed) {
+        boolean isFirstPerson() {
+            return camera == player;
+        }
+    }
+
+    /** Returns the view, shared by the picture, the frame state and the crosshair of one frame. */
+    private Seen seen() {
+        double share = clock.share();
+        if (seen == null || seen.after != after || seen.share != share || seen.isFirstPerson() == boom.isOut()) {
+            PlayerPose player = PlayerPose.between(before, after, share);
+            boolean isOut = boom.isOut();
+            Vector3d aimed = isOut ? boom.aimedAt(player) : new Vector3d();
+            PlayerPose camera = isOut ? boom.camera(before, after, share, aimed) : player;
+            seen = new Seen(after, share, player, camera, Vec3.of(aimed));
+        }
+        return seen;
+    }
+}

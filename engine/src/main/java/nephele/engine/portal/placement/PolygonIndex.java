@@ -1,0 +1,33 @@
+package nephele.engine.portal.placement;
+
+import java.util.List;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.bvh.ItemVisitor;
+import nephele.engine.math.bvh.SpatialIndex;
+
+/** Convex polygons of one plane, found by place. */
+final class PolygonIndex {
+    private final List<ConvexPolygon> shapes;
+    private final SpatialIndex index;
+
+    PolygonIndex(List<ConvexPolygon> shapes) {
+        this.shapes = List.copyOf(shapes);
+        index = SpatialIndex.of(shapes.stream().map(ConvexPolygon::bounds).toList());
+    }
+
+    ConvexPolygon shape(int index) {
+        return shapes.get(index);
+    }
+
+    int size() {
+        return shapes.size();
+    }
+
+    Aabb bounds() {
+        return index.bounds();
+    }
+
+    void overlapping(Aabb box, ItemVisitor found) {
+        index.overlapping(box, found);
+    }
+}

@@ -1,0 +1,163 @@
+package nephele.engine.reference;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
+import nephele.engine.math.bvh.RayHit;
+import nephele.engine.math.bvh.SpatialIndex;
+import org.joml.Vector3dc;
+
+/**
+ * All items of a level that rays intersect. They are numbered solids first, then the pieces of bodies, then models.
+ * Safe to share between threads.
+ */
+final class TracedItems {
+    /** The factor on a hit's parameter beyond which rounding cannot place an item in front of the hit. */
+    private static final double BEHIND = 1 + 1e-9;
+
+    private final TracedShape[] items;
+    private final int[] surfaces;
+    private final int solids;
+    private final double[] bounds;
+    private final SpatialIndex index;
+
+    /**
+     * Collects the items.
+     *
+     * @param bodies number of bodies, however many pieces portals cut them into
+     */
+    TracedItems(StaticShapes statics, List<BodyPiece> pieces, int bodies) {
+        TracedStatics traced = new TracedStatics(statics);
+        List<TracedShape> all = new ArrayList<>(traced.solids());
+        all.addAll(pieces);
+        all.addAll(traced.models());
+        items = all.toArray(TracedShape[]::new);
+        solids = traced.solids().size();
+        surfaces = IntStream.concat(
+                        IntStream.concat(
+                                IntStream.range(0, solids), pieces.stream().mapToInt(piece -> solids + piece.body())),
+                        IntStream.range(0, traced.models().size()).map(model -> solids + bodies + model))
+                .toArray();
+        List<Aabb> boxes = all.stream().map(TracedShape::bounds).toList();
+        bounds = boxes.stream()
+                .flatMapToDouble(b -> DoubleStream.of(b.minX(), b.minY(), b.minZ(), b.maxX(), b.maxY(), b.maxZ()))
+                .toArray();
+        index = SpatialIndex.of(boxes);
+    }
+
+    static Ray ray(Vector3dc origin, Vector3dc direction) {
+        return new Ray(origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+    }
+
+    TracedShape shape(int item) {
+        return items[item];
+    }
+
+    /**
+     * Returns the item to exclude from the shadow rays of a lit item: itself if it is convex, otherwise −1 for none.
+     */
+    int withoutOwnShade(int item) {
+        return item < 0 || items[item].shadesItself() ? -1 : item;
+    }
+
+    /** Returns the index of a solid, the number of solids plus that of a body, or of both plus that of a model. */
+    int surface(int item) {
+        return surfaces[item];
+    }
+
+    boolean isSolid(int surface) {
+        return surface >= 0 && surface < solids;
+    }
+
+    /** Returns the parameter at which a ray from outside enters a solid; infinity if it does not. */
+    double entry(Ray ray, int solid) {
+        return items[solid].entry(ray, 0);
+    }
+
+    /**
+     * Finds the first item that the ray enters at a parameter from {@code least} to {@code most}.
+     *
+     * @param likely an item that the ray probably enters first, or −1: items clearly behind it are skipped, and the
+     *     result does not depend on it
+     */
+    boolean nearest(Ray ray, double least, double most, int likely, RayHit hit) {
+        double behind = likely < 0 ? Double.POSITIVE_INFINITY : BEHIND * items[likely].entry(ray, least);
+        return behind < most && nearest(ray, least, behind, hit) || nearest(ray, least, most, hit);
+    }
+
+    private boolean nearest(Ray ray, double least, double most, RayHit hit) {
+        return index.nearest(ray, most, (r, item, limit) -> items[item].entry(r, least), hit);
+    }
+
+    /** Returns an item other than {@code except} that the ray intersects up to the parameter {@code limit}, or −1. */
+    int blocker(Ray ray, double limit, int except) {
+        Blocker found = new Blocker(except);
+        index.anyHit(ray, limit, found);
+        return found.item;
+    }
+
+    /** Returns all items that rays of the shaft may intersect. */
+    int[] near(ShaftShape shape) {
+        IntStream.Builder items = IntStream.builder();
+        index.query(shape, items::add);
+        return items.build().toArray();
+    }
+
+    /**
+     * Returns the shaft with those of some items that its rays may intersect, nearest first.
+     *
+     * @param items all that are {@link #near} this shaft or a wider one
+     */
+    Shaft shaft(ShaftShape shape, int[] items) {
+        long[] met = new long[items.length];
+        int count = 0;
+        for (int i = 0; i < items.length; i++) {
+            double entry = shape.entry(bounds, 6 * items[i]);
+            if (entry < Double.POSITIVE_INFINITY) {
+                met[count++] = nearer(entry, i);
+            }
+        }
+        Arrays.sort(met, 0, count);
+        return new Shaft(
+                this,
+                Arrays.stream(met, 0, count).mapToInt(key -> items[(int) key]).toArray());
+    }
+
+    /** Returns a key that sorts by {@code entry} ≥ 0, then by index. It only affects speed: a float suffices. */
+    private static long nearer(double entry, int place) {
+        return (long) Float.floatToIntBits((float) entry) << 32 | place;
+    }
+
+    /** Returns the first item with a box that the ray intersects up to {@code limit}, as {@link Ray#firstBox}. */
+    int firstBox(Ray ray, double limit, int[] items, int from, int to) {
+        return ray.firstBox(limit, bounds, items, from, to);
+    }
+
+    /** Returns true if the ray intersects one item up to the parameter {@code limit}. */
+    boolean isBlockedBy(int item, Ray ray, double limit) {
+        return items[item].intersects(ray, limit);
+    }
+
+    private final class Blocker implements nephele.engine.math.bvh.ItemRayTest {
+        private final int except;
+        private int item = -1;
+
+        Blocker(int except) {
+            this.except = except;
+        }
+
+        @Override
+        public double hit(Ray ray, int candidate, double limit) {
+            if (candidate == except || !isBlockedBy(candidate, ray, limit)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            item = candidate;
+            return 0;
+        }
+    }
+}

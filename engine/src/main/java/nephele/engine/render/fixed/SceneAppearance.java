@@ -1,0 +1,49 @@
+package nephele.engine.render.fixed;
+
+import java.util.EnumSet;
+import java.util.Set;
+
+/** How a scene is shown. */
+public record SceneAppearance(Shading shading, Set<LightTerm> terms, Axes axes, Culling culling) {
+    /** As a viewer starts. */
+    public static final SceneAppearance USUAL =
+            new SceneAppearance(Shading.GOURAUD, EnumSet.allOf(LightTerm.class), Axes.HIDDEN, Culling.SPHERES);
+
+    /** Lines across the picture along x in red, y in green and z in blue. */
+    public enum Axes {
+        HIDDEN,
+        SHOWN
+    }
+
+    /** Which models are submitted. */
+    public enum Culling {
+        /** All. */
+        OFF,
+        /** Those whose bounding sphere touches what the view can see. */
+        SPHERES
+    }
+
+    public SceneAppearance {
+        terms = Set.copyOf(terms);
+    }
+
+    public SceneAppearance with(Shading newShading) {
+        return new SceneAppearance(newShading, terms, axes, culling);
+    }
+
+    public SceneAppearance with(Set<LightTerm> newTerms) {
+        return new SceneAppearance(shading, newTerms, axes, culling);
+    }
+
+    public SceneAppearance with(Axes newAxes) {
+        return new SceneAppearance(shading, terms, newAxes, culling);
+    }
+
+    public SceneAppearance with(Culling newCulling) {
+        return new SceneAppearance(shading, terms, axes, newCulling);
+    }
+
+    float term(LightTerm term) {
+        return terms.contains(term) ? 1 : 0;
+    }
+}

@@ -1,0 +1,81 @@
+package nephele.engine.render.frame;
+
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.BufferTexture;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.LightBlock;
+import nephele.engine.scene.light.PunctualLightTable;
+
+/** The lamps' part of {@code surface-light.glsl}, with the shadows of what never moves. */
+final class PunctualLighting implements GlObject {
+    private final Vec3 anchor;
+    private final boolean shadow;
+    private final PunctualLightTable table;
+    private final BufferTexture texels;
+    private final BufferTexture grid;
+
+    /**
+     * @param table of the level's lamps, or {@code null}
+     * @param anchor what positions in shaders are relative to
+     */
+    PunctualLighting(GlContext gl, FrameRequest request, PunctualLightTable table, Vec3 anchor) {
+        this.anchor = anchor;
+        this.table = table;
+        shadow = request.lightMaps().has(Target.LIGHT_SHADOW);
+        texels = table == null ? null : BufferTexture.ofFloats(gl, "punctual lights", table.packed(anchor));
+        grid = table == null ? null : grid(gl);
+    }
+
+    private BufferTexture grid(GlContext gl) {
+        try {
+            return BufferTexture.ofIntegers(gl, "light grid", table.packedGrid());
+        } catch (RuntimeException e) {
+            texels.close();
+            throw e;
+        }
+    }
+
+    /** {@code null} without lamps. */
+    PunctualLightTable table() {
+        return table;
+    }
+
+    Defines addTo(Defines defines) {
+        return defines.withIf(table != null, "PUNCTUAL_LIGHTS").withIf(shadow, "LIGHT_SHADOW");
+    }
+
+    void put(LightBlock block) {
+        if (table != null) {
+            block.lightGrid(table.grid(), anchor);
+        }
+    }
+
+    void tie(Uniforms uniforms) {
+        if (table != null) {
+            uniforms.sampler("lightTexels", TextureUnit.PUNCTUAL_LIGHTS);
+            uniforms.sampler("lightGridCells", TextureUnit.LIGHT_GRID);
+        }
+        if (shadow) {
+            uniforms.sampler("lightShadowMaps", TextureUnit.LIGHT_SHADOW);
+        }
+    }
+
+    /** Binds the lists of lamps; their depth pictures are {@link LightMaps}. */
+    void bind() {
+        if (table != null) {
+            texels.bind(TextureUnit.PUNCTUAL_LIGHTS);
+            grid.bind(TextureUnit.LIGHT_GRID);
+        }
+    }
+
+    @Override
+    public void close() {
+        if (table != null) {
+            texels.close();
+            grid.close();
+        }
+    }
+}

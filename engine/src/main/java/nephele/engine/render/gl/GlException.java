@@ -1,8 +1,0 @@
-package nephele.engine.render.gl;
-
-/** OpenGL refused something; the message names the object. */
-public final class GlException extends RuntimeException {
-    public GlException(String message) {
-        super(message);
-    }
-}

@@ -1,0 +1,42 @@
+package nephele.engine.render.gl.shader;
+
+/**
+ * Which texture unit holds what: the one table of them. OpenGL 4.1 promises a program {@value #COUNT}. Units with one
+ * number are of draws that never read both.
+ */
+public enum TextureUnit {
+    /** Base colours of materials, or the only picture of a pass: sky faces, letters, a picture to be developed. */
+    COLOURS(0),
+    /** An image that is being allocated or replaced; draws bind their own afterwards. */
+    UPLOAD(0),
+    NORMALS(1),
+    SUN_SHADOW(2),
+    LIGHT_SHADOW(3),
+    SKY_VISIBILITY(4),
+    PUNCTUAL_LIGHTS(5),
+    LIGHT_GRID(6),
+    DYNAMIC_INSTANCES(9),
+    DYNAMIC_SUN_SHADOW(10),
+    DYNAMIC_LIGHT_SHADOW(11),
+    VIEW_DEPTH(12),
+    VIEW_COLOUR(13),
+
+    /** From here on of XML scenes, whose draws use none of the units above. */
+    SCENE_VISIBLE(0),
+    SCENE_PLACES(1),
+    SCENE_LOOKS(2),
+    SCENE_LIGHTS(3),
+    SCENE_PICTURE(4);
+
+    public static final int COUNT = 16;
+
+    private final int number;
+
+    TextureUnit(int number) {
+        this.number = number;
+    }
+
+    public int number() {
+        return number;
+    }
+}

@@ -1,0 +1,91 @@
+package nephele.engine.render.gl.shader;
+
+import static org.lwjgl.opengl.GL41C.*;
+
+/** Looks uniforms up by name while a program is made; a name the program does not use throws. */
+public final class Uniforms {
+    private final int program;
+    private final String programName;
+
+    public Uniforms(int program, String programName) {
+        this.program = program;
+        this.programName = programName;
+    }
+
+    /** A {@code float} of one program. */
+    public record Scalar(int program, int location) {
+        public void set(float x) {
+            glProgramUniform1f(program, location, x);
+        }
+    }
+
+    /** An {@code int} of one program. */
+    public record Whole(int program, int location) {
+        public void set(int x) {
+            glProgramUniform1i(program, location, x);
+        }
+    }
+
+    /** A {@code vec3} of one program. */
+    public record Vector3(int program, int location) {
+        public void set(float x, float y, float z) {
+            glProgramUniform3f(program, location, x, y, z);
+        }
+    }
+
+    /** A {@code vec4} of one program. */
+    public record Vector4(int program, int location) {
+        public void set(float x, float y, float z, float w) {
+            glProgramUniform4f(program, location, x, y, z, w);
+        }
+    }
+
+    /** A {@code mat4} of one program, sixteen floats column by column. */
+    public record Matrix4(int program, int location) {
+        public void set(float[] columns) {
+            glProgramUniformMatrix4fv(program, location, false, columns);
+        }
+    }
+
+    public Scalar scalar(String name) {
+        return new Scalar(program, location(name));
+    }
+
+    public Whole whole(String name) {
+        return new Whole(program, location(name));
+    }
+
+    public Vector3 vector3(String name) {
+        return new Vector3(program, location(name));
+    }
+
+    public Vector4 vector4(String name) {
+        return new Vector4(program, location(name));
+    }
+
+    public Matrix4 matrix4(String name) {
+        return new Matrix4(program, location(name));
+    }
+
+    /** Ties a sampler to a texture unit for good. */
+    public void sampler(String name, TextureUnit unit) {
+        glProgramUniform1i(program, location(name), unit.number());
+    }
+
+    /** Ties a uniform block to a binding point for good. */
+    public void block(String name, int bindingPoint) {
+        int index = glGetUniformBlockIndex(program, name);
+        if (index == GL_INVALID_INDEX) {
+            throw new GlException(programName + " has no active uniform block '" + name + "'");
+        }
+        glUniformBlockBinding(program, index, bindingPoint);
+    }
+
+    private int location(String name) {
+        int location = glGetUniformLocation(program, name);
+        if (location < 0) {
+            throw new GlException(programName + " has no active uniform '" + name + "'");
+        }
+        return location;
+    }
+}

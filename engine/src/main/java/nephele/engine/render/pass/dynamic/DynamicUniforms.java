@@ -1,0 +1,26 @@
+package nephele.engine.render.pass.dynamic;
+
+import java.util.Optional;
+import nephele.engine.render.gl.shader.Uniforms.Scalar;
+import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.resource.DynamicMeshes.RunUniforms;
+
+/**
+ * What changes from view to view and from run to run.
+ *
+ * @param seamPerMetre only where the level may have portals
+ * @param clarity only of what is see-through
+ */
+record DynamicUniforms(
+        Vector3 eyeHigh, Vector3 eyeLow, Optional<Scalar> seamPerMetre, Optional<Scalar> clarity, RunUniforms run) {
+    void view(float[] highAndLow, float seam, float heldClarity) {
+        eyeHigh.set(highAndLow[0], highAndLow[1], highAndLow[2]);
+        eyeLow.set(highAndLow[3], highAndLow[4], highAndLow[5]);
+        if (seamPerMetre.isPresent()) {
+            seamPerMetre.get().set(seam);
+        }
+        if (clarity.isPresent()) {
+            clarity.get().set(heldClarity);
+        }
+    }
+}

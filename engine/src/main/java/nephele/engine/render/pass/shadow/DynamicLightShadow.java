@@ -1,0 +1,79 @@
+package nephele.engine.render.pass.shadow;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import nephele.engine.level.appearance.PunctualLight;
+import nephele.engine.math.Frustum;
+import nephele.engine.render.frame.DynamicShadows;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.SurfaceLight;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.render.resource.DynamicMeshes;
+import nephele.engine.scene.dynamic.VisibleInstances;
+import nephele.engine.scene.light.LightShadowLayers;
+import org.joml.Matrix4d;
+
+/** The lamps' depth pictures of what moves: the same layers and projections as those of what never moves. */
+final class DynamicLightShadow {
+    /** @param clipFromAnchor the layer's projection */
+    private record Layer(Matrix4d clipFromAnchor, Frustum frustum, PunctualLight light) {}
+
+    /** What the pictures show: the things of one renderer as they once stood. */
+    private record Content(Same dynamicObjects, long state) {}
+
+    private final SharedResources shared;
+    private final Same dynamicObjects;
+    private final DynamicDepthDraw depth;
+    private final DynamicShadows shade;
+    private final List<Layer> layers = new ArrayList<>();
+    private final VisibleInstances visible;
+    private final DepthLayers maps;
+    private final Texture.Extent extent;
+    private List<Content> contents = List.of();
+
+    DynamicLightShadow(LoadContext context, DynamicMeshes meshes, DynamicDepthDraw depth) {
+        shared = context.shared();
+        dynamicObjects = new Same(meshes);
+        this.depth = depth;
+        SurfaceLight surfaceLight = shared.surfaceLight();
+        shade = surfaceLight.dynamicObjectShade();
+        List<PunctualLight> lights = surfaceLight.lights().lights();
+        LightShadowLayers shadows = surfaceLight.lights().shadows();
+        for (int i = 0; i < shadows.layers().size(); i++) {
+            PunctualLight light = lights.get(shadows.layers().get(i).light());
+            Matrix4d clip = shadows.clipFromAnchor(lights, i, surfaceLight.anchor());
+            layers.add(new Layer(clip, Frustum.of(clip, surfaceLight.anchor()), light));
+        }
+        extent = new Texture.Extent(shadows.side(), shadows.side(), layers.size());
+        maps = DepthDraw.layers(context, "light shadows of dynamic objects");
+        visible = new VisibleInstances(meshes.dynamicObjects(), meshes.copies());
+    }
+
+    /**
+     * Draws the pictures again where they show something else.
+     *
+     * @param state of the things: another number where any has moved
+     */
+    void follow(long state) {
+        if (contents.isEmpty() || contents.get(0).state != state) {
+            contents = Collections.nCopies(extent.layers(), new Content(dynamicObjects, state));
+        }
+        shared.publish(Target.DYNAMIC_LIGHT_SHADOW, maps.showing(contents, extent, this::draw));
+    }
+
+    private void draw(int number, RenderTarget target) {
+        Layer layer = layers.get(number);
+        visible.find(layer.frustum, layer.light.position(), extent.width() / 2.0);
+        boolean isUsed = visible.runs() > 0;
+        shade.layer(number, isUsed);
+        if (isUsed) {
+            target.clearDepth();
+            depth.draw(visible, layer.clipFromAnchor, LightShadowLayers.depthPerMetre(layer.light));
+        }
+    }
+}

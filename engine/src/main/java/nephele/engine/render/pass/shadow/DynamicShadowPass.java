@@ -1,0 +1,71 @@
+package nephele.engine.render.pass.shadow;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import nephele.engine.render.frame.DynamicShadows;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.resource.DynamicMeshes;
+
+/** Depth maps of what moves, for the sun and for lamps; drawn again when something has moved or the eye has gone far. */
+public final class DynamicShadowPass implements Pass {
+    public static final RenderFeature FEATURE =
+            new RenderFeature("shadow.dynamic", Stage.ONCE_A_FRAME, DynamicShadowPass::requiredBy);
+
+    private final Set<Target> writes;
+    private final DynamicMeshes meshes;
+    private final DynamicDepthDraw depth;
+    private final DynamicShadows shade;
+    /** {@code null} where no sun casts; {@link #lights} likewise. */
+    private final DynamicSunShadow sun;
+
+    private final DynamicLightShadow lights;
+    private long drawn = -1;
+
+    private DynamicShadowPass(LoadContext context, Set<Target> writes) {
+        this.writes = writes;
+        meshes = context.shared().dynamicObjects();
+        depth = new DynamicDepthDraw(context, meshes);
+        shade = context.shared().surfaceLight().dynamicObjectShade();
+        sun = shade.sun() ? new DynamicSunShadow(context, meshes) : null;
+        lights = shade.lights() ? new DynamicLightShadow(context, meshes, depth) : null;
+    }
+
+    private static List<Required> requiredBy(FrameRequest request) {
+        Set<Target> targets = EnumSet.of(Target.DYNAMIC_SUN_SHADOW, Target.DYNAMIC_LIGHT_SHADOW);
+        targets.removeIf(target -> !request.lightMaps().has(target));
+        if (targets.isEmpty()) {
+            return List.of();
+        }
+        String because = request.hasBodies()
+                ? "bodies: dynamic objects that cast shadows"
+                : "player: a character that casts a shadow";
+        return List.of(new Required(because, context -> new DynamicShadowPass(context, targets)));
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return writes;
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        long now = meshes.update(frame.frameState());
+        boolean haveMoved = now != drawn;
+        drawn = now;
+        if (lights != null) {
+            lights.follow(now);
+        }
+        boolean isSunDrawn = sun != null && sun.follow(depth, frame, haveMoved);
+        if (haveMoved || isSunDrawn) {
+            shade.upload();
+        }
+    }
+}

@@ -1,0 +1,87 @@
+package nephele.engine.render.pass.shadow;
+
+import java.util.List;
+import java.util.Set;
+import nephele.engine.level.Level;
+import nephele.engine.level.appearance.PunctualLight;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.SharedObjects.Same;
+import nephele.engine.render.gl.Texture;
+import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.LightShadowLayers;
+import nephele.engine.scene.light.PunctualLightTable;
+
+/** The lamps' depth pictures: layers of one texture, drawn again when their lamp, or a solid near it, is another. */
+public final class LightShadowPass implements Pass {
+    public static final RenderFeature FEATURE =
+            new RenderFeature("shadow.lights", Stage.ONCE_A_FRAME, LightShadowPass::requiredBy);
+
+    private final SharedResources shared;
+    private final List<PunctualLight> lights;
+    private final LightShadowLayers shadows;
+    private final Vec3 anchor;
+    private final DepthDraw depth;
+    private final DepthLayers maps;
+    private final List<Content> contents;
+    private final Texture.Extent extent;
+
+    /** What a picture follows from. */
+    private record Content(PunctualLight light, int axis, Same shade, Vec3 anchor) {}
+
+    private LightShadowPass(LoadContext context) {
+        shared = context.shared();
+        PunctualLightTable table = shared.surfaceLight().lights();
+        lights = table.lights();
+        shadows = table.shadows();
+        anchor = shared.surfaceLight().anchor();
+        depth = new DepthDraw(context);
+        maps = DepthDraw.layers(context, "light shadows");
+        contents = shadows.layers().stream()
+                .map(layer -> new Content(
+                        lights.get(layer.light()), layer.axis(), new Same(table.shadowToken(layer.light())), anchor))
+                .toList();
+        extent = new Texture.Extent(
+                shadows.side(), shadows.side(), shadows.layers().size());
+    }
+
+    private static List<Required> requiredBy(FrameRequest request) {
+        return request.lightMaps().has(Target.LIGHT_SHADOW)
+                ? List.of(new Required(because(request.level()), LightShadowPass::new))
+                : List.of();
+    }
+
+    private static String because(Level level) {
+        for (int i = 0; i < level.lights().size(); i++) {
+            if (LightRequirements.casts(level.lights().get(i))) {
+                return "lights[" + i + "].castsShadow: " + LightRequirements.surfaces(level) + " that shade others";
+            }
+        }
+        throw new IllegalArgumentException("no punctual light casts");
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.LIGHT_SHADOW);
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        shared.publish(Target.LIGHT_SHADOW, maps.showing(contents, extent, this::draw));
+    }
+
+    private void draw(int layer, RenderTarget target) {
+        PunctualLight light = lights.get(shadows.layers().get(layer).light());
+        depth.drawInFrustum(
+                target, shadows.clipFromAnchor(lights, layer, anchor), anchor, LightShadowLayers.depthPerMetre(light));
+    }
+}

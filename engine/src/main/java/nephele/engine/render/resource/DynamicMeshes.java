@@ -1,0 +1,98 @@
+package nephele.engine.render.resource;
+
+import java.nio.FloatBuffer;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.BufferTexture;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.GpuMesh;
+import nephele.engine.render.gl.VertexFormat;
+import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.gl.shader.Uniforms.Whole;
+import nephele.engine.scene.FrameState;
+import nephele.engine.scene.dynamic.DynamicInstances;
+import nephele.engine.scene.dynamic.DynamicObjects;
+import nephele.engine.scene.dynamic.VisibleInstances;
+import nephele.engine.scene.light.SkyProbes;
+import org.lwjgl.BufferUtils;
+
+/**
+ * What moves, on the GPU: the shapes once, the instances whenever one has moved. Shaders read it by {@code
+ * thing-position.glsl} and {@code thing-instance.glsl}.
+ */
+public final class DynamicMeshes implements GlObject {
+    private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
+
+    private final DynamicObjects dynamicObjects;
+    private final DynamicInstances copies;
+    private final GpuMesh mesh;
+    private final BufferTexture instances;
+    private FloatBuffer staging = BufferUtils.createFloatBuffer(1 << 10);
+    private long version;
+
+    public DynamicMeshes(GlContext gl, DynamicObjects dynamicObjects, Vec3 anchor, SkyProbes sky) {
+        this.dynamicObjects = dynamicObjects;
+        copies = new DynamicInstances(dynamicObjects, anchor, sky);
+        mesh = new GpuMesh(
+                gl,
+                "dynamic objects",
+                FORMAT,
+                dynamicObjects.mesh().vertices(),
+                dynamicObjects.mesh().indices());
+        instances = BufferTexture.changing(gl, "dynamic instances");
+    }
+
+    public DynamicObjects dynamicObjects() {
+        return dynamicObjects;
+    }
+
+    public DynamicInstances copies() {
+        return copies;
+    }
+
+    /**
+     * Brings the instances to {@code frameState}; does nothing when they are there already.
+     *
+     * @return a number that changes with every change
+     */
+    public long update(FrameState frameState) {
+        long now = copies.update(frameState);
+        if (now != version) {
+            version = now;
+            int floats = DynamicInstances.FLOATS * copies.instances();
+            if (floats > staging.capacity()) {
+                staging = BufferUtils.createFloatBuffer(2 * floats);
+            }
+            instances.upload(staging.clear().put(copies.packed(), 0, floats).flip());
+        }
+        return now;
+    }
+
+    /** What a program that includes {@code thing-position.glsl} is told for each run of instances. */
+    public record RunUniforms(Whole firstInstance, Whole partsPerDynamicObject) {
+        public static RunUniforms of(Uniforms uniforms) {
+            uniforms.sampler("dynamicInstances", TextureUnit.DYNAMIC_INSTANCES);
+            return new RunUniforms(uniforms.whole("firstInstance"), uniforms.whole("partsPerDynamic"));
+        }
+    }
+
+    public void bind() {
+        instances.bind(TextureUnit.DYNAMIC_INSTANCES);
+    }
+
+    /** Draws one run with the program that is set and its uniforms. */
+    public void draw(VisibleInstances visible, int run, RunUniforms uniforms) {
+        int parts = dynamicObjects.groups().get(visible.group(run)).parts();
+        uniforms.firstInstance().set(visible.first(run));
+        uniforms.partsPerDynamicObject().set(parts);
+        mesh.drawInstanced(visible.mesh(run).first(), visible.mesh(run).count(), visible.count(run) / parts);
+    }
+
+    @Override
+    public void close() {
+        mesh.close();
+        instances.close();
+    }
+}

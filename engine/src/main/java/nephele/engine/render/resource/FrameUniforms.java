@@ -1,0 +1,82 @@
+package nephele.engine.render.resource;
+
+import nephele.engine.level.Environment;
+import nephele.engine.level.appearance.FogTransmittance;
+import nephele.engine.math.Plane;
+import nephele.engine.render.gl.DrawState;
+import nephele.engine.render.gl.DrawState.FrontFace;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.UniformBuffer;
+import nephele.engine.scene.View;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** The uniform block {@code Frame} of {@code frame.glsl}: what every shader knows of the view. */
+public final class FrameUniforms implements GlObject {
+    /** Binding point of the block; passes use others. */
+    public static final int BINDING = 0;
+
+    /**
+     * A portal is drawn a little before its wall, so it wins pixels whose ground lies as little before it: in the view
+     * beyond that ground is this little behind the exit, and would be missing.
+     */
+    private static final double CLIP_SLACK_METRES = 5e-4;
+
+    private static final int FLOATS = 16 + 7 * 4;
+
+    private final DrawState state;
+    private final UniformBuffer buffer;
+    private final float[] values = new float[FLOATS];
+    private final Matrix4d matrix = new Matrix4d();
+    private final Vector3d direction = new Vector3d();
+
+    /** @param environment does not change from frame to frame */
+    public FrameUniforms(GlContext gl, Environment environment) {
+        state = gl.state();
+        buffer = new UniformBuffer(gl, "frame uniforms", FLOATS);
+        FogTransmittance.of(environment).ifPresent(fog -> {
+            put(36, fog.radiance().toVector());
+            values[39] = (float) fog.extinctionPerMetre();
+        });
+    }
+
+    /**
+     * Makes what is drawn from now on be seen by {@code view}: its numbers, and which way round it sees triangles.
+     *
+     * @param exposure factor on radiance before the tone curve
+     */
+    public void upload(View view, double exposure) {
+        view.clipFromRelative(matrix).get(values);
+        put(16, view.direction(view.projection().tanHalfWidth(), 0, 0, direction));
+        put(20, view.direction(0, view.projection().tanHalfHeight(), 0, direction));
+        put(24, view.direction(0, 0, -1, direction));
+        values[27] = view.isMirrored() ? -1 : 1;
+        values[28] = (float) exposure;
+        put(40, view.tint());
+        putClip(view);
+        buffer.upload(values);
+        buffer.bind(BINDING);
+        state.frontFace(view.isMirrored() ? FrontFace.CLOCKWISE : FrontFace.COUNTER_CLOCKWISE);
+    }
+
+    private void putClip(View view) {
+        // Mesa's llvmpipe 22.3 may go on cutting by a distance that was just switched off: cut nothing then.
+        Plane clip = view.clip();
+        put(32, clip == null ? direction.zero() : direction.set(clip.nx(), clip.ny(), clip.nz()));
+        double inFront = clip == null ? 1 : clip.signedDistance(view.eyeX(), view.eyeY(), view.eyeZ());
+        values[35] = (float) (inFront + CLIP_SLACK_METRES);
+    }
+
+    private void put(int at, Vector3dc v) {
+        values[at] = (float) v.x();
+        values[at + 1] = (float) v.y();
+        values[at + 2] = (float) v.z();
+    }
+
+    @Override
+    public void close() {
+        buffer.close();
+    }
+}

@@ -1,0 +1,75 @@
+package nephele.engine.render.resource;
+
+import nephele.engine.level.Sun;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.UniformBuffer;
+import nephele.engine.scene.light.LightGrid;
+import nephele.engine.scene.light.ShadowFrame;
+import nephele.engine.scene.light.SkyIrradiance;
+
+/** The uniform block {@code Light} of {@code light.glsl}: a level's light in numbers. */
+public final class LightBlock implements GlObject {
+    public static final int BINDING = 4;
+
+    private static final int SUN = 0;
+    private static final int AMBIENT = 8;
+    private static final int SUN_MAP = 12;
+    private static final int LIGHT_GRID = 36;
+    private static final int SKY = 48;
+    private static final int FLOATS = SKY + 4 * SkyIrradiance.TERMS;
+
+    private final UniformBuffer buffer;
+    private final float[] values = new float[FLOATS];
+
+    public LightBlock(GlContext gl) {
+        buffer = new UniformBuffer(gl, "light", FLOATS);
+    }
+
+    public void sun(Sun sun) {
+        var towards = sun.directionTowardsSun().toVector().normalize();
+        new Vec3(towards.x, towards.y, towards.z).put(values, SUN, 0);
+        sun.irradiance().put(values, SUN + 4, 0);
+    }
+
+    public void ambient(Vec3 radiance) {
+        radiance.put(values, AMBIENT, 0);
+    }
+
+    public void sunShadow(ShadowFrame frame) {
+        frame.mapFromAnchor().get(values, SUN_MAP);
+        double texelDepth = frame.texelMetres() / frame.depthMetres();
+        frame.right().put(values, SUN_MAP + 16, texelDepth);
+        frame.up().put(values, SUN_MAP + 20, (float) texelDepth / 2);
+    }
+
+    /** @param anchor what positions in shaders are relative to */
+    public void lightGrid(LightGrid grid, Vec3 anchor) {
+        Vec3 cell = grid.cellMetres();
+        grid.min().minus(anchor).put(values, LIGHT_GRID, 0);
+        new Vec3(1 / cell.x(), 1 / cell.y(), 1 / cell.z()).put(values, LIGHT_GRID + 4, 0);
+        new Vec3(grid.columns(), grid.floors(), grid.rows()).put(values, LIGHT_GRID + 8, 0);
+    }
+
+    public void sky(SkyIrradiance sky) {
+        double[] c = sky.coefficients();
+        for (int i = 0; i < SkyIrradiance.TERMS; i++) {
+            new Vec3(c[3 * i], c[3 * i + 1], c[3 * i + 2]).put(values, SKY + 4 * i, 0);
+        }
+    }
+
+    /** Hands what was set to the shaders. */
+    public void upload() {
+        buffer.upload(values);
+    }
+
+    public void bind() {
+        buffer.bind(BINDING);
+    }
+
+    @Override
+    public void close() {
+        buffer.close();
+    }
+}

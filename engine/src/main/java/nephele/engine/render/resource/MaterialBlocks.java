@@ -1,0 +1,57 @@
+package nephele.engine.render.resource;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Material;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.UniformBuffer;
+import nephele.engine.scene.SceneMaterials.Surface;
+import nephele.engine.scene.SolidGeometry;
+
+/** The numbers of the materials in uniform blocks, as {@code materials.glsl} reads them. */
+public final class MaterialBlocks implements GlObject {
+    public static final int BINDING = 1;
+
+    private static final int FLOATS_PER_MATERIAL = 16;
+
+    private final List<UniformBuffer> blocks = new ArrayList<>();
+    private final int materialsPerBlock;
+
+    public MaterialBlocks(GlContext gl, List<Surface> surfaces) {
+        // A power of two: it is a constant of the shaders, and few more materials shall not ask for other programs.
+        int least = Integer.highestOneBit(2 * surfaces.size() - 1);
+        materialsPerBlock = Math.min(least, SolidGeometry.MATERIALS_PER_BLOCK);
+        for (int first = 0; first < surfaces.size(); first += materialsPerBlock) {
+            float[] values = new float[FLOATS_PER_MATERIAL * materialsPerBlock];
+            for (int i = 0; i < materialsPerBlock && first + i < surfaces.size(); i++) {
+                put(values, FLOATS_PER_MATERIAL * i, surfaces.get(first + i));
+            }
+            UniformBuffer block = new UniformBuffer(gl, "materials", values.length);
+            block.upload(values);
+            blocks.add(block);
+        }
+    }
+
+    private static void put(float[] values, int at, Surface surface) {
+        Material m = surface.material();
+        m.baseColour().put(values, at, m.roughness() == null ? 1 : m.roughness());
+        m.emission().put(values, at + 4, m.metallic() == null ? 0 : m.metallic());
+        values[at + 8] = surface.colour().layer();
+        values[at + 9] = surface.normal().layer();
+        values[at + 10] = (float) m.textureMetres();
+    }
+
+    public int materialsPerBlock() {
+        return materialsPerBlock;
+    }
+
+    public void bind(int block) {
+        blocks.get(block).bind(BINDING);
+    }
+
+    @Override
+    public void close() {
+        blocks.forEach(UniformBuffer::close);
+    }
+}

@@ -1,0 +1,84 @@
+package nephele.engine.render.resource;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlObject;
+import nephele.engine.render.gl.GpuMesh;
+import nephele.engine.render.gl.IndexRanges;
+import nephele.engine.render.gl.VertexFormat;
+import nephele.engine.render.gl.VertexFormat.Attribute;
+import nephele.engine.scene.SolidBatch;
+import nephele.engine.scene.SolidGeometry;
+import nephele.engine.scene.View;
+import nephele.engine.scene.VisibleSet;
+
+/**
+ * {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates, 3 light map
+ * or, of models, smooth normal and sky visibility.
+ */
+public final class SolidMesh implements GlObject {
+    private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
+    private static final VertexFormat LIGHT_MAPPED =
+            VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2, Attribute.INT16X2);
+
+    private static final VertexFormat OF_MODELS =
+            VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2, Attribute.INT16X4);
+
+    private final SolidGeometry geometry;
+    private final GpuMesh solids;
+    private final GpuMesh models;
+    private final List<IndexRanges> ranges = new ArrayList<>();
+
+    public SolidMesh(GlContext gl, SolidGeometry geometry) {
+        this.geometry = geometry;
+        VertexFormat format = geometry.lightMapped() ? LIGHT_MAPPED : FORMAT;
+        solids = mesh(gl, "solids", format, geometry.solids());
+        models = mesh(gl, "models", OF_MODELS, geometry.models());
+        int mostRanges = geometry.slotCount();
+        geometry.batches().forEach(batch -> ranges.add(new IndexRanges(mostRanges)));
+    }
+
+    /** {@code null} where there is nothing. */
+    private static GpuMesh mesh(GlContext gl, String name, VertexFormat format, SolidGeometry.Triangles triangles) {
+        return triangles.isEmpty() ? null : new GpuMesh(gl, name, format, triangles.vertices(), triangles.indices());
+    }
+
+    public List<SolidBatch> batches() {
+        return geometry.batches();
+    }
+
+    /** Draws what {@code visible} holds of one batch, with the program and uniforms that are set. */
+    public void draw(int batch, VisibleSet visible) {
+        IndexRanges batchRanges = ranges.get(batch);
+        batchRanges.set(visible.firsts(batch), visible.lengths(batch), visible.size(batch));
+        (batches().get(batch).form().isModel() ? models : solids).draw(batchRanges);
+    }
+
+    /**
+     * Writes a view's eye in a batch's cell as two floats a component whose sum is exact to 1e-12 of the cell:
+     * high x, y, z, low x, y, z.
+     */
+    public static void eyeInCell(View view, Vec3 cellOrigin, float[] highAndLow) {
+        split(view.eyeX() - cellOrigin.x(), highAndLow, 0);
+        split(view.eyeY() - cellOrigin.y(), highAndLow, 1);
+        split(view.eyeZ() - cellOrigin.z(), highAndLow, 2);
+    }
+
+    private static void split(double x, float[] highAndLow, int axis) {
+        highAndLow[axis] = (float) x;
+        highAndLow[axis + 3] = (float) (x - highAndLow[axis]);
+    }
+
+    @Override
+    public void close() {
+        if (solids != null) {
+            solids.close();
+        }
+        if (models != null) {
+            models.close();
+        }
+        ranges.forEach(IndexRanges::close);
+    }
+}

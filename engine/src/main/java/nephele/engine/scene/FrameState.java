@@ -1,0 +1,240 @@
+package nephele.engine.scene;
+
+import java.util.Arrays;
+import java.util.List;
+import nephele.engine.level.Body;
+import nephele.engine.level.Environment;
+import nephele.engine.level.Level;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Rotations;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.PortalTransform;
+import nephele.engine.portal.Portals;
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * The frame state: everything drawn that changes, namely portals, bodies, the player's character and the environment
+ * light at one instant. The game fills it before each frame; one object serves all frames.
+ */
+public final class FrameState {
+    /** Doubles per body: centre, then orientation x y z w. */
+    private static final int STRIDE = 7;
+
+    /** Stands for the absence of a body's index. */
+    public static final int NOTHING = -1;
+
+    private final double[] bodies;
+    private Environment environment;
+    private double seconds;
+    private Portals portals;
+    private double[] openness;
+    private int[] colours;
+    private Posture figure;
+    private List<PortalPreview> previews = List.of();
+    private int held = NOTHING;
+    private Vec3 heldFromEye = Vec3.ZERO;
+    private double heldClarity;
+
+    private FrameState(Environment environment, int bodyCount) {
+        this.environment = environment;
+        bodies = new double[STRIDE * bodyCount];
+    }
+
+    /**
+     * Returns the state of a level before its first tick: its own portals are open, its bodies are at their initial
+     * positions and there is no player.
+     */
+    public static FrameState atStart(Level level) {
+        FrameState start = new FrameState(level.environment(), level.bodies().size());
+        for (int i = 0; i < level.bodies().size(); i++) {
+            Body body = level.bodies().get(i);
+            start.body(i, body.centre().toVector(), new Quaterniond());
+        }
+        start.portals(Portals.of(level));
+        return start;
+    }
+
+    /** Returns the environment light at this instant. */
+    public Environment environment() {
+        return environment;
+    }
+
+    /**
+     * Sets another environment light, such as that of another hour.
+     *
+     * @param now differs from the level's only in the sun's direction and irradiance, the sky's radiance and the
+     *     exposure
+     */
+    public void environment(Environment now) {
+        environment = now;
+    }
+
+    /** Returns the simulated time in seconds; it drives self-moving effects. */
+    public double seconds() {
+        return seconds;
+    }
+
+    public void seconds(double now) {
+        seconds = now;
+    }
+
+    public Portals portals() {
+        return portals;
+    }
+
+    /** Replaces the portals; new ones are fully open and have the colour {@code 2 + index}. */
+    public void portals(Portals now) {
+        if (now == portals) {
+            return;
+        }
+        portals = now;
+        openness = new double[now.size()];
+        colours = new int[now.size()];
+        Arrays.fill(openness, 1);
+        Arrays.setAll(colours, portal -> 2 + portal);
+    }
+
+    /**
+     * Returns the fraction to which a portal has opened since it was made, 0 to 1; its aperture is drawn scaled by it.
+     */
+    public double openness(int portal) {
+        return openness[portal];
+    }
+
+    /** Returns the colour of a portal: 0 or 1 for the two shots, 2 and more for the level's portals. */
+    public int colour(int portal) {
+        return colours[portal];
+    }
+
+    public void setPortalLook(int portal, int colour, double open) {
+        colours[portal] = colour;
+        openness[portal] = open;
+    }
+
+    public int bodies() {
+        return bodies.length / STRIDE;
+    }
+
+    public void body(int index, Vector3dc centre, Quaterniondc worldFromBody) {
+        int at = STRIDE * index;
+        bodies[at] = centre.x();
+        bodies[at + 1] = centre.y();
+        bodies[at + 2] = centre.z();
+        bodies[at + 3] = worldFromBody.x();
+        bodies[at + 4] = worldFromBody.y();
+        bodies[at + 5] = worldFromBody.z();
+        bodies[at + 6] = worldFromBody.w();
+    }
+
+    public Vector3d centre(int body, Vector3d out) {
+        int at = STRIDE * body;
+        return out.set(bodies[at], bodies[at + 1], bodies[at + 2]);
+    }
+
+    /** Sets {@code out} to the rotation from the body's frame to the world. */
+    public Quaterniond orientation(int body, Quaterniond out) {
+        int at = STRIDE * body + 3;
+        return out.set(bodies[at], bodies[at + 1], bodies[at + 2], bodies[at + 3]);
+    }
+
+    /** Returns the posture of the player's character, {@code null} if no character is drawn. */
+    public Posture figure() {
+        return figure;
+    }
+
+    public void figure(Posture now) {
+        figure = now;
+    }
+
+    /** Returns the body that its holder's eye sees, or {@link #NOTHING}; it is drawn transparent. */
+    public int held() {
+        return held;
+    }
+
+    /**
+     * Returns the offset of {@link #held} from the eye in metres to its right, up and back, measured along the portals
+     * through which the body is held.
+     */
+    public Vec3 heldFromEye() {
+        return heldFromEye;
+    }
+
+    /** Returns the transparency reached: 0 for opaque, 1 for the greatest transparency. */
+    public double heldClarity() {
+        return heldClarity;
+    }
+
+    public void held(int body, Vec3 fromEye, double clarity) {
+        held = body;
+        heldFromEye = fromEye;
+        heldClarity = clarity;
+    }
+
+    /** Ends the transparency of the held body. */
+    public void nothingHeld() {
+        held = NOTHING;
+    }
+
+    /** Returns the previews of the portals that shots would open now. */
+    public List<PortalPreview> previews() {
+        return previews;
+    }
+
+    public void previews(List<PortalPreview> now) {
+        previews = now;
+    }
+
+    /**
+     * The position and the animation state of a character.
+     *
+     * @param centre centre of its body, on the near side of every portal
+     * @param up from feet to head, unit length
+     * @param yawRadians view angle as in {@code math.Basis.ofYawPitch}; {@code pitchRadians} likewise
+     * @param heightMetres present height from sole to crown
+     * @param step phase of the walking cycle, 0 to 1 for a left and a right step; it advances by
+     *     {@link nephele.engine.scene.dynamic.Gait#cyclesPerSecond} a second, so that the feet do not slide
+     * @param stride ground speed divided by {@link nephele.engine.scene.dynamic.Gait#WALKING_METRES_PER_SECOND}: 0
+     *     standing
+     * @param travelRadians walking direction relative to the view direction: 0 ahead, positive to the left, π backwards
+     * @param airborne 0 on the ground, 1 in the air
+     * @param carrying 0 with free hands, 1 while carrying a body in front
+     */
+    public record Posture(
+            Vec3 centre,
+            Vec3 up,
+            double yawRadians,
+            double pitchRadians,
+            double heightMetres,
+            double step,
+            double stride,
+            double travelRadians,
+            double airborne,
+            double carrying) {
+        /** Returns the same posture mapped by a portal transform. */
+        public Posture through(PortalTransform transform) {
+            Vec3 turned = transform.direction(up);
+            Vector3d back = Basis.ofYawPitch(yawRadians, 0).back().toVector();
+            transform.direction(leaning(up).transform(back));
+            leaning(turned).transformInverse(back);
+            return new Posture(
+                    transform.point(centre),
+                    turned,
+                    Math.atan2(back.x, back.z),
+                    pitchRadians,
+                    heightMetres,
+                    step,
+                    stride,
+                    travelRadians,
+                    airborne,
+                    carrying);
+        }
+
+        /** Returns the shortest rotation that maps the world's up direction to {@code up}. */
+        public static Quaterniond leaning(Vec3 up) {
+            return Rotations.normalised(new Quaterniond().rotationTo(0, 1, 0, up.x(), up.y(), up.z()));
+        }
+    }
+}

@@ -1,0 +1,108 @@
+package nephele.engine.scene.dynamic;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.level.Body;
+import nephele.engine.level.Level;
+import nephele.engine.scene.SceneMaterials;
+import nephele.engine.scene.SceneMaterials.Slot;
+import nephele.engine.scene.SceneMaterials.Surface;
+import nephele.engine.scene.SolidBatch;
+import nephele.engine.scene.SolidGeometry;
+import nephele.engine.scene.dynamic.DynamicMesh.Builder;
+import nephele.engine.scene.dynamic.DynamicMesh.Range;
+
+/**
+ * The constant data of a level's dynamic objects: shapes, meshes, materials and groups.
+ *
+ * @param materials materials of all dynamic objects; a kind's material block is an index into these
+ * @param members for each group the bodies in it; {@link #FIGURE} for the player's character
+ * @param shapes for each body
+ * @param materialOf for each body its index in its block of {@code materials}
+ */
+public record DynamicObjects(
+        DynamicMesh mesh,
+        List<DynamicGroup> groups,
+        List<Surface> materials,
+        List<int[]> members,
+        List<DynamicShape> shapes,
+        int[] materialOf) {
+    /** Stands for the character instead of a body's index. */
+    static final int FIGURE = -1;
+
+    /** Fineness of the character's meshes: 2 for the full number of sides of its rounded shapes, 1 for half. */
+    private static final int FINE = 2;
+
+    private static final int COARSE = 1;
+    /** The flatness of the coarse mesh, in radii of the character's first part. */
+    private static final double COARSE_FLATNESS = 0.005;
+
+    private record Key(boolean round, SolidBatch.Kind kind) {}
+
+    public static DynamicObjects of(Level level, SceneMaterials known, CharacterPresence figure) {
+        Builder mesh = new Builder();
+        Range[] box = {BodyMeshes.box(mesh)};
+        Range[] round = BodyMeshes.round(mesh);
+        List<DynamicShape> shapes =
+                level.bodies().stream().map(DynamicShape::of).toList();
+        int[] materialOf = new int[shapes.size()];
+        Map<Key, List<Integer>> sorted = new LinkedHashMap<>();
+        for (int i = 0; i < shapes.size(); i++) {
+            Body body = level.bodies().get(i);
+            int material = known.indexOf(body.material());
+            materialOf[i] = material % SolidGeometry.MATERIALS_PER_BLOCK;
+            boolean isRound = shapes.get(i).kind() != DynamicShape.BOX;
+            Key key = new Key(isRound, kind(known.surfaces().get(material), material));
+            sorted.computeIfAbsent(key, k -> new ArrayList<>()).add(i);
+        }
+        List<DynamicGroup> groups = new ArrayList<>();
+        List<int[]> members = new ArrayList<>();
+        sorted.forEach((key, bodies) -> {
+            groups.add(
+                    key.round
+                            ? new DynamicGroup(round, null, BodyMeshes.flatness(), key.kind, 1)
+                            : new DynamicGroup(box, null, new double[1], key.kind, 1));
+            members.add(bodies.stream().mapToInt(i -> i).toArray());
+        });
+        List<Surface> materials = new ArrayList<>(known.surfaces());
+        if (figure == CharacterPresence.POSSIBLE) {
+            members.add(new int[] {FIGURE});
+            groups.add(characterGroup(mesh, materials));
+        }
+        return new DynamicObjects(
+                mesh.finished(), List.copyOf(groups), List.copyOf(materials), List.copyOf(members), shapes, materialOf);
+    }
+
+    /** Appends the character's materials, all in one block. */
+    private static DynamicGroup characterGroup(Builder mesh, List<Surface> materials) {
+        int perBlock = SolidGeometry.MATERIALS_PER_BLOCK;
+        while (materials.size() % perBlock + CharacterMesh.MATERIALS.size() > perBlock) {
+            materials.add(materials.get(0));
+        }
+        int first = materials.size();
+        CharacterMesh.MATERIALS.forEach(material -> materials.add(new Surface(material, Slot.NONE, Slot.NONE)));
+        Range[] fine = CharacterMesh.add(mesh, FINE);
+        Range[] coarse = CharacterMesh.add(mesh, COARSE);
+        return new DynamicGroup(
+                new Range[] {fine[0], coarse[0]},
+                new Range[] {fine[1], coarse[1]},
+                new double[] {0, COARSE_FLATNESS},
+                new SolidBatch.Kind(false, -1, -1, first / perBlock),
+                CharacterPart.ALL.length);
+    }
+
+    /** Returns the index in their block of the character's first material. */
+    int characterMaterial() {
+        return (materials.size() - CharacterMesh.MATERIALS.size()) % SolidGeometry.MATERIALS_PER_BLOCK;
+    }
+
+    private static SolidBatch.Kind kind(Surface surface, int material) {
+        return new SolidBatch.Kind(
+                surface.material().lambert(),
+                surface.colour().array(),
+                surface.normal().array(),
+                material / SolidGeometry.MATERIALS_PER_BLOCK);
+    }
+}

@@ -1,0 +1,88 @@
+package nephele.engine.scene.light;
+
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.Sky;
+import nephele.engine.level.Sun;
+import nephele.engine.level.appearance.PunctualLight;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Vec3;
+
+/** The kinds of light that a level needs. */
+public final class LightRequirements {
+    private LightRequirements() {}
+
+    public static boolean sun(Level level) {
+        Sun sun = level.environment().sun();
+        return sun != null && !sun.irradiance().equals(Vec3.ZERO);
+    }
+
+    /**
+     * Returns true if the sun casts shadows and there are a model or several solids: a shadow is possible, and
+     * {@link ShadowCasters} decides if there is one.
+     */
+    public static boolean sunCasts(Level level) {
+        return sun(level)
+                && level.environment().sun().castsShadow()
+                && (level.solids().size() > 1 || !level.models().isEmpty());
+    }
+
+    /** Returns true if the sun casts shadows and there is a model or a solid that another one can shade. */
+    public static boolean sunShadow(Level level, StaticShapes statics) {
+        return sunCasts(level)
+                && (!level.models().isEmpty()
+                        || ShadowCasters.any(
+                                statics.solids(), level.environment().sun().directionTowardsSun()));
+    }
+
+    public static boolean lights(Level level) {
+        return hasSurfaces(level)
+                && level.lights().stream()
+                        .anyMatch(light -> PunctualLight.of(light).isPresent());
+    }
+
+    /**
+     * Returns true if a punctual light casts shadows and there are a model or several solids or bodies; a single convex
+     * shape does not shade itself.
+     */
+    public static boolean lightShadow(Level level) {
+        boolean several = level.solids().size() + level.bodies().size() > 1
+                || !level.models().isEmpty();
+        return several && lights(level) && level.lights().stream().anyMatch(LightRequirements::casts);
+    }
+
+    /** Returns true if a light emits anything and casts shadows. */
+    public static boolean casts(Light light) {
+        return light.castsShadow() && PunctualLight.of(light).isPresent();
+    }
+
+    /** Returns true if the sky emits light, there are solids or models to receive it, and no constant replaces it. */
+    public static boolean skyVisibility(Level level) {
+        return hasSurfaces(level) && skyShines(level);
+    }
+
+    /** Returns the names of the kinds of surfaces, for the explanation of a need. */
+    public static String surfaces(Level level) {
+        if (level.models().isEmpty()) {
+            return "solids";
+        }
+        return level.solids().isEmpty() ? "models" : "solids, models";
+    }
+
+    /** Returns true if there is static geometry to light. */
+    public static boolean hasSurfaces(Level level) {
+        return !level.solids().isEmpty() || !level.models().isEmpty();
+    }
+
+    /** Returns true if the sky emits light and no constant replaces it. */
+    public static boolean skyShines(Level level) {
+        return level.environment().ambient() == null
+                && shines(level.environment().sky());
+    }
+
+    private static boolean shines(Sky sky) {
+        boolean isBlack =
+                sky instanceof Sky.Constant constant && constant.radiance().equals(Vec3.ZERO);
+        return sky != null && !isBlack;
+    }
+}

@@ -1,0 +1,133 @@
+package nephele.engine.scene.light;
+
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.Light;
+import nephele.engine.level.appearance.PunctualLight;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+import org.joml.Vector3d;
+
+/**
+ * All data about a level's punctual lights that shaders read.
+ *
+ * @param shadows layers of the depth texture; none if no light casts shadows
+ * @param cells the data from which the grid's lists were made
+ */
+public record PunctualLightTable(
+        List<PunctualLight> lights, LightGrid grid, LightShadowLayers shadows, LightGridCells cells) {
+    /** The number of texels (of four floats) per light in {@link #packed}. */
+    public static final int TEXELS_PER_LIGHT = 4;
+
+    private static final Aabb NOTHING_LIT = new Aabb(0, 0, 0, 1, 1, 1);
+
+    /**
+     * Makes the table of a level.
+     *
+     * @param statics shapes that are lit and that cast shadows
+     * @return {@code null} if no light reaches anything
+     */
+    public static PunctualLightTable of(Level level, StaticShapes statics) {
+        return edited(null, level, statics);
+    }
+
+    /**
+     * Makes the table of an edited level; returns the same object if nothing in it has changed, and reuses the parts
+     * that no change affects.
+     *
+     * @param before {@code null} if there is none
+     * @return {@code null} if no light reaches anything
+     */
+    public static PunctualLightTable edited(PunctualLightTable before, Level level, StaticShapes statics) {
+        if (!LightRequirements.lights(level)) {
+            return null;
+        }
+        List<PunctualLight> lights = lamps(level.lights());
+        if (before == null) {
+            return of(lights, statics.bounds(), statics, null);
+        }
+        return before.cells.areOf(lights, statics) ? before : of(lights, statics.bounds(), statics, before.cells);
+    }
+
+    /**
+     * Makes a table from lights.
+     *
+     * @param bounds of the surfaces to light
+     */
+    static PunctualLightTable of(List<Light> lights, Aabb bounds, StaticShapes statics) {
+        return of(lamps(lights), bounds, statics, null);
+    }
+
+    private static List<PunctualLight> lamps(List<Light> lights) {
+        return lights.stream()
+                .flatMap(light -> PunctualLight.of(light).stream())
+                .toList();
+    }
+
+    private static PunctualLightTable of(
+            List<PunctualLight> lights, Aabb bounds, StaticShapes statics, LightGridCells before) {
+        LightShadowLayers shadows = LightShadowLayers.of(lights);
+        Aabb box = bounds.isEmpty() ? NOTHING_LIT : bounds;
+        for (double side = LightGrid.finestMetres(box); ; side *= 2) {
+            LightGrid empty = LightGrid.over(box, side);
+            LightGridCells cells = new LightGridCells(empty, lights, shadows.firstLayer(), statics, before);
+            LightGrid grid = empty.listing(lights, cells);
+            if (grid != null) {
+                return new PunctualLightTable(lights, grid, shadows, cells);
+            }
+        }
+    }
+
+    /**
+     * Returns a token for everything that may cast a shadow in a light: the same object after an edit as long as
+     * neither the light nor anything within its range has changed.
+     */
+    public Object shadowToken(int light) {
+        return cells.lit(light);
+    }
+
+    /**
+     * Returns four texels per light: position and 1/range²; intensity and cone scale; axis and cone offset; the shadow
+     * picture's right axis times its cotangent (the cotangent alone for six pictures), and the first layer, plus ½ if
+     * it is the only one, −1 without a shadow.
+     */
+    public float[] packed(Vec3 anchor) {
+        float[] packed = new float[lights.size() * TEXELS_PER_LIGHT * 4];
+        for (int i = 0; i < lights.size(); i++) {
+            PunctualLight light = lights.get(i);
+            Vec3 p = light.position();
+            Vec3 relative = p.minus(anchor);
+            relative.put(packed, 16 * i, light.inverseSquareRange());
+            light.radiantIntensity().put(packed, 16 * i + 4, light.coneScale());
+            light.axis().put(packed, 16 * i + 8, light.coneOffset());
+            shadowAxis(light).put(packed, 16 * i + 12, layerCode(i));
+        }
+        return packed;
+    }
+
+    private double layerCode(int light) {
+        int layer = shadows.firstLayer()[light];
+        return layer >= 0 && LightShadowLayers.hasOwnAxis(lights.get(light)) ? layer + 0.5 : layer;
+    }
+
+    private Vec3 shadowAxis(PunctualLight light) {
+        double cotangent = LightShadowLayers.cotangent(light, shadows.side());
+        if (!LightShadowLayers.hasOwnAxis(light)) {
+            return new Vec3(cotangent, 0, 0);
+        }
+        Vector3d right = LightShadowLayers.right(light).mul(cotangent);
+        return new Vec3(right.x, right.y, right.z);
+    }
+
+    /** Returns the start of each list, then the lists; starts are indices into the returned array. */
+    public int[] packedGrid() {
+        int[] first = grid.firstOfList();
+        int[] packed = new int[first.length + grid.lights().length];
+        for (int i = 0; i < first.length; i++) {
+            packed[i] = first.length + first[i];
+        }
+        System.arraycopy(grid.lights(), 0, packed, first.length, grid.lights().length);
+        return packed;
+    }
+}

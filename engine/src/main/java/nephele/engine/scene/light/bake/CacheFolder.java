@@ -1,0 +1,76 @@
+package nephele.engine.scene.light.bake;
+
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A folder of reproducible files with a size limit: if a new file does not fit, the least recently used ones are
+ * deleted. Files that do not match the pattern are never deleted.
+ *
+ * @param pattern glob of the files' names
+ * @param mostBytes limit for all files together; the newest one is kept even if it is larger
+ */
+record CacheFolder(Path folder, String pattern, long mostBytes) {
+    private record Stored(Path path, long bytes, FileTime used) {}
+
+    /** Returns the bytes of a file and marks it as used now; empty if it does not exist or cannot be read. */
+    Optional<byte[]> find(String name) {
+        Path file = folder.resolve(name);
+        try {
+            byte[] bytes = Files.readAllBytes(file);
+            touch(file);
+            return Optional.of(bytes);
+        } catch (IOException e) {
+            return Optional.empty();
+        }
+    }
+
+    private static void touch(Path file) {
+        try {
+            Files.setLastModifiedTime(file, FileTime.fromMillis(System.currentTimeMillis()));
+        } catch (IOException e) {
+            // A read-only folder is never trimmed either.
+            return;
+        }
+    }
+
+    /** Writes a file atomically and deletes the least recently used ones above the limit. */
+    void store(String name, byte[] bytes) throws IOException {
+        Files.createDirectories(folder);
+        Path temporary = Files.createTempFile(folder, name, ".tmp");
+        try {
+            Files.write(temporary, bytes);
+            Files.move(temporary, folder.resolve(name), StandardCopyOption.REPLACE_EXISTING);
+        } finally {
+            Files.deleteIfExists(temporary);
+        }
+        trim(folder.resolve(name));
+    }
+
+    private void trim(Path newest) throws IOException {
+        List<Stored> files = new ArrayList<>();
+        long sum = 0;
+        try (DirectoryStream<Path> all = Files.newDirectoryStream(folder, pattern)) {
+            for (Path file : all) {
+                Stored stored = new Stored(file, Files.size(file), Files.getLastModifiedTime(file));
+                files.add(stored);
+                sum += stored.bytes;
+            }
+        }
+        files.sort(Comparator.comparing(Stored::used).thenComparing(Stored::path));
+        for (Stored oldest : files) {
+            if (sum > mostBytes && !oldest.path.equals(newest)) {
+                Files.deleteIfExists(oldest.path);
+                sum -= oldest.bytes;
+            }
+        }
+    }
+}

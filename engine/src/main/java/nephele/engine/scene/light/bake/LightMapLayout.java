@@ -1,0 +1,122 @@
+package nephele.engine.scene.light.bake;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.math.Plane;
+
+/**
+ * The layout of all face fragments of a level in one light map. It depends on the solids alone, so a baked map is valid
+ * for every run.
+ *
+ * @param chartOf for each brush and face the indices into {@code charts}, −1 for a covered fragment
+ * @param columnOf left texel of each chart in the map, {@code rowOf} its lowest
+ * @param brushOf brush of each chart
+ * @param width texels, {@code height} likewise
+ */
+public record LightMapLayout(
+        FaceFragments fragments,
+        List<LightMapChart> charts,
+        List<List<int[]>> chartOf,
+        int[] columnOf,
+        int[] rowOf,
+        int[] brushOf,
+        int width,
+        int height,
+        double texelMetres) {
+    /** The side of a texel, metres, unless the level is too large. */
+    public static final double TEXEL_METRES = 0.25;
+
+    /** At 16 bits per texel half a mebibyte; beyond it texels grow. */
+    static final int MAX_TEXELS = 1 << 18;
+
+    static final int MAX_SIDE_TEXELS = 1024;
+
+    public static LightMapLayout of(List<Brush> brushes) {
+        FaceFragments fragments = FaceFragments.of(brushes);
+        for (double texel = TEXEL_METRES; ; texel *= 1.25) {
+            LightMapLayout layout = tryAt(brushes, fragments, texel);
+            if (layout.height <= MAX_SIDE_TEXELS && layout.width <= MAX_SIDE_TEXELS || texel > 1e6) {
+                return layout;
+            }
+        }
+    }
+
+    private static LightMapLayout tryAt(List<Brush> brushes, FaceFragments fragments, double texelMetres) {
+        List<LightMapChart> charts = new ArrayList<>();
+        List<Integer> brushOf = new ArrayList<>();
+        List<List<int[]>> chartOf = new ArrayList<>();
+        for (int b = 0; b < brushes.size(); b++) {
+            List<int[]> ofBrush = new ArrayList<>();
+            List<List<FaceFragment>> faces = fragments.byBrush().get(b);
+            for (int f = 0; f < faces.size(); f++) {
+                Plane plane = brushes.get(b).shape().faces().get(f).plane();
+                List<FaceFragment> parts = faces.get(f);
+                int[] ofFace = new int[parts.size()];
+                for (int i = 0; i < ofFace.length; i++) {
+                    ofFace[i] = parts.get(i).isCovered() ? -1 : charts.size();
+                    if (!parts.get(i).isCovered()) {
+                        charts.add(LightMapChart.over(parts.get(i).outline(), plane, texelMetres));
+                        brushOf.add(b);
+                    }
+                }
+                ofBrush.add(ofFace);
+            }
+            chartOf.add(ofBrush);
+        }
+        int[] brush = brushOf.stream().mapToInt(Integer::intValue).toArray();
+        return packed(fragments, charts, chartOf, brush, texelMetres);
+    }
+
+    /** Packs charts into shelves: by descending height, side by side until a row is full. */
+    private static LightMapLayout packed(
+            FaceFragments fragments,
+            List<LightMapChart> charts,
+            List<List<int[]>> chartOf,
+            int[] brushOf,
+            double texelMetres) {
+        long area = 1;
+        int widest = 2;
+        for (LightMapChart chart : charts) {
+            area += (long) chart.columns() * chart.rows();
+            widest = Math.max(widest, chart.columns());
+        }
+        int width = (widest + 16) & ~15;
+        while (width < MAX_SIDE_TEXELS && (long) width * width < area) {
+            width += 16;
+        }
+        int[] column = new int[charts.size()];
+        int[] row = new int[charts.size()];
+        int height = shelve(charts, column, row, width);
+        if (area > MAX_TEXELS) {
+            height = Integer.MAX_VALUE;
+        }
+        return new LightMapLayout(fragments, charts, chartOf, column, row, brushOf, width, height, texelMetres);
+    }
+
+    /** Assigns positions. The texel at (0, 0) stays free for covered fragments. */
+    private static int shelve(List<LightMapChart> charts, int[] column, int[] row, int width) {
+        List<Integer> byHeight = new ArrayList<>();
+        for (int i = 0; i < charts.size(); i++) {
+            byHeight.add(i);
+        }
+        byHeight.sort(Comparator.comparingInt(i -> -charts.get(i).rows()));
+        int x = 1;
+        int y = 0;
+        int shelf = 1;
+        for (int i : byHeight) {
+            LightMapChart chart = charts.get(i);
+            if (x + chart.columns() > width) {
+                y += shelf;
+                x = 0;
+                shelf = 0;
+            }
+            column[i] = x;
+            row[i] = y;
+            x += chart.columns();
+            shelf = Math.max(shelf, chart.rows());
+        }
+        return y + shelf;
+    }
+}

@@ -1,0 +1,63 @@
+package nephele.engine.scene.light.bake;
+
+import nephele.engine.math.RayTriangleIntersection;
+
+/** A shape that blocks rays. */
+sealed interface Occluder {
+    /** Returns true if o + t · d intersects it for some 0 ≤ t ≤ {@code length}. */
+    boolean intersects(double[] o, double[] d, double length);
+
+    /** Returns true if a point is inside or on the surface; an open surface contains no point. */
+    boolean contains(double[] p);
+
+    /**
+     * The intersection of half-spaces, four numbers per plane; exact at edges, so that touching solids leave no gap.
+     */
+    record Convex(double[] planes) implements Occluder {
+        /** Clips the line by every plane (Cyrus and Beck 1978); the rest is inside. */
+        @Override
+        public boolean intersects(double[] o, double[] d, double length) {
+            double enter = 0;
+            double leave = length;
+            for (int i = 0; i < planes.length; i += 4) {
+                double along = planes[i] * d[0] + planes[i + 1] * d[1] + planes[i + 2] * d[2];
+                double distance = planes[i + 3] - planes[i] * o[0] - planes[i + 1] * o[1] - planes[i + 2] * o[2];
+                if (along > 0) {
+                    leave = Math.min(leave, distance / along);
+                } else if (along < 0) {
+                    enter = Math.max(enter, distance / along);
+                } else if (distance < 0) {
+                    return false;
+                }
+                if (enter > leave) {
+                    return false;
+                }
+            }
+            return true;
+        }
+
+        @Override
+        public boolean contains(double[] p) {
+            for (int i = 0; i < planes.length; i += 4) {
+                if (planes[i] * p[0] + planes[i + 1] * p[1] + planes[i + 2] * p[2] > planes[i + 3]) {
+                    return false;
+                }
+            }
+            return true;
+        }
+    }
+
+    /** A triangle of a non-convex mesh: nine numbers from {@code at}. */
+    record Triangle(double[] corners, int at) implements Occluder {
+        @Override
+        public boolean intersects(double[] o, double[] d, double length) {
+            double t = RayTriangleIntersection.hitParameter(o[0], o[1], o[2], d[0], d[1], d[2], corners, at);
+            return t >= 0 && t <= length;
+        }
+
+        @Override
+        public boolean contains(double[] p) {
+            return false;
+        }
+    }
+}

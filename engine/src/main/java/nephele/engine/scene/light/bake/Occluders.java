@@ -1,0 +1,121 @@
+package nephele.engine.scene.light.bake;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.level.Brush;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Ray;
+import nephele.engine.math.bvh.ItemRayTest;
+import nephele.engine.math.bvh.SpatialIndex;
+
+/**
+ * Intersects rays with the static geometry. Items are the level's solids, each at its index, then its convex models,
+ * then the triangles of the others. Immutable and safe to share between threads.
+ */
+public final class Occluders {
+    /** No item. */
+    static final int NONE = -1;
+
+    private final Occluder[] items;
+    private final Map<Integer, Integer> itemOfModel;
+    private final SpatialIndex index;
+
+    public Occluders(List<Brush> brushes) {
+        this(StaticShapes.of(brushes));
+    }
+
+    public Occluders(StaticShapes shapes) {
+        SortedOccluders sorted = new SortedOccluders();
+        shapes.all().forEach(shape -> shape.select(sorted));
+        List<Aabb> boxes = new ArrayList<>();
+        items = sorted.items(boxes).toArray(Occluder[]::new);
+        itemOfModel = sorted.itemOfModel();
+        index = SpatialIndex.of(boxes);
+    }
+
+    /** Returns the item of a convex model of the level, {@link #NONE} for any other model. */
+    int itemOfModel(int model) {
+        return itemOfModel.getOrDefault(model, NONE);
+    }
+
+    /** Returns true if a point is in or on a solid other than {@code except}; an open surface contains no point. */
+    public boolean isInside(double[] p, int except) {
+        boolean[] inside = new boolean[1];
+        index.query(
+                (boxes, at) -> !inside[0] && holds(boxes, at, p),
+                item -> inside[0] |= item != except && items[item].contains(p));
+        return inside[0];
+    }
+
+    private static boolean holds(double[] boxes, int at, double[] p) {
+        return boxes[at] <= p[0]
+                && p[0] <= boxes[at + 3]
+                && boxes[at + 1] <= p[1]
+                && p[1] <= boxes[at + 4]
+                && boxes[at + 2] <= p[2]
+                && p[2] <= boxes[at + 5];
+    }
+
+    /** Returns true if the ray from {@code o} along {@code d} intersects an item other than {@code except}. */
+    public boolean isOccluded(double[] o, double[] d, int except) {
+        return index.anyHit(
+                new Ray(o[0], o[1], o[2], d[0], d[1], d[2]),
+                Double.MAX_VALUE,
+                (ray, item, limit) -> answer(item != except && meets(item, o, d, limit)));
+    }
+
+    int items() {
+        return index.size();
+    }
+
+    /** Returns the number of boxes tested for the result of {@link #isOccluded}, which is stored in {@code hit}. */
+    int boxTests(double[] o, double[] d, int except, boolean[] hit) {
+        Ray ray = new Ray(o[0], o[1], o[2], d[0], d[1], d[2]);
+        int[] tests = new int[1];
+        index.query(
+                (boxes, at) -> {
+                    tests[0] += hit[0] ? 0 : 1;
+                    return !hit[0] && ray.boxEntry(boxes, at, Double.MAX_VALUE) < Double.POSITIVE_INFINITY;
+                },
+                item -> hit[0] = hit[0] || item != except && meets(item, o, d, Double.MAX_VALUE));
+        return tests[0];
+    }
+
+    /** Returns true if the ray hits any item up to {@code limit}; for callers that reuse their test. */
+    public boolean anyHit(Ray ray, double limit, ItemRayTest test) {
+        return index.anyHit(ray, limit, test);
+    }
+
+    /** Returns the result of such a test for one item. */
+    public double hit(int item, double[] o, double[] d, double limit) {
+        return answer(meets(item, o, d, limit));
+    }
+
+    /** Returns true if a single item intersects every segment from {@code o} to {@code o + segments[i]}. */
+    public boolean oneMeetsAllSegments(double[] o, double[][] segments) {
+        double[] first = segments[0];
+        return index.anyHit(
+                new Ray(o[0], o[1], o[2], first[0], first[1], first[2]),
+                1,
+                (ray, item, limit) -> answer(meetsAll(item, o, segments)));
+    }
+
+    private static double answer(boolean hit) {
+        return hit ? 0 : Double.POSITIVE_INFINITY;
+    }
+
+    private boolean meetsAll(int item, double[] o, double[][] segments) {
+        for (double[] segment : segments) {
+            if (!meets(item, o, segment, 1)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean meets(int item, double[] o, double[] d, double length) {
+        return items[item].intersects(o, d, length);
+    }
+}

@@ -1,0 +1,118 @@
+package nephele.engine.scene.light.bake;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleConsumer;
+import java.util.stream.IntStream;
+import nephele.engine.level.Brush;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.PlacedModels;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.IdentityDiff;
+
+/**
+ * The sky visibility of the static geometry: at each point the cosine-weighted fraction of unoccluded directions in the
+ * hemisphere above it. 1 on an open plane, ½ at the foot of an infinite wall, 0 in a closed room.
+ *
+ * @param statics the baked static geometry, models split
+ * @param texels of the solids' faces, row by row from the lowest, 0–65535 for 0–1
+ * @param ofModels likewise for every vertex of every model in order
+ */
+public record SkyVisibility(LightMapLayout layout, StaticShapes statics, short[] texels, short[] ofModels) {
+    /** The greatest edge of flat models, which are split; a texel of 0.25 m costs less than a vertex. */
+    public static final double MODEL_EDGE_METRES = 0.5;
+
+    /** The value 1. */
+    private static final short ALL = (short) 0xffff;
+
+    /** Returns the visibility before any bake: 1 everywhere. */
+    public static SkyVisibility open() {
+        LightMapLayout layout = LightMapLayout.of(List.of());
+        short[] texels = new short[layout.width() * layout.height()];
+        Arrays.fill(texels, ALL);
+        return new SkyVisibility(layout, StaticShapes.of(List.of()), texels, new short[0]);
+    }
+
+    /**
+     * Bakes with the full ray budget.
+     *
+     * @param progress receives the completed fraction, 0–1, from any thread
+     */
+    public static SkyVisibility bake(StaticShapes statics, DoubleConsumer progress) {
+        return bake(LightMapLayout.of(statics.solids()), statics, BakeQuality.FULL, progress);
+    }
+
+    static SkyVisibility bake(
+            LightMapLayout layout, StaticShapes statics, BakeQuality effort, DoubleConsumer progress) {
+        double ofModels = statics.models().isEmpty() ? 0 : 0.5;
+        short[] texels =
+                SkyVisibilityBake.texels(layout, statics, effort, done -> progress.accept(done * (1 - ofModels)));
+        short[] values =
+                ModelVisibility.values(statics, effort, done -> progress.accept(1 - ofModels + done * ofModels));
+        return new SkyVisibility(layout, statics, texels, values);
+    }
+
+    /** Returns true if it was baked for solids of these shapes, so that the charts belong to the same indices. */
+    public boolean isOf(List<Brush> solids) {
+        List<Brush> baked = statics.solids();
+        return solids == baked
+                || solids.size() == baked.size()
+                        && IntStream.range(0, solids.size()).allMatch(i -> solids.get(i)
+                                .shape()
+                                .equals(baked.get(i).shape()));
+    }
+
+    /** Returns the values for an edited level: models with the same id and vertex count keep theirs, others get 1. */
+    public short[] ofModels(PlacedModels models) {
+        List<PlacedModel> baked = statics.models().all();
+        if (IdentityDiff.list(baked, models.all()) == baked) {
+            return ofModels;
+        }
+        short[] values = new short[models.vertexCount()];
+        Arrays.fill(values, ALL);
+        int at = 0;
+        for (PlacedModel model : models.all()) {
+            int from = 0;
+            for (PlacedModel old : baked) {
+                int count = old.triangles().positions().length / 3;
+                boolean isSame = old.said().id().equals(model.said().id())
+                        && old.triangles().positions().length
+                                == model.triangles().positions().length;
+                if (isSame) {
+                    System.arraycopy(ofModels, from, values, at, count);
+                }
+                from += count;
+            }
+            at += model.triangles().positions().length / 3;
+        }
+        return values;
+    }
+
+    /** Returns the column and the row of the texel with the greatest visibility. */
+    public int[] brightest() {
+        int best = 0;
+        for (int i = 1; i < texels.length; i++) {
+            best = (texels[i] & 0xffff) > (texels[best] & 0xffff) ? i : best;
+        }
+        return new int[] {best % layout.width(), best / layout.width()};
+    }
+
+    /** Interpolates bilinearly as the shader does; coordinates are texels from the map's lower left corner. */
+    public double at(double column, double rowFromBelow) {
+        double x = Math.min(Math.max(column - 0.5, 0), layout.width() - 1);
+        double y = Math.min(Math.max(rowFromBelow - 0.5, 0), layout.height() - 1);
+        int x0 = Math.min((int) x, Math.max(layout.width() - 2, 0));
+        int y0 = Math.min((int) y, Math.max(layout.height() - 2, 0));
+        double fx = x - x0;
+        double fy = y - y0;
+        double low = texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx;
+        double high = texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx;
+        return low * (1 - fy) + high * fy;
+    }
+
+    private double texel(int x, int y) {
+        int row = Math.min(y, layout.height() - 1);
+        int column = Math.min(x, layout.width() - 1);
+        return (texels[row * layout.width() + column] & 0xffff) / 65535.0;
+    }
+}

@@ -1,0 +1,92 @@
+package nephele.engine.scene.light.bake;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleConsumer;
+import java.util.stream.Stream;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.placed.StaticShapes;
+
+/**
+ * Finds a baked sky visibility or bakes it. Levels shipped with the game have theirs in {@code baked/} beside them, in
+ * the checkout and in the jar; for others {@code cache/} beside the level and the user's own cache folder are searched.
+ * A new bake is written to the first of these that is writable, which then deletes the least recently used files above
+ * its limit. A cache that cannot be written only costs time.
+ *
+ * @param assets the level's assets, read for {@code baked/} and {@code cache/}
+ * @param writable folders in order of preference
+ */
+public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
+    /** The folder beside a level that is shipped with the game. */
+    public static final String SHIPPED = "baked/";
+
+    /** Suffices for some thousand levels. */
+    private static final long MOST_BYTES = 64 << 20;
+
+    /** Returns the cache in a folder beside the level if there is one, and in the user's cache folder. */
+    public static SkyVisibilityCache of(AssetSource assets) {
+        Path own = userFolder();
+        return new SkyVisibilityCache(
+                assets, assets.cacheFolder().map(beside -> List.of(beside, own)).orElse(List.of(own)));
+    }
+
+    private static Path userFolder() {
+        String cache = System.getenv("XDG_CACHE_HOME");
+        Path base = cache == null || cache.isBlank()
+                ? Path.of(System.getProperty("user.home", "."), ".cache")
+                : Path.of(cache);
+        return base.resolve("nephele");
+    }
+
+    /**
+     * Returns the stored or newly baked visibility.
+     *
+     * @param progress of a bake, 0–1; not called without a bake
+     */
+    public SkyVisibility of(StaticShapes statics, DoubleConsumer progress) {
+        LightMapLayout layout = LightMapLayout.of(statics.solids());
+        String name = SkyVisibilityFile.nameFor(statics);
+        Optional<SkyVisibility> known = stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, statics, bytes));
+        if (known.isPresent()) {
+            return known.get();
+        }
+        SkyVisibility visibility = SkyVisibility.bake(layout, statics, BakeQuality.RATIONED, progress);
+        store(name, SkyVisibilityFile.encode(visibility));
+        return visibility;
+    }
+
+    private Optional<byte[]> stored(String name) {
+        try {
+            for (String folder : List.of(SHIPPED, "cache/")) {
+                if (assets.exists(folder + name)) {
+                    return Optional.of(assets.bytes(folder + name));
+                }
+            }
+        } catch (AssetException e) {
+            return Optional.empty();
+        }
+        return folders()
+                .map(folder -> folder.find(name))
+                .flatMap(Optional::stream)
+                .findFirst();
+    }
+
+    private Stream<CacheFolder> folders() {
+        return writable.stream().map(path -> new CacheFolder(path, SkyVisibilityFile.NAMES, MOST_BYTES));
+    }
+
+    private void store(String name, byte[] bytes) {
+        for (CacheFolder folder : folders().toList()) {
+            try {
+                folder.store(name, bytes);
+                return;
+            } catch (IOException e) {
+                // The next folder may be writable.
+                continue;
+            }
+        }
+    }
+}

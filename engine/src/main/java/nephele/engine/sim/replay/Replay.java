@@ -1,0 +1,144 @@
+package nephele.engine.sim.replay;
+
+import java.util.List;
+import nephele.engine.level.Level;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.level.TextRule;
+import nephele.engine.level.Written;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.json.RecordFile;
+import nephele.engine.sim.Simulation;
+import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.Assist;
+import nephele.engine.sim.state.PlayerInput;
+import nephele.engine.sim.state.SimSettings;
+import nephele.engine.sim.state.SimState;
+
+/**
+ * A recorded input sequence of a level, tick by tick: with the level it repeats a game exactly.
+ *
+ * @param level the level's file name without folder, for people; the caller that reads a replay decides which level to
+ *     load
+ * @param levelName the level's {@code name}; {@code null} if not recorded
+ * @param levelSha256 of the level's canonical text, as {@link LevelJson#sha256} gives it; {@code null} if not recorded
+ * @param start where the player starts, {@code null} for the level's start
+ */
+public record Replay(
+        @Written(required = true) String level,
+        @Written String levelName,
+        @Written(text = TextRule.SHA256) String levelSha256,
+        @Written(absent = "120", min = SimSettings.LEAST_TICKS_PER_SECOND, max = SimSettings.MOST_TICKS_PER_SECOND)
+                int ticksPerSecond,
+        @Written List<Assist> assists,
+        @Written(
+                        absent = "360",
+                        min = SimSettings.LEAST_UPRIGHT_DEGREES_PER_SECOND,
+                        max = SimSettings.INSTANT_UPRIGHT_DEGREES_PER_SECOND)
+                int uprightDegreesPerSecond,
+        @Written PlayerStart start,
+        @Written(required = true, most = 400_000) List<Run> inputs) {
+    private static final RecordFile<Replay> FILE = RecordFile.of("replay", 1, Replay.class);
+
+    /** A run of equal inputs of successive ticks. Turns are per tick. */
+    public record Run(
+            @Written(required = true, min = 1) int ticks,
+            @Written(min = -100, max = 100) int forwardPercent,
+            @Written(min = -100, max = 100) int rightPercent,
+            @Written(min = -PlayerInput.MAX_TURN_MILLIDEGREES, max = PlayerInput.MAX_TURN_MILLIDEGREES)
+                    int turnLeftMillidegrees,
+            @Written(min = -PlayerInput.MAX_TURN_MILLIDEGREES, max = PlayerInput.MAX_TURN_MILLIDEGREES)
+                    int turnUpMillidegrees,
+            @Written(most = 16) List<Action> hold) {
+        static Run of(PlayerInput input, int ticks) {
+            return new Run(
+                    ticks,
+                    input.forwardPercent(),
+                    input.rightPercent(),
+                    input.turnLeftMillidegrees(),
+                    input.turnUpMillidegrees(),
+                    List.of(Action.values()).stream().filter(input::holds).toList());
+        }
+
+        public PlayerInput input() {
+            int actions = 0;
+            for (Action action : hold) {
+                actions |= action.bit();
+            }
+            return new PlayerInput(forwardPercent, rightPercent, turnLeftMillidegrees, turnUpMillidegrees, actions);
+        }
+    }
+
+    public Replay(String level, SimSettings settings, PlayerStart start, List<Run> inputs) {
+        this(
+                level,
+                null,
+                null,
+                settings.ticksPerSecond(),
+                settings.assists(),
+                settings.uprightDegreesPerSecond(),
+                start,
+                inputs);
+    }
+
+    /** Returns this replay with the name and hash of the level that it was recorded in. */
+    public Replay recordedIn(Level recorded) {
+        String name = recorded.name().isEmpty() ? null : recorded.name();
+        String sha256 = LevelJson.sha256(recorded);
+        return new Replay(level, name, sha256, ticksPerSecond, assists, uprightDegreesPerSecond, start, inputs);
+    }
+
+    /** Returns a replay without input, of a player standing at the level's start. */
+    public static Replay standing(String level, int ticks) {
+        return new Replay(level, SimSettings.DEFAULT, null, List.of(Run.of(PlayerInput.NONE, ticks)));
+    }
+
+    /**
+     * Reads a replay file.
+     *
+     * @param file the file's name in messages
+     * @throws LevelFormatException with all problems found
+     */
+    public static Replay read(String file, byte[] utf8) {
+        return FILE.read(file, utf8);
+    }
+
+    /** Returns the file's text. */
+    public String write() {
+        return FILE.write(this);
+    }
+
+    /** Returns the simulation settings that the replay was recorded with. */
+    public SimSettings settings() {
+        return new SimSettings(ticksPerSecond, assists, uprightDegreesPerSecond);
+    }
+
+    /** Returns the length in ticks. */
+    public long ticks() {
+        return inputs.stream().mapToLong(Run::ticks).sum();
+    }
+
+    /** Returns the state before the first input. */
+    public SimState startIn(Simulation simulation) {
+        return start == null ? simulation.start() : simulation.startFrom(start);
+    }
+
+    /** Plays all inputs from the start and returns the last state; the listener receives the state after each tick. */
+    public SimState play(Simulation simulation, TickListener listener) {
+        SimState state = startIn(simulation);
+        for (Run run : inputs) {
+            PlayerInput input = run.input();
+            for (int i = 0; i < run.ticks(); i++) {
+                state = simulation.step(state, input);
+                listener.ticked(state);
+            }
+        }
+        return state;
+    }
+
+    /** Receives every state of a replay, after each tick. */
+    @FunctionalInterface
+    public interface TickListener {
+        void ticked(SimState state);
+    }
+}

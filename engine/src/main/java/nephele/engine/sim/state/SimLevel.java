@@ -1,0 +1,89 @@
+package nephele.engine.sim.state;
+
+import java.util.List;
+import java.util.Objects;
+import nephele.engine.collision.CollisionWorld;
+import nephele.engine.collision.rigid.body.BodyTable;
+import nephele.engine.level.Level;
+import nephele.engine.level.PlayerStart;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portals;
+import nephele.engine.portal.placement.Gun;
+import nephele.engine.portal.placement.Placement;
+import nephele.engine.portal.placement.PlacementSurfaces;
+
+/**
+ * The part of a level that the simulation uses: the static geometry, and the initial portals and bodies.
+ *
+ * @param statics all static geometry
+ * @param start where the player starts; {@code null} becomes the origin
+ * @param portals the fixed ones
+ * @param gun the placement of shot portals, {@code null} if the player has no gun
+ */
+public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodies, Portals portals, Placement gun) {
+    private static final PlayerStart ORIGIN = new PlayerStart(Vec3.ZERO, 0, 0);
+    private static final BodyTable NO_BODIES = new BodyTable(List.of());
+
+    public SimLevel {
+        start = start == null ? ORIGIN : start;
+    }
+
+    /** Returns the simulation's part of a level with its models placed. */
+    public static SimLevel of(PlacedLevel placed) {
+        return of(placed.level(), placed.statics());
+    }
+
+    /** Returns the simulation's part of a level without models. */
+    public static SimLevel of(Level level) {
+        return of(level, StaticShapes.of(level));
+    }
+
+    private static SimLevel of(Level level, StaticShapes statics) {
+        return of(level, CollisionWorld.of(statics), gun(level, statics));
+    }
+
+    private static SimLevel of(Level level, CollisionWorld world, Placement gun) {
+        return new SimLevel(world, level.player(), BodyTable.of(level), Portals.of(level), gun);
+    }
+
+    private static Placement gun(Level level, StaticShapes statics) {
+        return level.portalGun() == null
+                ? null
+                : new Placement(PlacementSurfaces.of(statics), Gun.of(level.portalGun()));
+    }
+
+    /**
+     * Returns the simulation's part of an edited level; collision geometry is built anew only where it differs.
+     *
+     * @param before the level that this object was made of
+     */
+    public SimLevel edited(PlacedLevel before, PlacedLevel placed) {
+        boolean isGunSame = before.statics() == placed.statics()
+                && Objects.equals(before.level().portalGun(), placed.level().portalGun());
+        return of(
+                placed.level(),
+                statics.edited(placed.statics()),
+                isGunSame ? gun : gun(placed.level(), placed.statics()));
+    }
+
+    /** Returns a level of solids alone. */
+    public static SimLevel of(CollisionWorld statics, PlayerStart start) {
+        return of(statics, start, Portals.NONE);
+    }
+
+    /** Returns a level of solids and portals. */
+    public static SimLevel of(CollisionWorld statics, PlayerStart start, Portals portals) {
+        return new SimLevel(statics, start, NO_BODIES, portals, null);
+    }
+
+    /** Returns the world state at tick 0. */
+    public WorldState begin(PortalWorldCache worlds) {
+        if (bodies.size() == 0 && portals.size() == 0) {
+            return WorldState.NOTHING;
+        }
+        Portals open = worlds.of(portals).portals();
+        return new WorldState(bodies.start(), open, GunPortals.NONE, HeldBody.NOTHING, TickTrace.NONE);
+    }
+}

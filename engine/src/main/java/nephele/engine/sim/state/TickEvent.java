@@ -1,0 +1,54 @@
+package nephele.engine.sim.state;
+
+import nephele.engine.math.Hash64;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.placement.Refusal;
+
+/** Something that happened in a tick and that the player sees or hears. Bodies and portals are given by their index. */
+public sealed interface TickEvent {
+    /** Joins the event to a state's hash. */
+    long hash(long seed);
+
+    /** A shot placed a portal, or moved it. */
+    record PortalOpened(GunPortals.Colour shot, int portal) implements TickEvent {
+        @Override
+        public long hash(long seed) {
+            return Hash64.combine(Hash64.combine(Hash64.combine(seed, 1), shot.ordinal()), portal);
+        }
+    }
+
+    /** A shot placed no portal, with the place and the reason. */
+    record PortalRefused(GunPortals.Colour shot, Refusal reason, Vec3 where) implements TickEvent {
+        @Override
+        public long hash(long seed) {
+            long hash = Hash64.combine(Hash64.combine(seed, 2), shot.ordinal());
+            return Hash64.combine(Hash64.combine(hash, reason.ordinal()), where);
+        }
+    }
+
+    /** The player picked up, dropped or threw a body, or failed to. */
+    record Handled(Kind kind, int body) implements TickEvent {
+        /** The outcome. */
+        public enum Kind {
+            PICKED_UP,
+            DROPPED,
+            THROWN,
+            /** Dropped because the line to it was broken or a portal of it closed. */
+            LOST,
+            TOO_HEAVY
+        }
+
+        @Override
+        public long hash(long seed) {
+            return Hash64.combine(Hash64.combine(Hash64.combine(seed, 3), kind.ordinal()), body);
+        }
+    }
+
+    /** The player tried to pick up a body and none was in reach. */
+    record NothingInReach() implements TickEvent {
+        @Override
+        public long hash(long seed) {
+            return Hash64.combine(seed, 4);
+        }
+    }
+}

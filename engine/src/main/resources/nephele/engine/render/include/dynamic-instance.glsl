@@ -1,0 +1,25 @@
+// One rigid part of what moves; packed by nephele.engine.scene.dynamic object.DynamicCopies.
+
+uniform samplerBuffer dynamicInstances;
+
+const int INSTANCE_TEXELS = 8;
+const float PARTS_STRIDE = 64.0;
+
+vec4 instanceTexel(int instance, int texel) {
+    return texelFetch(dynamicInstances, INSTANCE_TEXELS * instance + texel);
+}
+
+vec3 turned(vec4 quaternion, vec3 v) {
+    return v + 2.0 * cross(quaternion.xyz, cross(quaternion.xyz, v) + quaternion.w * v);
+}
+
+vec3 turnedBack(vec4 quaternion, vec3 v) {
+    return turned(vec4(-quaternion.xyz, quaternion.w), v);
+}
+
+// The share of the sky that a face with this normal sees; axes weighed by the normal's squares (McTaggart 2004, "Half-Life
+// 2 / Valve Source Shading").
+float skySeen(int instance, vec3 n) {
+    vec3 along = mix(instanceTexel(instance, 7).xyz, instanceTexel(instance, 6).xyz, step(0.0, n));
+    return dot(n * n, along);
+}

@@ -1,0 +1,42 @@
+// Shadows of what moves, beside those of what never moves: depth maps that are drawn when something has moved.
+// Written by render.frame.DynamicShade. Needs shadow-filter.glsl.
+
+layout(std140) uniform DynamicShade {
+    mat4 dynamicMapFromAnchor; // metres from the anchor -> texture coordinates and depth, 0 to 1
+    vec4 dynamicMapRight; // unit axis along the sun map's rows; w: texel side / depth range
+    vec4 dynamicMapUp; // unit axis along its columns; w: half a texel side / depth range
+    vec4 dynamicMapUsed; // xy: texels that are in use, from the first on
+    vec4 dynamicLayers[128]; // four light layers each: 1 where something that moves is in it
+};
+
+#ifdef DYNAMIC_SUN_SHADOW
+uniform sampler2DArray dynamicSunMap;
+
+float dynamicSunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
+    vec3 m = (dynamicMapFromAnchor * vec4(anchorPosition, 1.0)).xyz;
+    vec2 size = vec2(textureSize(dynamicSunMap, 0).xy);
+    vec2 texel = m.xy * size;
+    if (any(lessThan(texel, vec2(1.0))) || any(greaterThan(texel, dynamicMapUsed.xy - 1.0)) || m.z < 0.0) {
+        return 1.0;
+    }
+    vec2 gradient = vec2(dot(faceNormal, dynamicMapRight.xyz), dot(faceNormal, dynamicMapUp.xyz))
+            * (dynamicMapRight.w / max(nDotSun, 1e-4));
+    Footprint four = footprintAt(texel);
+    vec4 depths = textureGather(dynamicSunMap, vec3(gatherPoint(texel) / size, 0.0));
+    vec4 nearerBy = nearerThanPlane(depths, m.z, gradient, four);
+    return litShare(nearerBy, four.weight, dynamicMapUp.w, abs(gradient.x) + abs(gradient.y));
+}
+#endif
+
+#ifdef DYNAMIC_LIGHT_SHADOW
+uniform sampler2DArray dynamicLightMaps;
+
+// What a light's picture shows, the nearer of what never moves and what does.
+vec4 nearerDepths(vec4 depths, vec3 coordinates) {
+    int layer = int(coordinates.z);
+    if (dynamicLayers[layer / 4][layer % 4] > 0.0) {
+        return min(depths, textureGather(dynamicLightMaps, coordinates));
+    }
+    return depths;
+}
+#endif

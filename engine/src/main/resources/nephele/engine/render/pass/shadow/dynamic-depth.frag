@@ -1,0 +1,5 @@
+#include "light-depth.glsl"
+
+void main() {
+    gl_FragDepth = shadowDepth();
+}

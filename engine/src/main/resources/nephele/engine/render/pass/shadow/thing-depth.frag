@@ -1,5 +1,0 @@
-#include "lamp-depth.glsl"
-
-void main() {
-    gl_FragDepth = shadowDepth();
-}

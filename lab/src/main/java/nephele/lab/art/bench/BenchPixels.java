@@ -1,0 +1,76 @@
+package nephele.lab.art.bench;
+
+import java.awt.image.BufferedImage;
+import nephele.lab.art.paint.Pixels;
+
+/** The pictures of the benchmark scenes, equal in every pixel to those of the compared engines. */
+public final class BenchPixels {
+    static final int BOX_SIDE = 256;
+    static final int SKY_SIDE = 512;
+
+    /** Base colours of the faces +x, −x, +y, −y, +z, −z. */
+    private static final int[][] SKY_BASE = {
+        {200, 120, 120}, {120, 200, 120}, {120, 120, 220}, {200, 200, 120}, {200, 120, 200}, {120, 200, 200}
+    };
+
+    private BenchPixels() {}
+
+    /** Paints a dark frame around a two-tone chequer, with a little noise. */
+    public static BufferedImage box() {
+        return Pixels.picture(BOX_SIDE, BOX_SIDE, BenchPixels::boxPixel);
+    }
+
+    private static int boxPixel(int x, int y) {
+        int grain = (int) (random(x, y, 1) * 40) / 2;
+        boolean frame = x < 8 || y < 8 || x >= BOX_SIDE - 8 || y >= BOX_SIDE - 8;
+        boolean light = ((x / 32) + (y / 32)) % 2 == 0;
+        int red = frame ? 60 : light ? 200 : 150;
+        int green = frame ? 40 : light ? 150 : 100;
+        int blue = frame ? 20 : 60;
+        return rgb(red + grain, green + grain, blue + grain);
+    }
+
+    /** Paints face {@code face} of the skybox in the order +x, −x, +y, −y, +z, −z: tinted noise under a grid. */
+    public static BufferedImage sky(int face) {
+        int[] base = SKY_BASE[face];
+        return Pixels.picture(SKY_SIDE, SKY_SIDE, (x, y) -> {
+            int line = x % 64 == 0 || y % 64 == 0 ? -40 : 0;
+            int add = (int) (noise(x / 64f, y / 64f, 10 + face) * 70) - 20 + line;
+            return rgb(base[0] + add, base[1] + add, base[2] + add);
+        });
+    }
+
+    private static int rgb(int red, int green, int blue) {
+        return clamp(red) << 16 | clamp(green) << 8 | clamp(blue);
+    }
+
+    private static int clamp(int value) {
+        return Math.max(0, Math.min(255, value));
+    }
+
+    private static int hash(int x, int y, int seed) {
+        int h = x * 374761393 + y * 668265263 + seed * 1274126177;
+        h = (h ^ (h >>> 13)) * 1274126177;
+        return h ^ (h >>> 16);
+    }
+
+    private static float random(int x, int y, int seed) {
+        return (hash(x, y, seed) & 0xffffff) / (float) 0x1000000;
+    }
+
+    private static float noise(float x, float y, int seed) {
+        int column = (int) Math.floor(x);
+        int row = (int) Math.floor(y);
+        float right = ease(x - column);
+        float down = ease(y - row);
+        float a = random(column, row, seed);
+        float b = random(column + 1, row, seed);
+        float c = random(column, row + 1, seed);
+        float d = random(column + 1, row + 1, seed);
+        return (a + (b - a) * right) * (1 - down) + (c + (d - c) * right) * down;
+    }
+
+    private static float ease(float t) {
+        return t * t * (3 - 2 * t);
+    }
+}

@@ -1,0 +1,42 @@
+package nephele.lab.prove.geometry;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.lab.prove.proof.Claim;
+import nephele.lab.prove.proof.Figure;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
+
+/** Casts rays where rounding decides: at shared edges and corners, from surfaces, along the faces of boxes. */
+public final class RayProof implements Proof {
+    @Override
+    public Claim claim() {
+        return new Claim(
+                "rays",
+                "No ray slips between triangles that share an edge, meets the surface it leaves, skips a wall 1 mm on,"
+                        + " or misses a box that exact arithmetic meets.",
+                "rays of each kind",
+                1_000_000,
+                100_000);
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) {
+        List<String> failures = new ArrayList<>();
+        SharedEdges edges = new SharedEdges(failures);
+        LeavingRays leaving = new LeavingRays(failures);
+        ExactSlabs slabs = new ExactSlabs(failures);
+        for (long unit = from; unit < from + count; unit++) {
+            edges.cast(unit);
+            leaving.cast(unit);
+            slabs.cast(unit);
+            progress.unitsDone(unit + 1 - from);
+        }
+        return ProofResult.of(
+                count,
+                failures,
+                Figure.greatest("farthest hit from its plane", edges.greatestUlpsOffPlane(), "ulp of the extent"),
+                Figure.sum("walls 1 mm on", leaving.walls(), ""),
+                Figure.sum("boxes met", slabs.met(), ""));
+    }
+}

@@ -1,0 +1,36 @@
+package nephele.lab.prove.picture;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** The levels of a checkout that are compared in pictures. */
+final class SeenLevels {
+    private SeenLevels() {}
+
+    /** Returns the files of every level and every sample. */
+    static List<String> all() {
+        List<String> files = new ArrayList<>(in(Path.of("levels")));
+        files.addAll(in(Path.of("levels", "samples")));
+        return List.copyOf(files);
+    }
+
+    /** Returns an empty list outside of a checkout. */
+    private static List<String> in(Path folder) {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(Path::toString)
+                    .filter(file -> file.endsWith(".json"))
+                    .sorted()
+                    .toList();
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+    }
+}

@@ -1,0 +1,157 @@
+package nephele.lab.prove.process;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.locks.LockSupport;
+import nephele.engine.level.Level;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.lab.prove.proof.Claim;
+import nephele.lab.prove.proof.Figure;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
+
+/**
+ * Kills processes that save levels, at random moments, and reads the files that remain. A unit is a kill within a save;
+ * a kill between two saves is repeated.
+ */
+public final class SaveKillProof implements Proof {
+    private static final int MOST_SAVES_BEFORE = 3;
+
+    /** The latest moment of a kill, in durations of the previous save, because some saves take longer. */
+    private static final double LENGTHS = 1.25;
+
+    @Override
+    public Claim claim() {
+        return new Claim(
+                "save-kills",
+                "Killing the process at any moment of a save leaves a complete old or new level file.",
+                "kills within a save",
+                1_000,
+                100);
+    }
+
+    @Override
+    public ProofResult run(long from, long count, Progress progress) throws Exception {
+        Path folder = Files.createTempDirectory("nephele-save-kills");
+        List<String> failures = new ArrayList<>();
+        var random = new SplittableRandom(from);
+        long within = 0;
+        long kills = 0;
+        long unfinished = 0;
+        Process next = start(file(folder, 0));
+        try {
+            while (within < count) {
+                Process child = next;
+                Path file = file(folder, kills);
+                next = start(file(folder, ++kills));
+                boolean isWithin = isWithinASave(kill(child, random));
+                unfinished += isWithin && isUnfinished(file) ? 1 : 0;
+                judge(from + within, file, failures);
+                if (isWithin) {
+                    progress.unitsDone(++within);
+                    random = new SplittableRandom(from + within);
+                }
+            }
+        } finally {
+            next.destroyForcibly().waitFor();
+            delete(folder);
+        }
+        List<Figure> figures = List.of(
+                Figure.sum("kills that left a file half-written or not yet in its place", unfinished, ""),
+                Figure.sum("further kills, between two saves", kills - within, ""));
+        return ProofResult.of(count, failures, figures);
+    }
+
+    /** @param told everything that a killed process wrote */
+    static boolean isWithinASave(String told) {
+        return told.endsWith(String.valueOf(SavingChild.BEGUN));
+    }
+
+    private static boolean isUnfinished(Path file) {
+        return Files.exists(beside(file, ".tmp")) || Files.exists(beside(file, ".bak.tmp"));
+    }
+
+    private static Path file(Path folder, long unit) {
+        return folder.resolve("level-" + unit + ".json");
+    }
+
+    private static Path beside(Path file, String suffix) {
+        return file.resolveSibling(file.getFileName() + suffix);
+    }
+
+    /** Starts a Java process as cheaply as possible that saves exactly as the editor does. */
+    private static Process start(Path file) throws IOException {
+        LevelFile.save(file, SavingChild.level(0));
+        Path java = Path.of(System.getProperty("java.home"), "bin", "java");
+        return new ProcessBuilder(
+                        java.toString(),
+                        "-XX:+UseSerialGC",
+                        "-XX:TieredStopAtLevel=1",
+                        "-Xshare:auto",
+                        "-Xmx128m",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        SavingChild.class.getName(),
+                        file.toString())
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+    }
+
+    /** Waits for a few saves and kills the process within about the duration of one after the next has begun. */
+    private static String kill(Process child, SplittableRandom random) throws IOException, InterruptedException {
+        var told = new StringBuilder();
+        long begun = 0;
+        long nanos = 0;
+        for (int saves = 1 + random.nextInt(MOST_SAVES_BEFORE); saves >= 0; saves--) {
+            awaitNext(child, SavingChild.BEGUN, told);
+            begun = System.nanoTime();
+            if (saves > 0) {
+                awaitNext(child, SavingChild.ENDED, told);
+                nanos = System.nanoTime() - begun;
+            }
+        }
+        LockSupport.parkNanos((long) (random.nextDouble() * LENGTHS * nanos));
+        // The process is killed through its handle: after {@code Process.destroyForcibly} its output can no longer be
+        // read.
+        child.toHandle().destroyForcibly();
+        child.waitFor();
+        return told.append(new String(child.getInputStream().readAllBytes(), StandardCharsets.US_ASCII))
+                .toString();
+    }
+
+    private static void awaitNext(Process child, char expected, StringBuilder told)
+            throws IOException, InterruptedException {
+        int next = child.getInputStream().read();
+        if (next != expected) {
+            throw new IOException("the saving process ended by itself with code " + child.waitFor());
+        }
+        told.append(expected);
+    }
+
+    /** Checks that the file itself, not its backup, is one of the saved levels, complete. */
+    private static void judge(long unit, Path file, List<String> failures) {
+        try {
+            Level found = LevelFile.read(file);
+            if (!found.equals(SavingChild.level(Integer.parseInt(found.name())))) {
+                failures.add("kill " + unit + ": the file holds a level that was never saved");
+            }
+        } catch (LevelFormatException | NumberFormatException unreadable) {
+            failures.add("kill " + unit + ": " + unreadable.getMessage());
+        }
+    }
+
+    private static void delete(Path folder) throws IOException {
+        try (var files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                Files.delete(file);
+            }
+        }
+        Files.delete(folder);
+    }
+}

@@ -1,0 +1,83 @@
+package nephele.engine.asset;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class AtomicFileTest {
+    private static final byte[] NEW = {1, 2, 3};
+
+    @TempDir
+    Path folder;
+
+    private List<String> names() throws IOException {
+        try (var files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+
+    private String refusal(Path file) {
+        var refused = assertThrows(IOException.class, () -> AtomicFile.write(file, NEW));
+        assertTrue(refused.getMessage().startsWith(file + ": can't be written: "), refused.getMessage());
+        return refused.getMessage();
+    }
+
+    @Test
+    void aFileIsReplacedAndNothingElseIsLeft() throws IOException {
+        var file = Files.write(folder.resolve("a.png"), new byte[1000]);
+        AtomicFile.write(file, NEW);
+        assertArrayEquals(NEW, Files.readAllBytes(file));
+        assertEquals(List.of("a.png"), names());
+    }
+
+    @Test
+    void missingFoldersAreMade() throws IOException {
+        AtomicFile.write(folder.resolve("deep/er/a.png"), NEW);
+        assertArrayEquals(NEW, Files.readAllBytes(folder.resolve("deep/er/a.png")));
+    }
+
+    @Test
+    void anEmptyFolderIsNotReplaced() throws IOException {
+        var inTheWay = Files.createDirectory(folder.resolve("a.png"));
+        assertTrue(refusal(inTheWay).endsWith("it is a folder"));
+        assertTrue(Files.isDirectory(inTheWay));
+        assertEquals(List.of("a.png"), names());
+    }
+
+    @Test
+    void aLinkStaysALinkAndOneToNothingIsRefused() throws IOException {
+        var real = Files.write(folder.resolve("real.png"), new byte[1]);
+        var link = Files.createSymbolicLink(folder.resolve("link.png"), real);
+        AtomicFile.write(link, NEW);
+        assertTrue(Files.isSymbolicLink(link));
+        assertArrayEquals(NEW, Files.readAllBytes(real));
+        Files.delete(real);
+        assertTrue(refusal(link).contains("link to a file that is missing"));
+        assertEquals(List.of("link.png"), names());
+    }
+
+    @Test
+    void aFolderThatIsAFileIsNamed() throws IOException {
+        var noFolder = Files.write(folder.resolve("note"), NEW);
+        assertTrue(refusal(noFolder.resolve("a.png")).endsWith("is not a folder"));
+    }
+
+    @Test
+    void aPipeIsNotAFileAndADeviceIsReadNoFartherThanAsked() throws Exception {
+        assumeTrue(Files.exists(Path.of("/dev/zero")), "a system without device files");
+        var pipe = folder.resolve("pipe");
+        assertEquals(0, new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor());
+        var refused = assertThrows(IOException.class, () -> AtomicFile.read(pipe, 10));
+        assertEquals("it is not a file", AtomicFile.reason(refused));
+        assertEquals(11, AtomicFile.read(Path.of("/dev/zero"), 10).length);
+    }
+}

@@ -1,0 +1,18 @@
+package nephele.lab.prove.geometry;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import nephele.lab.prove.proof.Proof;
+import nephele.lab.prove.proof.ProofResult;
+import org.junit.jupiter.api.Test;
+
+/** The proof holds at a small part of the full count, on a smaller large field. */
+class HeightFieldProofTest {
+    @Test
+    void raysAndSweepsMeetWhatATestOfEveryTriangleFinds() {
+        ProofResult result = new HeightFieldProof(257).run(0, 120, Proof.Progress.NONE);
+        assertEquals(List.of(), result.examples());
+        assertEquals(0, result.failures());
+    }
+}
