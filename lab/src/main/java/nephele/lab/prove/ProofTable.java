@@ -19,7 +19,7 @@ public final class ProofTable {
             """
             # Proofs
 
-            Written by `nephele prove`; every row is the last run of one proof, a full one unless it says of how many. `nephele prove NAME` repeats it.
+            `nephele prove` writes this table. Each row is the last run of one proof, at full count unless the row states a part of it. `nephele prove NAME` repeats the proof.
 
             | proof | claim | count | failures | figures | date | commit | machine |
             |---|---|---|---|---|---|---|---|

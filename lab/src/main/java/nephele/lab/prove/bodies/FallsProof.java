@@ -42,7 +42,8 @@ public final class FallsProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "falls",
-                "Who falls from floor to floor comes up as high as it fell, ten thousand times, at any tick rate.",
+                "A body that falls from floor portal to floor portal rises to the height from which it fell,"
+                        + " ten thousand times, at any tick rate.",
                 "falls",
                 FALLS * RATES.length,
                 FALLS);

@@ -13,8 +13,8 @@ public final class RayProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "rays",
-                "No ray slips between triangles that share an edge, meets the surface it leaves, skips a wall 1 mm on,"
-                        + " or misses a box that exact arithmetic meets.",
+                "No ray passes between triangles that share an edge, hits the surface that it leaves, passes"
+                        + " a wall 1 mm away, or misses a box that it hits in exact arithmetic.",
                 "rays of each kind",
                 1_000_000,
                 100_000);

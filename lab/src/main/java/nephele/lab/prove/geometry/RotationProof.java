@@ -24,8 +24,8 @@ public final class RotationProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "rotations",
-                "A view never turns farther than the mouse asks, and between any two rotations lies a unit one, in"
-                        + " proportion.",
+                "A view never turns farther than the mouse input; interpolation between any two rotations"
+                        + " gives a unit rotation at the proportional angle.",
                 "turns",
                 1_000_000,
                 250_000);

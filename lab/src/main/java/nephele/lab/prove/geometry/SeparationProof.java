@@ -27,9 +27,9 @@ public final class SeparationProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "separation",
-                "Shapes random, touching, parallel, degenerate, tiny and huge meet or miss a solid as brute force"
-                    + " says, at the same distance; backing off by the depth of what meets parts it, and by less does"
-                    + " not.",
+                "Random, touching, parallel, degenerate, tiny and huge shapes overlap or miss a solid as in the"
+                        + " brute-force test, at the same distance; a translation by the depth separates overlapping"
+                        + " shapes, and a shorter one does not.",
                 "pairs",
                 1_000_000,
                 100_000);

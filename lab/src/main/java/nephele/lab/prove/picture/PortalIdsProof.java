@@ -48,8 +48,8 @@ public final class PortalIdsProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "portal-ids",
-                "By either technique, no pixel shows another surface than the exact twin, except within one pixel of"
-                        + " the edge of a surface or an opening.",
+                "With either portal technique, no pixel shows another surface than the exact twin, except"
+                        + " within one pixel of the edge of a surface or an opening.",
                 "cameras",
                 cameras::all,
                 (long) cameras.atOnce() * cameras.files().size());

@@ -63,10 +63,10 @@ public final class PortalLightProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "portal-light",
-                "Lit, each level's pictures, drawn once a pixel at " + trace.width() + " × " + trace.height()
-                        + " by quality ultra without anisotropy, have a mean HDR-FLIP of at most 0.05 and a bias of at"
+                "With lighting, each level's pictures (one sample a pixel, " + trace.width() + " × " + trace.height()
+                        + ", quality ultra without anisotropy) have a mean HDR-FLIP of at most 0.05 and a bias of at"
                         + " most 1 % against " + trace.samples()
-                        + " traced samples a pixel, by either portal technique.",
+                        + " traced samples a pixel, with either portal technique.",
                 "cameras",
                 cameras::all,
                 AT_ONCE);

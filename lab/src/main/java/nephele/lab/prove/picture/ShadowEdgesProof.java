@@ -50,10 +50,10 @@ public final class ShadowEdgesProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "shadow-edges",
-                "Among walls of 10 cm, sun, point lights and spots light a pixel that is not beside an edge as a ray"
-                    + " says, except within one texel of a shadow's edge; one in a thousand at most stays dark where"
-                    + " the lit part of a face is narrower, in the light's eyes, than a texel's diagonal; no pixel of"
-                    + " a closed room is lit, joints included.",
+                "Among walls of 10 cm, a pixel away from edges is lit by sun, point lights and spots exactly if a"
+                        + " shadow ray says so, except within one texel of a shadow's edge; at most one in a thousand"
+                        + " stays dark where the lit part of a face, seen from the light, is narrower than a texel's"
+                        + " diagonal; no pixel of a closed room is lit, joints included.",
                 "pictures",
                 1000,
                 100);

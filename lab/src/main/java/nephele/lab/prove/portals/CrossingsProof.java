@@ -20,7 +20,7 @@ public final class CrossingsProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "crossings",
-                "Whoever goes through a portal falls through no floor and ends in no solid.",
+                "A player or body that goes through a portal falls through no floor and ends in no solid.",
                 "crossings",
                 1_000_000,
                 50_000);

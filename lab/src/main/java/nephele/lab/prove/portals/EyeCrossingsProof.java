@@ -13,8 +13,8 @@ public final class EyeCrossingsProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "eye-crossings",
-                "An eye that passes through a portal in steps of 0.1 mm never sees the wall that the portal lies in,"
-                        + " nor nothing at all.",
+                "No frame of an eye that passes through a portal in steps of 0.1 mm shows the wall of the"
+                        + " portal or an empty pixel.",
                 "crossings",
                 10_000,
                 1_000);

@@ -40,7 +40,8 @@ public final class TraversalsProof implements Proof {
     public Claim claim() {
         return new Claim(
                 "traversals",
-                "A million passages through random pairs move, speed up and bend nothing.",
+                "A million traversals of random portal pairs change neither position, speed nor orthonormal"
+                        + " axes by more than rounding.",
                 "traversals",
                 CHAIN,
                 CHAIN);

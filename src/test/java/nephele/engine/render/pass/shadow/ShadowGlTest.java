@@ -31,7 +31,7 @@ import nephele.engine.scene.light.ShadowFrame;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Shadows against rays in double precision; A.1: an edge lies within one shadow texel of ray and plane. */
+/** A shadow's edge is within one shadow texel of the edge that rays in double precision give. */
 class ShadowGlTest {
     private static final int SIZE = 160;
     private static final Vec3 SLAB_MIN = new Vec3(-1, 1.4, -0.7);
