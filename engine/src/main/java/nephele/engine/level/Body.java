@@ -3,24 +3,24 @@ package nephele.engine.level;
 import nephele.engine.math.Vec3;
 
 /**
- * A movable rigid body of even density, upright at the start. Two bodies rub by the geometric mean of their frictions
- * and bounce by the greater restitution.
+ * A movable rigid body of uniform density, upright at the start. The friction of two touching bodies is the geometric
+ * mean of their coefficients; their restitution is the greater of the two.
  */
 public sealed interface Body {
     String id();
 
-    /** The centre of mass. */
+    /** Returns the centre of mass at the start, in metres. */
     Vec3 centre();
 
     double massKilograms();
 
-    /** Id, or {@code null} for the default grey. */
+    /** Returns the id of the material, or {@code null} for the default grey. */
     String material();
 
-    /** Coulomb's coefficient. */
+    /** Returns Coulomb's coefficient of friction. */
     double friction();
 
-    /** Share of the approach speed that a bounce gives back. */
+    /** Returns the coefficient of restitution: the ratio of separating to approaching speed. */
     double restitution();
 
     /** {@code "kind": "box"}. */

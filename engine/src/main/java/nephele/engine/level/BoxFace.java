@@ -2,7 +2,7 @@ package nephele.engine.level;
 
 import nephele.engine.math.Vec3;
 
-/** A side of a box by its outward normal. */
+/** A side of a box, named by its outward normal. */
 public enum BoxFace {
     PLUS_X("+x", new Vec3(1, 0, 0)),
     MINUS_X("-x", new Vec3(-1, 0, 0)),
@@ -19,7 +19,7 @@ public enum BoxFace {
         this.normal = normal;
     }
 
-    /** As written in a level file. */
+    /** Returns the side's name in a level file, such as {@code +x}. */
     public String text() {
         return text;
     }

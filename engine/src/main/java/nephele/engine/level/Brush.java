@@ -9,12 +9,12 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.UprightPrism;
 import nephele.engine.math.Vec3;
 
-/** A solid's shape, with what the author said of each face. */
+/** The shape of a solid, with the material and portalability of each face. */
 public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> faces) {
     /**
      * One face, in the order of {@code shape.faces()}.
      *
-     * @param name as the author would name it: {@code +y}, {@code planes[3]}, {@code slope}, {@code side 2}
+     * @param name the face's name in messages: {@code +y}, {@code planes[3]}, {@code slope}, {@code side 2}
      * @param material id, or {@code null} for the default grey
      */
     public record BrushFace(
@@ -31,7 +31,11 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
 
     private record Named(String name, Plane plane, String material, Boolean portalable) {}
 
-    /** @throws IllegalArgumentException with the reason when the solid encloses no bounded volume */
+    /**
+     * Derives the shape of a solid.
+     *
+     * @throws IllegalArgumentException with the reason if the solid encloses no bounded volume
+     */
     public static Brush of(Solid solid) {
         if (solid instanceof Solid.Box box) {
             requirePositive(box.size());
@@ -54,7 +58,7 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
         throw new IllegalArgumentException("no shape for " + solid.getClass().getSimpleName());
     }
 
-    /** The same, but no portal opens on faces of these materials. */
+    /** Returns this brush with the faces of these materials not portalable. */
     public Brush refusingPortalsOn(Set<String> materials) {
         if (faces.stream().noneMatch(face -> face.portalable() && materials.contains(face.material()))) {
             return this;
@@ -104,7 +108,10 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
         return faces;
     }
 
-    /** The box's sides without the top and the low side, and the slope through the low bottom and the high top edge. */
+    /**
+     * Returns the box's sides without the top and the low side, and the slope from the low bottom edge to the high top
+     * edge.
+     */
     private static List<Named> wedgeFaces(Solid.Wedge wedge) {
         requirePositive(wedge.size());
         Aabb box = Aabb.around(wedge.centre(), wedge.size());

@@ -4,10 +4,10 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 
 /**
- * A fixed camera, or one that follows {@code path} with one entry a frame.
+ * A fixed camera, or one that follows {@code path}, which has one entry for each frame.
  *
- * @param horizontalFovDegrees 0 when {@code verticalFovDegrees} is given instead; 90 when neither is
- * @param verticalFovDegrees 0 when {@code horizontalFovDegrees} is given
+ * @param horizontalFovDegrees 0 if {@code verticalFovDegrees} is given; 90 if neither is
+ * @param verticalFovDegrees 0 if {@code horizontalFovDegrees} is given
  */
 public record Camera(
         @Written(required = true, text = TextRule.ID) String id,
@@ -28,6 +28,6 @@ public record Camera(
         }
     }
 
-    /** Eye and look-at point of one frame. */
+    /** The eye and the look-at point of one frame. */
     public record Waypoint(@Written(required = true) Vec3 position, @Written(required = true) Vec3 target) {}
 }

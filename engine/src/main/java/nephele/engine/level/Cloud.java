@@ -3,7 +3,7 @@ package nephele.engine.level;
 import java.util.List;
 import nephele.engine.math.Vec3;
 
-/** A cloud: where it is, what it consists of and the technique that draws it. */
+/** A cloud: its extent, its density and the technique that draws it. */
 public record Cloud(
         @Written(required = true, text = TextRule.ID) String id,
         @Written(beside = true) Extent extent,
@@ -13,7 +13,7 @@ public record Cloud(
         @Written(absent = "1", min = 0, max = 1) double albedo,
         @Written(min = -0.999, max = 0.999) double phaseG) {
 
-    /** Where the cloud is; the file's {@code kind}, its members beside the cloud's own. */
+    /** The region of a cloud. The file has its {@code kind} and members beside the cloud's own. */
     public sealed interface Extent {
         /** {@code "kind": "volume"}: an axis-aligned box. */
         record Volume(@Written(required = true) Vec3 centre, @Written(required = true, min = 1e-4) Vec3 size)
@@ -26,9 +26,9 @@ public record Cloud(
                 implements Extent {}
     }
 
-    /** Density 0–1 inside the extent, times {@code extinctionPerMetre}. */
+    /** The density of a cloud, 0 to 1 inside the extent; multiplied by {@code extinctionPerMetre}. */
     public sealed interface Density {
-        /** {@code "kind": "image"}: a grey picture as density from above. */
+        /** {@code "kind": "image"}: a grey picture that gives the density as seen from above. */
         record Image(@Written(required = true, text = TextRule.ASSET) String file) implements Density {}
 
         /** {@code "kind": "ellipsoid"}: 1 inside the inscribed ellipsoid. */
@@ -48,7 +48,7 @@ public record Cloud(
         record Grid(@Written(required = true, text = TextRule.ASSET) String file) implements Density {}
     }
 
-    /** One soft ball, relative to the extent's centre. */
+    /** One soft ball; its centre is relative to the extent's centre. */
     public record Puff(
             @Written(required = true) Vec3 centre, @Written(required = true, min = 1e-4) double radiusMetres) {}
 }

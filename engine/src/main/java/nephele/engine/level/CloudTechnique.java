@@ -1,6 +1,6 @@
 package nephele.engine.level;
 
-/** How a cloud is drawn; AUTO leaves the choice to the engine. */
+/** The technique that draws a cloud; AUTO leaves the choice to the engine. */
 public enum CloudTechnique {
     AUTO,
     SKYBOX,

@@ -4,14 +4,14 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 
 /**
- * Sun, sky, clouds and how the picture is developed.
+ * Sun, sky, clouds, fog and the exposure and tone curve of the picture.
  *
- * @param sun {@code null}: no sun
- * @param sky {@code null}: black
- * @param ambient constant radiance that every surface receives from all around (a surface reflects albedo × ambient)
- *     instead of sky irradiance × baked visibility; {@code null}: sky and visibility
+ * @param sun {@code null} for none
+ * @param sky {@code null} for black
+ * @param ambient constant radiance that every surface receives from all directions (a surface reflects albedo ×
+ * ambient) instead of sky irradiance × baked visibility; {@code null} for sky and visibility
  * @param exposureStops exposure = 2^stops
- * @param fog {@code null}: none
+ * @param fog {@code null} for none
  */
 public record Environment(
         @Written Sun sun,

@@ -4,7 +4,7 @@ import java.util.List;
 
 /**
  * A level as its author wrote it, version 1. Every section is optional in the file: an absent list is empty here, an
- * absent environment the empty one, an absent player or portal gun {@code null}. Nothing in here is derived.
+ * absent environment is the empty one, an absent player or portal gun is {@code null}. Contains no derived data.
  */
 public record Level(
         @Written(absent = "\"\"") String name,
@@ -19,7 +19,7 @@ public record Level(
         @Written List<ModelPlacement> models,
         @Written List<Body> bodies,
         @Written PortalGun portalGun) {
-    /** One that holds nothing yet but what it is seen by and from. */
+    /** Returns a level with an environment and cameras and nothing else. */
     public static Level of(String name, String description, Environment environment, List<Camera> cameras) {
         return new Level(
                 name,
@@ -36,7 +36,7 @@ public record Level(
                 null);
     }
 
-    /** The same with other portals. */
+    /** Returns this level with other portals. */
     public Level withPortals(List<PortalSpec> otherPortals) {
         return new Level(
                 name,
@@ -53,7 +53,7 @@ public record Level(
                 portalGun);
     }
 
-    /** The same under other light: {@code environment} and {@code lights}. */
+    /** Returns this level with another environment and other lights. */
     public Level with(Environment changed, List<Light> otherLights) {
         return new Level(
                 name,
@@ -70,17 +70,17 @@ public record Level(
                 portalGun);
     }
 
-    /** The same with other solids, made of other materials. */
+    /** Returns this level with other materials and solids. */
     public Level with(List<Material> otherMaterials, List<Solid> otherSolids) {
         return with(otherMaterials, otherSolids, bodies);
     }
 
-    /** The same with other solids and bodies, made of other materials. */
+    /** Returns this level with other materials, solids and bodies. */
     public Level with(List<Material> otherMaterials, List<Solid> otherSolids, List<Body> otherBodies) {
         return with(otherMaterials, otherSolids, otherBodies, models);
     }
 
-    /** The same with other solids, bodies and models, made of other materials. */
+    /** Returns this level with other materials, solids, bodies and models. */
     public Level with(
             List<Material> otherMaterials,
             List<Solid> otherSolids,

@@ -2,9 +2,9 @@ package nephele.engine.level;
 
 import nephele.engine.math.Vec3;
 
-/** A lamp without extent. Radiant intensity is linear RGB; irradiance falls with the square of the distance. */
+/** A punctual light. Radiant intensity is linear RGB; irradiance falls with the square of the distance. */
 public sealed interface Light {
-    /** Depth pictures that all casting lamps of a level share. */
+    /** Upper bound of the depth pictures of all shadow-casting lights of a level. */
     int MOST_SHADOW_PICTURES = 512;
 
     String id();
@@ -13,12 +13,18 @@ public sealed interface Light {
 
     Vec3 radiantIntensity();
 
-    /** Beyond it nothing arrives; the fall-off is windowed so that it gets there smoothly. */
+    /**
+     * Returns the distance in metres beyond which the light has no effect; a window function brings the falloff
+     * smoothly to zero there.
+     */
     double rangeMetres();
 
     boolean castsShadow();
 
-    /** Depth pictures that its shadow takes: the six faces of a cube, or one along the axis of a spot up to 80° wide. */
+    /**
+     * Returns the number of depth pictures of its shadow: six faces of a cube, or one along the axis of a spot up to
+     * 80° wide.
+     */
     default int shadowPictures() {
         return this instanceof Spot spot && spot.outerConeDegrees() <= 80 ? 1 : 6;
     }
@@ -32,7 +38,7 @@ public sealed interface Light {
             @Written(absent = "true") boolean castsShadow)
             implements Light {}
 
-    /** {@code "kind": "spot"}; cones are half angles from the axis, full light inside the inner one. */
+    /** {@code "kind": "spot"}; cone angles are half angles from the axis, with full intensity inside the inner cone. */
     record Spot(
             @Written(required = true, text = TextRule.ID) String id,
             @Written(required = true) Vec3 position,

@@ -3,8 +3,8 @@ package nephele.engine.level;
 import nephele.engine.math.Vec3;
 
 /**
- * Metallic-roughness material. One that sets only colour or texture is Lambert: {@code roughness} and {@code metallic}
- * are then {@code null}.
+ * A metallic-roughness material. One that sets only colour or texture is Lambertian: {@code roughness} and {@code
+ * metallic} are {@code null}.
  *
  * @param baseColour linear RGB, multiplies the texture
  * @param texture asset id of an sRGB picture, or {@code null}
@@ -13,7 +13,7 @@ import nephele.engine.math.Vec3;
  * @param normalTexture asset id of a tangent-space normal map (RGB; alpha multiplies roughness), or {@code null}
  * @param emission linear RGB radiance
  * @param textureMetres side of the square that one repeat of the texture covers
- * @param mirror whether the flat faces of solids reflect as a plane mirror does, {@code baseColour} of the light
+ * @param mirror true if flat faces of solids are plane mirrors that reflect {@code baseColour} of the light
  */
 public record Material(
         @Written(required = true, text = TextRule.ID) String id,
@@ -25,7 +25,7 @@ public record Material(
         @Written(absent = "[0, 0, 0]", min = 0, max = 1e9) Vec3 emission,
         @Written(absent = "1", min = 1e-3) double textureMetres,
         @Written boolean mirror) {
-    /** No mirror. */
+    /** Creates a material that is no mirror. */
     public Material(
             String id,
             Vec3 baseColour,
@@ -38,11 +38,11 @@ public record Material(
         this(id, baseColour, texture, roughness, metallic, normalTexture, emission, textureMetres, false);
     }
 
-    /** What faces without a material are made of. */
+    /** The material of faces that name none. */
     public static final Material DEFAULT_GREY =
             new Material("", new Vec3(0.5, 0.5, 0.5), null, null, null, null, Vec3.ZERO, 1);
 
-    /** True when the material needs no view-dependent term. */
+    /** Returns true if the material needs no view-dependent term. */
     public boolean lambert() {
         return roughness == null && metallic == null;
     }

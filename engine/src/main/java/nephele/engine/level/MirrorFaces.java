@@ -6,18 +6,18 @@ import java.util.Set;
 import java.util.function.Predicate;
 import nephele.engine.math.Vec3;
 
-/** Which faces of a level's solids are mirrors. */
+/** Finds the faces of a level's solids that are mirrors. */
 public final class MirrorFaces {
     private MirrorFaces() {}
 
-    /** The ids of the materials that are mirrors. */
+    /** Returns the ids of the materials that are mirrors. */
     public static Set<String> materials(List<Material> materials) {
         Set<String> ids = new HashSet<>();
         materials.stream().filter(Material::mirror).forEach(material -> ids.add(material.id()));
         return ids;
     }
 
-    /** The index of the first material that makes a face of a solid a mirror, or −1. */
+    /** Returns the index of the first material that makes a face of a solid a mirror, or −1. */
     public static int firstMaterial(Level level) {
         return first(level, material -> true);
     }
@@ -34,7 +34,10 @@ public final class MirrorFaces {
         return -1;
     }
 
-    /** The index of the first material that makes a face of a solid a mirror that keeps light back, or −1. */
+    /**
+     * Returns the index of the first material that makes a face of a solid a mirror with a colour other than white, or
+     * −1.
+     */
     public static int firstTinted(Level level) {
         return first(level, material -> !material.baseColour().equals(new Vec3(1, 1, 1)));
     }

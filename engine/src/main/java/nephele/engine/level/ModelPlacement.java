@@ -6,8 +6,8 @@ import nephele.engine.math.Vec3;
 /**
  * A mesh file placed by ordered steps, relative to {@code parent}'s frame if there is one.
  *
- * @param material its picture lies as the mesh's texture coordinates say; {@code null}: grey
- * @param portalable whether shots open portals on its flat parts
+ * @param material mapped by the mesh's texture coordinates; {@code null} for grey
+ * @param portalable true if shots open portals on its flat parts
  */
 public record ModelPlacement(
         @Written(required = true, text = TextRule.ID) String id,
@@ -17,7 +17,7 @@ public record ModelPlacement(
         @Written(text = TextRule.ID) String material,
         @Written boolean portalable) {
 
-    /** One step; steps apply in file order, the first one outermost. */
+    /** One transform step; steps apply in file order, the first one outermost. */
     public sealed interface TransformStep {
         /** {@code "kind": "translate"}. */
         record Translate(@Written(required = true) Vec3 by) implements TransformStep {}

@@ -2,7 +2,10 @@ package nephele.engine.level;
 
 import nephele.engine.math.Vec3;
 
-/** Where the player stands at tick 0. Yaw 0 looks along −z, positive to the left; pitch positive upwards. */
+/**
+ * The position and view direction of the player at tick 0. Yaw 0 looks along −z, positive to the left; pitch is
+ * positive upwards.
+ */
 public record PlayerStart(
         @Written(required = true) Vec3 feet,
         @Written double yawDegrees,

@@ -1,9 +1,9 @@
 package nephele.engine.level;
 
 /**
- * The player can shoot two portals that lead to each other. Absent: no gun. The measures are those of both apertures.
+ * A gun that shoots two linked portals; a level without one has no gun. Width and height are those of both apertures.
  *
- * @param rangeMetres how far a shot flies
+ * @param rangeMetres the range of a shot
  */
 public record PortalGun(
         @Written(absent = "1.2", min = 0.1, max = 100) double widthMetres,

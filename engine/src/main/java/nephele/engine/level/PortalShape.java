@@ -1,6 +1,6 @@
 package nephele.engine.level;
 
-/** Outline of a portal's aperture. */
+/** The outline of a portal's aperture. */
 public enum PortalShape {
     ARCH,
     ELLIPSE,

@@ -2,7 +2,7 @@ package nephele.engine.level;
 
 import nephele.engine.math.Vec3;
 
-/** A portal that the level starts with. */
+/** A portal that exists at the start of the level. */
 public record PortalSpec(
         @Written(required = true, text = TextRule.ID) String id,
         @Written(required = true, text = TextRule.ID) String linkedTo,

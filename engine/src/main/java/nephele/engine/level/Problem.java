@@ -3,7 +3,7 @@ package nephele.engine.level;
 import nephele.engine.asset.MessageText;
 
 /**
- * Something wrong in a level.
+ * A problem of a level.
  *
  * @param path JSON path such as {@code solids[3].size}; {@code $} is the whole file
  */
@@ -13,7 +13,7 @@ public record Problem(Severity severity, String path, String message) {
         message = MessageText.shortened(message);
     }
 
-    /** An ERROR keeps the level from being played, a WARNING does not. */
+    /** Severity of a problem: a level with an ERROR cannot be played, one with a WARNING can. */
     public enum Severity {
         ERROR,
         WARNING
@@ -31,7 +31,7 @@ public record Problem(Severity severity, String path, String message) {
         return severity == Severity.ERROR;
     }
 
-    /** {@code file: json.path: message}. */
+    /** Returns {@code file: json.path: message}. */
     public String line(String file) {
         return file + ": " + path + ": " + (isError() ? "" : "warning: ") + message;
     }

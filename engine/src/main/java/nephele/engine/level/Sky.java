@@ -3,12 +3,12 @@ package nephele.engine.level;
 import java.util.List;
 import nephele.engine.math.Vec3;
 
-/** Radiance from every direction that meets nothing, linear RGB. */
+/** Radiance from every direction in which a ray hits nothing, linear RGB. */
 public sealed interface Sky {
     /** {@code "kind": "constant"}. */
     record Constant(@Written(required = true, min = 0, max = 1e9) Vec3 radiance) implements Sky {}
 
-    /** {@code "kind": "gradient"}: by the sine of the altitude, horizon at 0, zenith at 1, ground at −1. */
+    /** {@code "kind": "gradient"}: a function of the sine of the altitude: horizon at 0, zenith at 1, ground at −1. */
     record Gradient(
             @Written(required = true, min = 0, max = 1e9) Vec3 zenith,
             @Written(required = true, min = 0, max = 1e9) Vec3 horizon,

@@ -1,6 +1,6 @@
 package nephele.engine.level;
 
-/** How a skybox lies in its files: six square faces, or one unfolded cross. */
+/** The arrangement of a skybox in its files: six square faces, or one unfolded cross. */
 public enum SkyboxLayout {
     FACES,
     CROSS

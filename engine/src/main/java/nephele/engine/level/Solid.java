@@ -4,7 +4,10 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.math.Vec3;
 
-/** A convex brush. {@code material} and {@code portalable} are the defaults of its faces; material {@code null}: grey. */
+/**
+ * A convex brush. {@code material} and {@code portalable} are the defaults of its faces; a material of {@code null} is
+ * grey.
+ */
 public sealed interface Solid {
     String id();
 
@@ -25,7 +28,7 @@ public sealed interface Solid {
             @Written Map<BoxFace, Face> faces)
             implements Solid {}
 
-    /** {@code "kind": "planes"}: what lies behind all planes, normal · p ≤ distanceMetres. Bounded and not empty. */
+    /** {@code "kind": "planes"}: the intersection of half-spaces normal · p ≤ distanceMetres; bounded and not empty. */
     record Planes(
             @Written(required = true, text = TextRule.ID) String id,
             @Written(text = TextRule.ID) String material,
@@ -37,7 +40,7 @@ public sealed interface Solid {
     /**
      * {@code "kind": "wedge"}: half of a box, cut from its low edge to its high edge.
      *
-     * @param rising the horizontal side on which the wedge has its full height; it falls to zero at the opposite side
+     * @param rising the horizontal side with the full height; the height falls to zero at the opposite side
      */
     record Wedge(
             @Written(required = true, text = TextRule.ID) String id,
@@ -51,9 +54,9 @@ public sealed interface Solid {
             implements Solid {}
 
     /**
-     * {@code "kind": "prism"}: a regular upright prism, a column.
+     * {@code "kind": "prism"}: a regular upright prism.
      *
-     * @param centre of the whole prism
+     * @param centre the centre of the whole prism
      */
     record Prism(
             @Written(required = true, text = TextRule.ID) String id,
@@ -66,7 +69,7 @@ public sealed interface Solid {
             @Written(absent = "16", min = 3, max = 62) int sides)
             implements Solid {}
 
-    /** What a face says otherwise than its solid; {@code null} members inherit. */
+    /** The properties of a face that differ from its solid's; {@code null} members inherit. */
     record Face(@Written(text = TextRule.ID) String material, @Written Boolean portalable) {}
 
     /** One bounding plane; {@code null} members inherit from the solid. */

@@ -6,7 +6,8 @@ import nephele.engine.math.Vec3;
  * A directional light without a visible disc.
  *
  * @param directionTowardsSun any length but zero
- * @param irradiance linear RGB on a plane perpendicular to the beam; a Lambert surface sends albedo / π × irradiance × cos
+ * @param irradiance linear RGB on a plane perpendicular to the light; a Lambertian surface reflects albedo / π ×
+ * irradiance × cos
  */
 public record Sun(
         @Written(required = true) Vec3 directionTowardsSun,

@@ -2,15 +2,15 @@ package nephele.engine.level;
 
 import nephele.engine.asset.AssetId;
 
-/** Kinds of text in a file, with their lengths in characters. */
+/** Kinds of text in a file, with their limits of length in characters. */
 public enum TextRule {
-    /** One line for people. */
+    /** One line of text for readers. */
     NAME(0, 200),
-    /** Several lines for people. */
+    /** Several lines of text for readers. */
     PROSE(0, 10_000),
-    /** Names a record, or refers to one. */
+    /** The name of a record, or a reference to one. */
     ID(1, 128),
-    /** A file, after {@link AssetId}. */
+    /** A file name, as {@link AssetId} defines it. */
     ASSET(1, AssetId.MAX_CHARACTERS),
     /** A hash in hexadecimal digits. */
     SHA256(64, 64);

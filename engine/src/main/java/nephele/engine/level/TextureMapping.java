@@ -1,6 +1,9 @@
 package nephele.engine.level;
 
-/** WORLD: repeats every {@code textureMetres} from the world's origin, so neighbours join; FACE: once over each face. */
+/**
+ * Mapping of a texture. WORLD repeats it every {@code textureMetres} from the world's origin, so it continues on
+ * adjacent faces; FACE stretches it once over each face.
+ */
 public enum TextureMapping {
     WORLD,
     FACE

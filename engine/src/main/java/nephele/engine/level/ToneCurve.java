@@ -1,6 +1,6 @@
 package nephele.engine.level;
 
-/** How scene radiance becomes display light: clipped, or rolled off in the highlights. */
+/** The curve from scene radiance to display light: clipped, or rolled off in the highlights. */
 public enum ToneCurve {
     CLIP,
     FILMIC

@@ -5,28 +5,30 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 
-/** How a record component stands in a level file: what reading checks, writing leaves out and the schema says. */
+/**
+ * Describes a record component in a level file. Reading checks it, writing uses the default, and the schema states it.
+ */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.RECORD_COMPONENT)
 public @interface Written {
-    /** The value of an absent key, as JSON. Empty: what the type has (empty list, {@code null}, 0, false). */
+    /** The JSON value of an absent key. If empty, the default of the type (empty list, {@code null}, 0, false). */
     String absent() default "";
 
-    /** Whether the key must be there. */
+    /** True if the key must be present. */
     boolean required() default false;
 
-    /** Smallest number, also for each component of a vector, in the unit that the name says. */
+    /** Smallest number, also for each component of a vector, in the unit that the component's name states. */
     double min() default -1e7;
 
     /** Largest number; the default is the size of the world in metres. */
     double max() default 1e7;
 
-    /** What a text may consist of. */
+    /** The kind of a text. */
     TextRule text() default TextRule.NAME;
 
-    /** Most entries of a list. */
+    /** Greatest number of entries of a list. */
     int most() default 10_000;
 
-    /** The component's members stand beside its owner's instead of below a key. */
+    /** True if the component's members are written beside its owner's instead of below a key. */
     boolean beside() default false;
 }

@@ -5,16 +5,16 @@ import org.joml.Vector3dc;
 
 /**
  * Metallic-roughness reflection, the twin of {@code brdf.glsl}: Lambert under a GGX lobe with height-correlated Smith
- * shadowing (Heitz 2014, section 5.3) and Schlick's Fresnel (1994). The energy that single scattering loses is returned
- * with Turquin's factor (2019, equation 16), and the diffuse part receives what the specular part leaves, so that a
- * white material in a white furnace is exactly white.
+ * shadowing (Heitz 2014, section 5.3) and Schlick's Fresnel (1994). Turquin's factor (2019, equation 16) returns the
+ * energy that single scattering loses, and the diffuse part receives what the specular part leaves, so that a white
+ * material in a white furnace is exactly white.
  *
  * @param diffuse reflectance of the Lambert part
  * @param f0 reflectance at normal incidence
  * @param alpha2 square of α = roughness²
  * @param nDotV cosine between normal and eye, at least {@link #MIN_N_DOT_V}
  * @param specularGain Turquin's factor
- * @param ambientSpecular reflectance for light that is equal from everywhere
+ * @param ambientSpecular reflectance for light that is equal from all directions
  */
 public record Brdf(
         Vector3dc diffuse,
@@ -23,12 +23,12 @@ public record Brdf(
         double nDotV,
         Vector3dc specularGain,
         Vector3dc ambientSpecular) {
-    /** Smoother surfaces would overflow the lobe's peak: they need light sources with an extent. */
+    /** Least roughness; with a smaller one the lobe's peak would overflow for light sources without extent. */
     public static final double MIN_ROUGHNESS = 0.05;
 
     public static final double MIN_N_DOT_V = 1e-3;
 
-    /** Reflectance of a common insulator at normal incidence (index of refraction 1.5). */
+    /** Reflectance of a common dielectric at normal incidence (index of refraction 1.5). */
     public static final double INSULATOR_F0 = 0.04;
 
     public static Brdf of(Vector3dc baseColour, double roughness, double metallic, double nDotV) {
@@ -49,7 +49,10 @@ public record Brdf(
         return new Brdf(diffuse, f0, r * r * r * r, mu, gain, ambient);
     }
 
-    /** Reflected radiance per irradiance on a plane perpendicular to {@code toLight}; all vectors have unit length. */
+    /**
+     * Returns the reflected radiance per irradiance on a plane perpendicular to {@code toLight}; all vectors have unit
+     * length.
+     */
     public Vector3d reflected(Vector3dc normal, Vector3dc toEye, Vector3dc toLight) {
         double nDotL = Math.max(normal.dot(toLight), 0);
         Vector3d half = new Vector3d(toLight).add(toEye);
@@ -66,13 +69,13 @@ public record Brdf(
                 .mul(nDotL);
     }
 
-    /** GGX (Walter et al. 2007, equation 33). */
+    /** Returns the GGX distribution (Walter et al. 2007, equation 33). */
     double distribution(double nDotH) {
         double d = Math.max(1 - nDotH * nDotH * (1 - alpha2), 1e-6);
         return alpha2 / (Math.PI * d * d);
     }
 
-    /** Smith's G divided by 4 · n·l · n·v. */
+    /** Returns Smith's G divided by 4 · n·l · n·v. */
     double visibility(double nDotL) {
         double towardsEye = nDotL * Math.sqrt(nDotV * nDotV * (1 - alpha2) + alpha2);
         double towardsLight = nDotV * Math.sqrt(nDotL * nDotL * (1 - alpha2) + alpha2);
@@ -80,8 +83,8 @@ public record Brdf(
     }
 
     /**
-     * Reflectance of the lobe for f0 = 1 under equal light from everywhere, inverted: a quartic fitted to its integral
-     * over roughness 0.05–1 and cosine 0.02–1, at most 0.05 off.
+     * Returns the inverse of the lobe's reflectance for f0 = 1 under equal light from all directions: a quartic fitted
+     * to its integral over roughness 0.05–1 and cosine 0.02–1, with an error of at most 0.05.
      */
     static double inverseDirectionalAlbedo(double r, double mu) {
         double c0 = 1.0504262 + mu * (-0.5534067 + mu * (0.2685067 + mu * (0.7763794 - 0.5312025 * mu)));
@@ -91,7 +94,10 @@ public record Brdf(
         return Math.max(c0 + r * (c1 + r * (c2 + r * (c3 - 0.4033368 * r))), 1);
     }
 
-    /** The part of that integral that Schlick's (1 − v·h)⁵ weighs: fitted likewise, at most 0.045 off. */
+    /**
+     * Returns the part of that integral that is weighted with Schlick's (1 − v·h)⁵, fitted in the same way, with an
+     * error of at most 0.045.
+     */
     static double grazingAlbedo(double r, double mu) {
         double s = 1 - mu;
         double s3 = s * s * s;

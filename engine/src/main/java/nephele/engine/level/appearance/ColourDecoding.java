@@ -1,13 +1,13 @@
 package nephele.engine.level.appearance;
 
-/** What the 8 bits of a colour picture stand for. */
+/** The meaning of the 8 bits of a colour picture. */
 public enum ColourDecoding {
-    /** IEC 61966-2-1 to linear values: what pictures of materials and skies hold. */
+    /** IEC 61966-2-1 to linear values, for pictures of materials and skies. */
     SRGB,
-    /** The stored value over 255, as in output {@code plain}. */
+    /** The stored value divided by 255, for output {@code plain}. */
     AS_STORED;
 
-    /** The linear value of each of the 256 codes. */
+    /** Returns the linear value of each of the 256 codes. */
     public double[] table() {
         double[] linear = new double[256];
         for (int code = 0; code < linear.length; code++) {
@@ -16,7 +16,7 @@ public enum ColourDecoding {
         return linear;
     }
 
-    /** The linear value of a stored one; both run from 0 to 1. */
+    /** Returns the linear value of a stored one; both are 0 to 1. */
     public double linear(double stored) {
         if (this == AS_STORED) {
             return stored;

@@ -6,25 +6,32 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
- * How a texture lies on a face: s grows to the right and t downwards when the face is looked at with world up upwards
- * (for floors and ceilings: s along +x); t = 0 at the picture's top row. The solid shader derives the same two directions
- * for normal maps.
+ * The mapping of a texture on a face: s grows to the right and t downwards as seen with world up upwards (for floors
+ * and ceilings: s along +x); t = 0 at the picture's top row. The solid shader derives the same two directions for
+ * normal maps.
  *
  * @param across unit direction in which s grows
  * @param up unit direction in which t falls
  */
 public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
-    /** Faces steeper than this sine of inclination to the horizontal count as floor or ceiling. */
+    /** Sine of elevation of the normal above which a face is a floor or ceiling. */
     private static final double HORIZONTAL = 0.999;
 
-    /** From metres along a direction to texture coordinates: whole repeats are taken off, so that floats stay exact. */
+    /**
+     * Converts metres along a direction to texture coordinates; whole repeats are subtracted, so that floats stay
+     * exact.
+     */
     record Axis(double origin, double metres, double whole) {
         double at(double along) {
             return (along - origin) / metres - whole;
         }
     }
 
-    /** @param textureMetres side of the square that one repeat covers */
+    /**
+     * Returns the mapping of a face.
+     *
+     * @param textureMetres side of the square that one repeat covers
+     */
     public static FaceTexture of(BrushFace face, double textureMetres) {
         Vec3 normal = face.plane().normal();
         Vec3 across = across(normal);
@@ -32,7 +39,7 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
         return new FaceTexture(across, up, axis(face, across, textureMetres), axis(face, up.negated(), textureMetres));
     }
 
-    /** In which unit direction s grows on what looks along {@code n}. */
+    /** Returns the unit direction in which s grows on a face with normal {@code n}. */
     public static Vec3 across(Vec3 n) {
         Vec3 s = Math.abs(n.y()) > HORIZONTAL
                 ? new Vec3(1 - n.x() * n.x(), -n.y() * n.x(), -n.z() * n.x())

@@ -7,14 +7,14 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * What homogeneous fog does to a view: of what lies behind it the share exp(−extinction · metres) passes (Beer and
- * Lambert), and the fog's own radiance fills up the rest. It lies on the way from a surface to the eye only: light
- * reaches surfaces undimmed. The twin of {@code fog.glsl}.
+ * The effect of homogeneous fog on a view: the share exp(−extinction · metres) of the radiance behind passes (Beer and
+ * Lambert), and the fog's own radiance replaces the rest. It applies between surface and eye only: light reaches
+ * surfaces unattenuated. The twin of {@code fog.glsl}.
  *
- * @param radiance of infinitely much fog: that of the sky seen through it
+ * @param radiance radiance of an infinite depth of fog, which is that of the sky seen through it
  */
 public record FogTransmittance(double extinctionPerMetre, Vec3 radiance) {
-    /** Empty where there is no fog, or none that dims. */
+    /** Returns the fog of an environment; empty if there is none or it attenuates nothing. */
     public static Optional<FogTransmittance> of(Environment environment) {
         Fog fog = environment.fog();
         return fog == null || fog.extinctionPerMetre() == 0
@@ -22,7 +22,11 @@ public record FogTransmittance(double extinctionPerMetre, Vec3 radiance) {
                 : Optional.of(new FogTransmittance(fog.extinctionPerMetre(), fog.radiance()));
     }
 
-    /** @param metres from the eye to what sends {@code behind}; may be infinite */
+    /**
+     * Returns radiance seen through the fog.
+     *
+     * @param metres distance from the eye to the source of {@code behind}; may be infinite
+     */
     public Vector3d over(Vector3d behind, double metres) {
         return radiance.toVector().lerp(behind, StrictMath.exp(-extinctionPerMetre * metres));
     }

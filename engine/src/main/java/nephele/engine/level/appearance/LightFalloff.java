@@ -1,15 +1,18 @@
 package nephele.engine.level.appearance;
 
-/** How a lamp's light thins out with distance and towards the rim of its cone; the twin of {@code lamp-falloff.glsl}. */
+/**
+ * The falloff of a punctual light with distance and towards the edge of its cone; the twin of {@code
+ * light-falloff.glsl}.
+ */
 public final class LightFalloff {
-    /** Nearer than a centimetre the light grows no further. */
+    /** Squared distance below which the irradiance grows no further: a centimetre. */
     public static final double MIN_SQUARE_METRES = 1e-4;
 
     private LightFalloff() {}
 
     /**
-     * Inverse square under a window that reaches zero at the range (Karis 2013, "Real Shading in Unreal Engine 4",
-     * section "Lighting model").
+     * Returns the inverse square under a window that is zero at the range (Karis 2013, "Real Shading in Unreal Engine
+     * 4", section "Lighting model").
      *
      * @return 1/m²
      */
@@ -19,7 +22,10 @@ public final class LightFalloff {
         return window * window / Math.max(squareDistance, MIN_SQUARE_METRES);
     }
 
-    /** 1 inside the inner cone, 0 outside the outer one, square of a linear ramp over the cosine between them. */
+    /**
+     * Returns 1 inside the inner cone, 0 outside the outer one, and the square of a linear ramp of the cosine between
+     * them.
+     */
     public static double cone(double cosineFromAxis, double scale, double offset) {
         double t = Math.min(Math.max(cosineFromAxis * scale + offset, 0), 1);
         return t * t;

@@ -6,11 +6,11 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * A lamp as the shader sees it: the cone as a ramp over the cosine, the range as 1/range². A point lamp has a ramp that
- * is 1 everywhere.
+ * A punctual light in the form of the shader: the cone as a ramp over the cosine, the range as 1/range². A point light
+ * has a ramp that is 1 everywhere.
  *
  * @param axis unit direction of a spot, zero for a point
- * @param source the lamp as written
+ * @param source the light as written
  */
 public record PunctualLight(
         Vec3 position,
@@ -24,10 +24,10 @@ public record PunctualLight(
     private static final double MAX_RANGE_METRES = 1e9;
     private static final double MAX_WATTS_PER_STERADIAN = 1e12;
 
-    /** Narrower ramps than this are steps that a float cannot resolve. */
+    /** Least width of the ramp; a narrower one is a step that a float cannot resolve. */
     private static final double MIN_COSINE_RAMP = 1e-4;
 
-    /** Empty for a lamp that lights nothing: no range, no intensity, or numbers that are none. */
+    /** Returns the light; empty if it has no effect: no range, no intensity, or invalid numbers. */
     public static Optional<PunctualLight> of(Light light) {
         Vec3 intensity = clampedIntensity(light.radiantIntensity());
         double range = Math.min(light.rangeMetres(), MAX_RANGE_METRES);
@@ -77,12 +77,12 @@ public record PunctualLight(
         return 1 / (rangeMetres * rangeMetres);
     }
 
-    /** Cosine of the outer half angle; −1 for a point lamp. */
+    /** Returns the cosine of the outer half angle; −1 for a point light. */
     public double cosOuter() {
         return isSpot() ? -coneOffset / coneScale : -1;
     }
 
-    /** Irradiance at {@code p} on a plane perpendicular to the light, without shadow. */
+    /** Returns the irradiance at {@code p} on a plane perpendicular to the light, without shadow. */
     public Vector3d irradianceAt(Vec3 p) {
         Vector3d fromLight = p.toVector().sub(position.toVector());
         double d2 = fromLight.lengthSquared();

@@ -7,10 +7,10 @@ import nephele.engine.level.Sky;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** What a sky sends from a direction that meets nothing. */
+/** The radiance of a sky in every direction. */
 @FunctionalInterface
 public interface SkyRadiance {
-    /** Stands in for computed scattering: a clear day, linear radiance. */
+    /** Replaces computed scattering: a clear day, linear radiance. */
     Sky.Gradient ATMOSPHERE_STAND_IN =
             new Sky.Gradient(new Vec3(0.12, 0.28, 0.65), new Vec3(0.62, 0.74, 0.88), new Vec3(0.16, 0.15, 0.14));
 
@@ -18,7 +18,9 @@ public interface SkyRadiance {
     Vector3d from(double x, double y, double z);
 
     /**
-     * @param pictureOf decodes an asset; asked for skyboxes only
+     * Returns the radiance of a sky.
+     *
+     * @param pictureOf decodes an asset; called for skyboxes only
      * @return empty without a sky
      */
     static Optional<SkyRadiance> of(Sky sky, Function<String, Picture> pictureOf, ColourDecoding decoding) {

@@ -9,9 +9,9 @@ import nephele.engine.level.SkyboxLayout;
 import org.joml.Vector3d;
 
 /**
- * Six pictures around a point in the order +x −x +y −y +z −z, each as an eye in the middle sees it: sides with world up
- * upwards, +y with its bottom edge and −y with its top edge at −z. In a cross they lie −x −z +x +z in the middle row of
- * four columns and three rows, +y above −z, −y below it.
+ * Six pictures around a point in the order +x −x +y −y +z −z, each as seen from the centre: sides with world up
+ * upwards, +y with its bottom edge and −y with its top edge at −z. A cross has −x −z +x +z in the middle row of four
+ * columns and three rows, +y above −z, −y below it.
  */
 final class SkyboxFaces {
     private static final int[][] CROSS_CELLS = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {3, 1}, {1, 1}};
@@ -22,7 +22,7 @@ final class SkyboxFaces {
     /** A square part of an 8-bit picture, in pixels. */
     private record Face(Picture picture, int left, int top, int side) {}
 
-    /** A point of the cube: which face, and where on it, −1 to 1. */
+    /** A point of the cube: a face, and coordinates on it, −1 to 1. */
     private record Place(int face, double right, double up) {
         static Place of(double x, double y, double z) {
             double ax = Math.abs(x);
@@ -37,7 +37,7 @@ final class SkyboxFaces {
             return z > 0 ? new Place(4, -x / az, y / az) : new Place(5, x / az, y / az);
         }
 
-        /** The same point by the face that it really lies on: one step beyond an edge is on the neighbour. */
+        /** Returns the same point on the face that contains it: one step beyond an edge is on the adjacent face. */
         Place folded() {
             return switch (face) {
                 case 0 -> of(1, up, right);
@@ -75,7 +75,7 @@ final class SkyboxFaces {
         return new SkyboxFaces(faces, decoding);
     }
 
-    /** Linear radiance between the four nearest pixels, across the cube's edges too. */
+    /** Returns the linear radiance interpolated between the four nearest pixels, also across the cube's edges. */
     Vector3d radiance(double x, double y, double z) {
         Place at = Place.of(x, y, z);
         int side = faces.get(at.face()).side();

@@ -2,14 +2,14 @@ package nephele.engine.level.appearance;
 
 import nephele.engine.asset.AssetException;
 
-/** The sizes that a skybox's pictures must have, in pixels. */
+/** The required sizes of a skybox's pictures, in pixels. */
 public final class SkyboxSizes {
     private SkyboxSizes() {}
 
     /**
      * Requires a square face.
      *
-     * @param side of the first face
+     * @param side side of the first face
      */
     public static void requireFace(String file, int width, int height, int side) {
         if (width != side || height != side) {
@@ -20,7 +20,7 @@ public final class SkyboxSizes {
         }
     }
 
-    /** The side of each face in a cross of four columns and three rows. */
+    /** Returns the side of each face in a cross of four columns and three rows. */
     public static int crossSide(String file, int width, int height) {
         int side = width / 4;
         if (side == 0 || width != 4 * side || height != 3 * side) {

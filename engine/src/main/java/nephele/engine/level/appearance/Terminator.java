@@ -3,17 +3,19 @@ package nephele.engine.level.appearance;
 import org.joml.Vector3dc;
 
 /**
- * Light near its end on a curve that triangles stand for. A triangle turns away at once, the curve does not yet, so light
- * would end along the triangles' edges: it fades instead (Chiang, Li and Burley 2019, "Taming the Shadow Terminator").
+ * Light near the terminator of a curved surface that triangles approximate. A flat triangle faces away at once where
+ * the surface would do so gradually, so light would end along the triangles' edges; instead it fades (Chiang, Li and
+ * Burley 2019, "Taming the Shadow Terminator").
  */
 public final class Terminator {
     private Terminator() {}
 
     /**
-     * The share of light that arrives at a triangle that faces it; 1 where the triangle is as flat as its surface.
+     * Returns the share of light that arrives at a triangle that faces the light; 1 if the triangle is as flat as its
+     * surface.
      *
-     * @param smoothNormal unit, of the curve
-     * @param faceNormal unit, of the triangle
+     * @param smoothNormal unit normal of the curved surface
+     * @param faceNormal unit normal of the triangle
      * @param toLight unit
      */
     public static double share(Vector3dc smoothNormal, Vector3dc faceNormal, Vector3dc toLight) {

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Lists, and maps from a face's name. */
+/** Formats of lists, and of maps keyed by a face's name. */
 final class CollectionFormats {
     private CollectionFormats() {}
 

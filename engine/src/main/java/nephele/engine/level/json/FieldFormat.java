@@ -2,7 +2,7 @@ package nephele.engine.level.json;
 
 import java.lang.reflect.Method;
 
-/** One key: a record component with what {@link nephele.engine.level.Written} says of it. */
+/** The format of one key: a record component with its {@link nephele.engine.level.Written} annotation. */
 record FieldFormat(String name, Method accessor, ValueFormat format, boolean required, boolean beside, Object absent) {
     Object read(JsonValue.Members members, Problems problems) {
         if (beside) {

@@ -1,9 +1,9 @@
 package nephele.engine.level.json;
 
 /**
- * The first two keys of every file of ours.
+ * The first two keys of every file of this project.
  *
- * @param noun how messages call such a file: "level"
+ * @param noun the kind of file in messages: "level"
  */
 record FileHeader(String noun, String format, int version) {
     JsonValue.Members written() {
@@ -12,7 +12,7 @@ record FileHeader(String noun, String format, int version) {
                 .with("version", new JsonValue.Number(version));
     }
 
-    /** False after reporting why the rest cannot be read. */
+    /** Returns false after it has reported why the rest cannot be read. */
     boolean isThat(JsonValue.Members members, Problems problems) {
         int before = problems.count();
         if (!(members.ask("format") instanceof JsonValue.Text text)

@@ -8,18 +8,18 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import nephele.engine.asset.AtomicFile;
 
-/** What saving and loading ask of a file system: the seam at which tests let each operation fail. */
+/** The file-system operations of saving and loading; tests replace them to let each operation fail. */
 public interface FileOperations {
-    /** The whole file, or its first {@code most + 1} bytes when it has more than {@code most}. */
+    /** Returns the whole file, or its first {@code most + 1} bytes if it has more than {@code most}. */
     byte[] read(Path file, int most) throws IOException;
 
-    /** Creates or empties the file and fills it. */
+    /** Creates or truncates the file and writes it. */
     void write(Path file, byte[] bytes) throws IOException;
 
-    /** Returns when a file's content, or a folder's entries, would survive a power cut. */
+    /** Returns after a file's content, or a folder's entries, would survive a power failure. */
     void force(Path fileOrFolder) throws IOException;
 
-    /** Replaces {@code to} in one step: whoever looks sees the old or the new file. */
+    /** Replaces {@code to} atomically: every reader sees the old or the new file. */
     void moveOver(Path from, Path to) throws IOException;
 
     void deleteIfExists(Path file) throws IOException;

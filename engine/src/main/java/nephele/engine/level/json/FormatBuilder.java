@@ -10,7 +10,7 @@ import java.util.List;
 import nephele.engine.level.Written;
 import nephele.engine.math.Vec3;
 
-/** Makes formats from record classes: the only reflection in the project. */
+/** Makes formats from record classes; the only reflection in the project. */
 final class FormatBuilder {
     private FormatBuilder() {}
 

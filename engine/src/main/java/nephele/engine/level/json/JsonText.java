@@ -1,6 +1,6 @@
 package nephele.engine.level.json;
 
-/** A tree as text: two spaces of indentation, arrays of numbers on one line, a line feed at the end. */
+/** Formats a tree as text: two spaces of indentation, arrays of numbers on one line, a line feed at the end. */
 final class JsonText {
     private final StringBuilder text = new StringBuilder(1 << 12);
 

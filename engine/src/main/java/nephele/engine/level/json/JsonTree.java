@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * UTF-8 bytes to a tree. Gson's strict mode still lets duplicate keys, byte-order marks, unpaired surrogates and endless
- * documents through; this does not.
+ * Parses UTF-8 bytes to a tree. It rejects duplicate keys, byte-order marks, unpaired surrogates and endless documents,
+ * which Gson's strict mode accepts.
  */
 public final class JsonTree {
     static final int MAX_FILE_BYTES = 16 << 20;
@@ -37,7 +37,7 @@ public final class JsonTree {
         this.problems = problems;
     }
 
-    /** Stops the walk: a document this broken has no readable rest. */
+    /** Stops parsing a document whose rest cannot be read. */
     private static final class Abandoned extends RuntimeException {
         private static final long serialVersionUID = 1;
 
@@ -46,7 +46,7 @@ public final class JsonTree {
         }
     }
 
-    /** The document, or {@code null} after reporting why there is none. */
+    /** Returns the document, or {@code null} after it has reported the reason. */
     static JsonValue read(byte[] utf8, Problems problems) {
         String objection = encodingObjection(utf8);
         if (objection != null) {
@@ -138,7 +138,7 @@ public final class JsonTree {
         return members;
     }
 
-    /** The same few names occur in every record: one copy of each is enough. */
+    /** Returns one shared copy of a name; the same few names occur in every record. */
     private String shared(String name) {
         String known = names.get(name);
         if (known == null && names.size() < MAX_SHARED_NAMES) {
@@ -197,7 +197,10 @@ public final class JsonTree {
         return new Abandoned();
     }
 
-    /** Gson tells line and column in its description only: {@code JsonReader at line 3 column 7 path $.x}. */
+    /**
+     * Returns line and column, which Gson states only in its description: {@code JsonReader at line 3 column 7 path
+     * $.x}.
+     */
     private String where() {
         String text = reader.toString();
         int line = text.indexOf(" at line ");
@@ -205,7 +208,7 @@ public final class JsonTree {
         return line < 0 || path < 0 ? "" : " (" + text.substring(line + 4, path).replace(" column", ", column") + ")";
     }
 
-    /** Gson's message without its advice to its own callers and without the place. */
+    /** Returns Gson's message without its advice to callers and without the place. */
     private static String plain(String message) {
         if (message == null || message.startsWith("Use JsonReader") || message.startsWith("Nesting")) {
             return "this is not valid JSON";
@@ -216,7 +219,7 @@ public final class JsonTree {
         return "this is not valid JSON: " + shortened(first);
     }
 
-    /** A key as a path shows it. */
+    /** Returns a key in the form used in paths. */
     static String printable(String name) {
         String shown = name.length() <= MOST_SHOWN ? name : name.substring(0, MOST_SHOWN) + "…";
         for (int i = 0; i < shown.length(); i++) {

@@ -18,9 +18,9 @@ sealed interface JsonValue {
 
     record Array(List<JsonValue> values) implements JsonValue {}
 
-    /** Members in file order; remembers which ones were asked for, so that the rest can be called unknown. */
+    /** Members in file order. Records which ones were read, so that the others can be reported as unknown. */
     final class Members implements JsonValue {
-        /** Past this many the object cannot be one of ours; it bounds the linear searches. */
+        /** Upper bound of the number of members, which limits the linear searches; no valid object has more. */
         static final int MOST = Long.SIZE;
 
         private static final int USUAL = 4;
@@ -63,7 +63,7 @@ sealed interface JsonValue {
             return values[index];
         }
 
-        /** The member's value, or {@code null}; marks it as known. */
+        /** Returns the member's value, or {@code null}; marks it as known. */
         JsonValue ask(String name) {
             int index = index(name);
             if (index < 0) {
@@ -73,7 +73,7 @@ sealed interface JsonValue {
             return values[index];
         }
 
-        /** The names that nobody asked for. */
+        /** Returns the names that have not been read. */
         List<String> unknown() {
             if (Long.bitCount(asked) == size) {
                 return List.of();
@@ -97,7 +97,7 @@ sealed interface JsonValue {
         }
     }
 
-    /** How a message calls this kind of value. */
+    /** Returns the name of this kind of value in messages. */
     default String kind() {
         if (this instanceof Text) {
             return "a text";

@@ -14,22 +14,22 @@ import nephele.engine.asset.ResourceAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 
-/** Levels in files and in the jar. */
+/** Loads and saves levels, from files and from the jar. */
 public final class LevelFile {
     private LevelFile() {}
 
     /**
-     * A level with what belongs to it.
+     * A level and its source.
      *
-     * @param file how messages call it
-     * @param notice what the player should know about how it was found, such as that the backup stood in
+     * @param file its name in messages
+     * @param notice a message to the player about the source, for example that the backup was used
      */
     public record Opened(String file, Level level, AssetSource assets, Optional<String> notice) {}
 
     /**
-     * What a user typed: a file, or else a level of the jar, such as {@code levels/samples/sky.json}.
+     * Opens what a user typed: a file, or else a level of the jar, such as {@code levels/samples/sky.json}.
      *
-     * @throws LevelFormatException when there is neither, or when it is no level
+     * @throws LevelFormatException if there is neither, or if it is no level
      */
     public static Opened open(String typed) throws LevelFormatException {
         Path path = path(typed);
@@ -45,7 +45,7 @@ public final class LevelFile {
         return load(path);
     }
 
-    /** Loads a file; when it is missing or not even JSON (a crash, a full disk), its {@code .bak} stands in. */
+    /** Loads a file; if it is missing or no JSON at all (after a crash or on a full disk), loads its {@code .bak}. */
     public static Opened load(Path path) throws LevelFormatException {
         return load(path, FileOperations.REAL);
     }
@@ -69,7 +69,7 @@ public final class LevelFile {
         }
     }
 
-    /** Reads this file and no other: what {@code check} looks at. */
+    /** Reads this file and never its backup, as {@code check} needs. */
     public static Level read(Path path) throws LevelFormatException {
         return read(path, FileOperations.REAL);
     }
@@ -86,11 +86,11 @@ public final class LevelFile {
     }
 
     /**
-     * Saves so that a kill, a full disk or a power cut at any moment leaves the old or the new file complete; the
+     * Saves so that after a kill, a full disk or a power failure at any moment the old or the new file is complete; the
      * previous version stays as {@code .bak}.
      *
-     * @throws LevelSaveException when it was not saved; the file is then untouched
-     * @throws LevelFormatException when the level holds what a file must not; nothing was written
+     * @throws LevelSaveException if it was not saved; the file is then unchanged
+     * @throws LevelFormatException if the level contains values that a file must not; nothing was written
      */
     public static void save(Path path, Level level) throws LevelSaveException {
         new LevelSaver(FileOperations.REAL).save(path, level);

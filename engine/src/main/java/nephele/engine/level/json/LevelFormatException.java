@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.level.Problem;
 
-/** A file that is no level: all that is wrong with it, one line each in the message. */
+/** Thrown for a file that is no level; the message has one line for each problem. */
 public final class LevelFormatException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
@@ -23,7 +23,7 @@ public final class LevelFormatException extends RuntimeException {
         this.damage = damage;
     }
 
-    /** For a file that cannot be read, or is no JSON document at all. */
+    /** Creates the exception for a file that cannot be read, or is no JSON document at all. */
     static LevelFormatException damage(String file, List<Problem> problems) {
         return new LevelFormatException(file, problems, true);
     }
@@ -36,7 +36,7 @@ public final class LevelFormatException extends RuntimeException {
         return problems;
     }
 
-    /** Whether the file looks damaged rather than wrongly written, so that a backup may stand in. */
+    /** Returns true if the file seems damaged rather than wrongly written, so that a backup may replace it. */
     public boolean isDamage() {
         return damage;
     }

@@ -7,7 +7,7 @@ import java.util.HexFormat;
 import java.util.List;
 import nephele.engine.level.Level;
 
-/** Level files of version 1: bytes to records and back. */
+/** Converts level files of version 1 to records and back. */
 public final class LevelJson {
     private static final String FORMAT = "nephele-level";
     private static final int VERSION = 1;
@@ -17,11 +17,11 @@ public final class LevelJson {
     private LevelJson() {}
 
     /**
-     * Reads strictly: unknown or duplicate keys, wrong types and numbers out of range are errors. What needs more than
-     * one value to be judged is left to {@link nephele.engine.level.rule.LevelRules}.
+     * Reads strictly: unknown or duplicate keys, wrong types and numbers out of range are errors. Rules that need more
+     * than one value are in {@link nephele.engine.level.rule.LevelRules}.
      *
-     * @param file how messages call it
-     * @throws LevelFormatException with all that is wrong
+     * @param file the file's name in messages
+     * @throws LevelFormatException with all problems
      */
     public static Level read(String file, byte[] utf8) throws LevelFormatException {
         Problems problems = new Problems();
@@ -45,14 +45,14 @@ public final class LevelJson {
         return level;
     }
 
-    /** Canonical text: fixed key order, defaults left out, numbers as {@link NumberText} has them. */
+    /** Returns the canonical text: fixed key order, defaults omitted, numbers as in {@link NumberText}. */
     public static String write(Level level) {
         JsonValue.Members members = HEADER.written();
         LEVEL.writeMembers(level, members);
         return JsonText.of(members);
     }
 
-    /** SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits. */
+    /** Returns the SHA-256 of the canonical text in UTF-8, as 64 hexadecimal digits. */
     public static String sha256(Level level) {
         try {
             byte[] text = write(level).getBytes(StandardCharsets.UTF_8);
@@ -62,7 +62,7 @@ public final class LevelJson {
         }
     }
 
-    /** JSON Schema of what {@link #read} accepts, as far as a schema can say it. */
+    /** Returns the JSON Schema of what {@link #read} accepts, as far as a schema can express it. */
     public static String schema() {
         SchemaDefinitions definitions = new SchemaDefinitions();
         JsonValue.Members level = LEVEL.schemaBeside(definitions);

@@ -1,6 +1,6 @@
 package nephele.engine.level.json;
 
-/** A level that was not saved; the file on disk is what it was before. */
+/** Thrown for a level that was not saved; the file on disk is unchanged. */
 public final class LevelSaveException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

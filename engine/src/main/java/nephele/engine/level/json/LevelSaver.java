@@ -8,8 +8,8 @@ import nephele.engine.asset.AtomicFile;
 import nephele.engine.level.Level;
 
 /**
- * Replaces a file so that at every moment, whatever fails, a complete version of it exists: the new content goes to a
- * file beside it, is forced to disk and then takes the old one's name in one step (Pillai et al., OSDI 2014, on why each
+ * Replaces a file so that a complete version of it exists at every moment, whatever fails: it writes the new content to
+ * a file beside it, forces it to disk and renames it over the old one atomically (Pillai et al., OSDI 2014, on why each
  * step is needed). The previous version stays as {@code .bak}.
  */
 final class LevelSaver {
@@ -42,7 +42,7 @@ final class LevelSaver {
         return file.resolveSibling(file.getFileName() + suffix);
     }
 
-    /** What cannot be read back equal is not written at all. */
+    /** Returns the text; throws if reading it back would not give an equal level. */
     private static byte[] checkedText(Path path, Level level) {
         String file = path.toString();
         byte[] bytes = LevelJson.write(level).getBytes(StandardCharsets.UTF_8);
@@ -52,7 +52,7 @@ final class LevelSaver {
         return bytes;
     }
 
-    /** A link stays a link: the file that it leads to is replaced. */
+    /** Resolves symbolic links, so that the link stays and its target is replaced. */
     private static Path followed(Path path) {
         try {
             return Files.exists(path) ? path.toRealPath() : path.toAbsolutePath();
@@ -61,7 +61,7 @@ final class LevelSaver {
         }
     }
 
-    /** A damaged file does not push a good backup out. */
+    /** Keeps the old version as backup, unless it is damaged and a good backup exists. */
     private void keepOld(Path target, Path freshBackup, Path backup) throws IOException {
         if (!files.exists(target)) {
             return;
@@ -84,7 +84,7 @@ final class LevelSaver {
         }
     }
 
-    /** Best effort: the new file is complete already, and Windows refuses to force folders. */
+    /** Forces the folder if possible: the new file is complete already, and Windows cannot force folders. */
     private void forceFolder(Path target) {
         try {
             files.force(target.getParent());

@@ -2,17 +2,17 @@ package nephele.engine.level.json;
 
 import java.util.List;
 
-/** A value that is an object in the file, alone or with its members among another's. */
+/** The format of an object in the file, alone or with its members among those of another. */
 interface MembersFormat extends ValueFormat {
-    /** Reads what it knows out of {@code members} and leaves the rest unasked. */
+    /** Reads its own members and leaves the others unread. */
     Object readMembers(JsonValue.Members members, Problems problems);
 
     void writeMembers(Object value, JsonValue.Members members);
 
-    /** Schema of these members among others: it leaves the object open. */
+    /** Returns the schema of these members among others: it leaves the object open. */
     JsonValue.Members schemaBeside(SchemaDefinitions definitions);
 
-    /** Every key that may occur. */
+    /** Returns every key that may occur. */
     List<String> names();
 
     @Override

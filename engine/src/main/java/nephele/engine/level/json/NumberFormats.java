@@ -3,11 +3,11 @@ package nephele.engine.level.json;
 import java.util.List;
 import nephele.engine.math.Vec3;
 
-/** Numbers and vectors of numbers, checked as doubles against a range. */
+/** Formats of numbers and vectors, checked as doubles against a range. */
 final class NumberFormats {
     private NumberFormats() {}
 
-    /** {@code number} of any primitive type; {@code fallback} is that of an absent key. */
+    /** A {@code number} of any primitive type; {@code fallback} is the value of an absent key. */
     record Real(double min, double max, Double fallback) implements ValueFormat {
         @Override
         public Object read(JsonValue json, Problems problems) {
@@ -32,7 +32,7 @@ final class NumberFormats {
         }
     }
 
-    /** An integer that fits its Java type; {@code narrow} makes an {@code Integer} of it. */
+    /** An integer that fits its Java type; {@code narrow} converts it to an {@code Integer}. */
     record Whole(double min, double max, boolean narrow) implements ValueFormat {
         @Override
         public Object read(JsonValue json, Problems problems) {
@@ -66,7 +66,7 @@ final class NumberFormats {
         }
     }
 
-    /** {@code [x, y, z]}, the same range for each. */
+    /** {@code [x, y, z]}, with the same range for each component. */
     record Vector(double min, double max) implements ValueFormat {
         @Override
         public Object read(JsonValue json, Problems problems) {

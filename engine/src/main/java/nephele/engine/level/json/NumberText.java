@@ -5,22 +5,26 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /**
- * The shortest decimal text that reads back to the same double, in ECMAScript's notation (RFC 8785, 3.2.2.3) except that
- * negative zero keeps its sign. {@code Double.toString} is longer before Java 19 and different since.
+ * The shortest decimal text that reads back to the same double, in ECMAScript's notation (RFC 8785, 3.2.2.3) except
+ * that negative zero keeps its sign. {@code Double.toString} is longer before Java 19 and differs since.
  */
 public final class NumberText {
     private static final double EXACT_INTEGERS = 1L << 53;
     private static final double[] TENS = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
     private static final double LOG10_OF_2 = 0.30102999566398120;
 
-    /** Of up to 767 digits; the ones after these decide nothing. */
+    /** Precision for exact values of up to 767 digits; the later digits never change the result. */
     private static final MathContext ENOUGH = new MathContext(40);
 
     private static final RoundingMode[] NEIGHBOURS = {RoundingMode.HALF_EVEN, RoundingMode.DOWN, RoundingMode.UP};
 
     private NumberText() {}
 
-    /** @throws IllegalArgumentException for NaN and infinities, which JSON cannot hold */
+    /**
+     * Returns the text of a number.
+     *
+     * @throws IllegalArgumentException for NaN and infinities, which JSON cannot hold
+     */
     public static String of(double value) {
         if (!Double.isFinite(value)) {
             throw new IllegalArgumentException("JSON has no text for " + value);
@@ -36,8 +40,8 @@ public final class NumberText {
     }
 
     /**
-     * Most numbers that people write have up to nine decimals: m / 10^k is correctly rounded, so it equals the value
-     * exactly when the text "m · 10^-k" reads back to it.
+     * Returns the text of a number with up to nine decimals, the usual case: m / 10^k is correctly rounded, so it
+     * equals the value exactly if the text "m · 10^-k" reads back to it.
      */
     private static String fewDecimals(double magnitude) {
         for (int k = 1; k < TENS.length; k++) {
@@ -50,9 +54,9 @@ public final class NumberText {
     }
 
     /**
-     * Rounds the exact value to ever more digits, to nearest first, until the text reads back. Every decimal of ⌊(p − 1)
-     * log10 2⌋ digits survives a double of p bits (Matula 1968), so a shorter text is what that many digits leave after
-     * stripping zeros.
+     * Rounds the exact value to ever more digits, to nearest first, until the text reads back. Every decimal of ⌊(p −
+     * 1) log10 2⌋ digits survives a double of p bits (Matula 1968), so a shorter text is those digits without trailing
+     * zeros.
      */
     private static String general(double magnitude) {
         int bits = magnitude < Double.MIN_NORMAL
@@ -73,7 +77,7 @@ public final class NumberText {
         throw new IllegalStateException("17 digits always suffice");
     }
 
-    /** @param point the decimal point stands after this many digits */
+    /** @param point the number of digits before the decimal point */
     private static String layout(String digits, int point) {
         if (digits.length() <= point && point <= 21) {
             return digits + "0".repeat(point - digits.length());

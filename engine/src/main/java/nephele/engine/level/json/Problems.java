@@ -4,16 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.level.Problem;
 
-/** Collects problems while a document is walked, and knows where the walk is. */
+/** Collects problems during the traversal of a document, with the current path. */
 final class Problems {
-    /** Nobody reads more; a file of a million faults must not cost a million messages. */
+    /** Number of messages that are kept; a file of a million faults must not cost a million messages. */
     private static final int MOST = 50;
 
     private final StringBuilder path = new StringBuilder(64);
     private final List<Problem> found = new ArrayList<>();
     private int count;
 
-    /** Steps into a member; hand the result to {@link #leave}. */
+    /** Enters a member; pass the result to {@link #leave}. */
     int enter(String name) {
         int mark = path.length();
         if (mark > 0) {
@@ -33,7 +33,7 @@ final class Problems {
         path.setLength(mark);
     }
 
-    /** Reports an error where the walk is and returns {@code null}, the value of what cannot be read. */
+    /** Reports an error at the current path and returns {@code null}, the value of an unreadable part. */
     Object error(String message) {
         count++;
         if (found.size() < MOST) {

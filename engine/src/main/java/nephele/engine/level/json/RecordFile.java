@@ -1,6 +1,9 @@
 package nephele.engine.level.json;
 
-/** A kind of JSON file whose root is a record with {@link nephele.engine.level.Written} components: the level's strictness for other files. */
+/**
+ * A kind of JSON file whose root is a record with {@link nephele.engine.level.Written} components; it is as strict as a
+ * level.
+ */
 public final class RecordFile<T> {
     private final FileHeader header;
     private final Class<T> type;
@@ -12,14 +15,20 @@ public final class RecordFile<T> {
         format = FormatBuilder.record(type);
     }
 
-    /** @param noun how messages call such a file; its format is called {@code nephele-noun} */
+    /**
+     * Creates a kind of file.
+     *
+     * @param noun its name in messages; the format is named {@code nephele-noun}
+     */
     public static <T extends Record> RecordFile<T> of(String noun, int version, Class<T> type) {
         return new RecordFile<>(new FileHeader(noun, "nephele-" + noun, version), type);
     }
 
     /**
-     * @param file how messages call it
-     * @throws LevelFormatException with all that is wrong
+     * Reads a file.
+     *
+     * @param file its name in messages
+     * @throws LevelFormatException with all problems
      */
     public T read(String file, byte[] utf8) throws LevelFormatException {
         Problems problems = new Problems();
@@ -36,7 +45,7 @@ public final class RecordFile<T> {
         return value;
     }
 
-    /** Canonical text: fixed key order, defaults left out, numbers as {@link NumberText} has them. */
+    /** Returns the canonical text: fixed key order, defaults omitted, numbers as in {@link NumberText}. */
     public String write(T value) {
         JsonValue.Members members = header.written();
         format.writeMembers(value, members);

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 
-/** An object whose keys are a record's components. */
+/** The format of an object whose keys are a record's components. */
 final class RecordFormat implements MembersFormat {
     private final Class<?> type;
     private final Constructor<?> constructor;
@@ -69,7 +69,7 @@ final class RecordFormat implements MembersFormat {
         return schemaOf(new JsonValue.Members(), new ArrayList<>(), definitions);
     }
 
-    /** As the variant that {@code kind} chooses. */
+    /** Returns the schema of the variant that {@code kind} chooses. */
     JsonValue.Members schemaOfVariant(String kind, SchemaDefinitions definitions) {
         var chosen =
                 new JsonValue.Members().with("kind", new JsonValue.Members().with("const", new JsonValue.Text(kind)));

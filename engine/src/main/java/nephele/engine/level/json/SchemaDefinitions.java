@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 final class SchemaDefinitions {
     private final Map<String, JsonValue> definitions = new TreeMap<>();
 
-    /** A reference to {@code type}'s schema, which is made on first use. */
+    /** Returns a reference to {@code type}'s schema, which is created on first use. */
     JsonValue.Members reference(Class<?> type, Supplier<JsonValue.Members> schema) {
         Class<?> outer = type.getDeclaringClass();
         String name = outer == null ? type.getSimpleName() : outer.getSimpleName() + "." + type.getSimpleName();
@@ -25,7 +25,7 @@ final class SchemaDefinitions {
         return members;
     }
 
-    /** The same object without room for other keys. */
+    /** Returns the schema without permission for other keys. */
     static JsonValue.Members closed(JsonValue.Members schema) {
         return schema.with("unevaluatedProperties", JsonValue.Literal.FALSE);
     }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Writes {@code docs/level.schema.json} anew; a test tells when that is due. */
+/** Writes {@code docs/level.schema.json}; a test fails if the file is out of date. */
 final class SchemaFile {
     private SchemaFile() {}
 

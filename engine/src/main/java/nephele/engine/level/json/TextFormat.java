@@ -4,9 +4,9 @@ import java.util.Locale;
 import nephele.engine.asset.AssetId;
 import nephele.engine.level.TextRule;
 
-/** Texts, by what they may consist of. */
+/** The format of text, by its kind. */
 record TextFormat(TextRule rule, String fallback) implements ValueFormat {
-    /** Letters that are drawn as nothing (Hangul fillers) and the empty Braille pattern. */
+    /** Letters without a glyph (Hangul fillers) and the empty Braille pattern. */
     private static final String BLANK_LETTERS = "\u115f\u1160\u3164\uffa0\u2800";
 
     @Override
@@ -69,7 +69,10 @@ record TextFormat(TextRule rule, String fallback) implements ValueFormat {
         return fallback;
     }
 
-    /** Control and format characters, among them those that turn the direction of writing, and ends of lines. */
+    /**
+     * Returns true for control and format characters, among them those that change the direction of writing, and line
+     * ends.
+     */
     private static boolean isInvisible(char c) {
         int type = Character.getType(c);
         return type == Character.CONTROL
@@ -78,7 +81,7 @@ record TextFormat(TextRule rule, String fallback) implements ValueFormat {
                 || type == Character.PARAGRAPH_SEPARATOR;
     }
 
-    /** Whether there is nothing to see but space. */
+    /** Returns true if the text has no visible character. */
     private static boolean isBlank(String text) {
         return text.chars()
                 .allMatch(c -> Character.isWhitespace(c)

@@ -1,16 +1,16 @@
 package nephele.engine.level.json;
 
-/** How one kind of value is read, written and described. */
+/** Reads, writes and describes one kind of value. */
 interface ValueFormat {
-    /** The value, or {@code null} after reporting to {@code problems} what is wrong. */
+    /** Returns the value, or {@code null} after it has reported to {@code problems} what is wrong. */
     Object read(JsonValue json, Problems problems);
 
     JsonValue write(Object value);
 
-    /** JSON Schema (2020-12) of the value. */
+    /** Returns the JSON Schema (2020-12) of the value. */
     JsonValue.Members schema(SchemaDefinitions definitions);
 
-    /** The value of an absent key when nothing else is said: {@code null}, or empty, or zero. */
+    /** Returns the value of an absent key without a stated default: {@code null}, empty or zero. */
     default Object absent() {
         return null;
     }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 
-/** One of a sealed interface's records, chosen by {@code kind}: the record's name in lower case. */
+/** The format of a sealed interface's records; {@code kind} is the record's name in lower case. */
 record VariantFormat(List<Class<?>> types, List<String> kinds, List<RecordFormat> formats) implements MembersFormat {
     private static final String KIND = "kind";
 
@@ -21,7 +21,7 @@ record VariantFormat(List<Class<?>> types, List<String> kinds, List<RecordFormat
         if (index >= 0) {
             return formats.get(index).readMembers(members, problems);
         }
-        // Which keys are known depends on the kind: without one, none is called unknown.
+        // The kind decides which keys are known; without a kind, no key is reported as unknown.
         names().forEach(members::ask);
         int mark = problems.enter(KIND);
         String found = kind instanceof JsonValue.Text text ? "'" + JsonTree.shortened(text.value()) + "'" : "this";

@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import nephele.engine.level.BoxFace;
 
-/** True and false, and the closed vocabularies: enums as lower-case words. */
+/** Formats of true and false, and of enums, written as lower-case words. */
 public final class WordFormats {
     private WordFormats() {}
 
-    /** @param fallback {@code null} where an absent key means "as the owner says" */
+    /** @param fallback {@code null} if an absent key means that the owner's value applies */
     record Truth(Boolean fallback) implements ValueFormat {
         @Override
         public Object read(JsonValue json, Problems problems) {
@@ -63,7 +63,7 @@ public final class WordFormats {
                     : problems.error("must be one of " + words + ", not '" + JsonTree.shortened(text.value()) + "'");
         }
 
-        /** The constant of that name, or {@code null}. */
+        /** Returns the constant of that name, or {@code null}. */
         Object constant(String word) {
             int index = words.indexOf(word);
             return index < 0 ? null : constants[index];

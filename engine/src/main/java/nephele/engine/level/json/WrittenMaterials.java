@@ -5,8 +5,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * The materials that a level's text names, where it cannot become a level: an author mends its shape and its references
- * in one go. Levels that can be read have {@link nephele.engine.level.rule.IdRules#MATERIALS}.
+ * The materials that a level's text refers to, for a text that cannot become a level; so an author can correct its
+ * structure and its references together. {@link nephele.engine.level.rule.IdRules#MATERIALS} checks levels that can be
+ * read.
  */
 public final class WrittenMaterials {
     private static final List<String> SECTIONS = List.of("solids", "models", "bodies");

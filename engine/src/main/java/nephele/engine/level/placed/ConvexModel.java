@@ -12,9 +12,9 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
-/** Finds out whether a mesh is the surface of a convex solid, and which. */
+/** Decides whether a mesh is the surface of a convex solid, and derives the solid. */
 final class ConvexModel {
-    /** Places that differ by less, as a share of the mesh's extent, are one: files hold floats. */
+    /** Distance, relative to the mesh's extent, below which two positions are one; files hold floats. */
     private static final double SAME = 4e-6;
 
     private static final double SAME_AREA = 1e-3;
@@ -30,7 +30,9 @@ final class ConvexModel {
         tolerance = SAME * extent;
     }
 
-    /** {@code null} for what is hollow, open, flat or has more faces than a solid may. */
+    /**
+     * Returns the solid; {@code null} for a mesh that is hollow, open, flat or has more faces than a solid may have.
+     */
     static Brush solid(ModelPlacement said, WorldTriangles mesh) {
         var box = mesh.bounds();
         double extent = Math.max(box.maxX() - box.minX(), Math.max(box.maxY() - box.minY(), box.maxZ() - box.minZ()));
@@ -54,7 +56,10 @@ final class ConvexModel {
         return new Brush(said.id(), new ConvexPolyhedron(faces, vertices, box), List.copyOf(named));
     }
 
-    /** Every triangle onto one plane with its neighbours; false as soon as one has something before it. */
+    /**
+     * Assigns every triangle to a plane, together with its neighbours; returns false if a vertex is in front of a
+     * plane.
+     */
     private boolean gatherPlanes() {
         for (int triangle = 0; triangle < mesh.count(); triangle++) {
             Vec3 normal = mesh.faceNormal(triangle);
@@ -107,7 +112,7 @@ final class ConvexModel {
                 / 2;
     }
 
-    /** Each place once; false when there are more than the planes can have between them (Euler). */
+    /** Collects each position once; returns false if there are more than the planes can have (Euler). */
     private boolean gatherCorners() {
         for (int triangle = 0; triangle < mesh.count(); triangle++) {
             for (int corner = 0; corner < 3; corner++) {
@@ -132,7 +137,7 @@ final class ConvexModel {
         return b.minus(a).length() <= tolerance;
     }
 
-    /** Empty when a plane's triangles do not fill the polygon between its corners. */
+    /** Returns the faces; empty if a plane's triangles do not fill the polygon of its corners. */
     private List<ConvexPolyhedron.Face> faces() {
         List<ConvexPolyhedron.Face> faces = new ArrayList<>();
         for (int i = 0; i < planes.size(); i++) {
@@ -163,7 +168,7 @@ final class ConvexModel {
 
     private record Edge(Vec3 from, Vec3 to) {}
 
-    /** Whether each edge is met from both sides. */
+    /** Returns true if every edge belongs to two faces, in opposite directions. */
     private static boolean isClosed(List<ConvexPolyhedron.Face> faces) {
         Set<Edge> edges = new HashSet<>();
         for (ConvexPolyhedron.Face face : faces) {

@@ -9,7 +9,7 @@ import nephele.engine.model.file.ModelFiles;
 import nephele.engine.model.shape.GeneratedName;
 import nephele.engine.model.shape.Shape;
 
-/** The meshes that asset ids stand for: files, or shapes made on the spot where a name says which. */
+/** The meshes behind asset ids: files, or generated shapes if the id names one. */
 public final class MeshAssets {
     private final AssetSource assets;
 
@@ -17,7 +17,11 @@ public final class MeshAssets {
         this.assets = assets;
     }
 
-    /** @throws AssetException where there is neither, or the file cannot be used */
+    /**
+     * Returns the mesh.
+     *
+     * @throws AssetException if there is none, or the file cannot be used
+     */
     public Mesh mesh(String assetId) {
         try {
             return assets.exists(assetId)

@@ -15,7 +15,10 @@ import nephele.engine.math.Rotations;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
-/** Where models' own coordinates lie in the world. The same bits on every machine: what is solid follows from it. */
+/**
+ * The frames of models in the world. They have the same bits on every machine, because collision shapes follow from
+ * them.
+ */
 final class ModelFrames {
     private final List<ModelPlacement> models;
     private final Map<String, Integer> indexById = new HashMap<>();
@@ -30,9 +33,9 @@ final class ModelFrames {
     }
 
     /**
-     * World from model for each: the parent's frame outermost, then its own steps in their order.
+     * Returns world-from-model of each model: the parent's frame outermost, then its own steps in order.
      *
-     * @throws IllegalArgumentException when a parent is missing or hangs below its child; the level rules say so first
+     * @throws IllegalArgumentException if a parent is missing or in a cycle; a level rule reports that first
      */
     static List<Matrix4dc> of(List<ModelPlacement> models) {
         ModelFrames frames = new ModelFrames(models);
@@ -42,7 +45,10 @@ final class ModelFrames {
         return List.copyOf(Arrays.asList(frames.worldFromModel));
     }
 
-    /** Up to the nearest ancestor that is known, then down again: a chain of any length needs no stack of calls. */
+    /**
+     * Goes up to the nearest ancestor with a frame, then down again, without recursion, so that chains may have any
+     * length.
+     */
     private void find(int model) {
         Deque<Integer> waiting = new ArrayDeque<>();
         int at = model;
@@ -75,7 +81,7 @@ final class ModelFrames {
         }
     }
 
-    /** −1 for none. */
+    /** Returns −1 for none. */
     private int parent(int model) {
         String id = models.get(model).parent();
         if (id == null) {

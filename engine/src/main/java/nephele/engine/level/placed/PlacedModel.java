@@ -7,11 +7,11 @@ import nephele.engine.model.Mesh;
 import org.joml.Matrix4dc;
 
 /**
- * A model where the level has it.
+ * A model at its place in the level.
  *
- * @param index in the level's list
- * @param mesh what its file holds
- * @param solid its shape where it is convex and closed, so that it is solid all through; {@code null} for any other
+ * @param index index in the level's list
+ * @param mesh the content of its file
+ * @param solid its shape if it is convex and closed, so that its interior is solid; {@code null} for others
  */
 public record PlacedModel(
         int index,
@@ -27,7 +27,7 @@ public record PlacedModel(
         return new PlacedModel(index, said, mesh, worldFromModel, triangles, triangles.bounds(), solid);
     }
 
-    /** The same in a level where its number may be another. */
+    /** Returns this model with another index. */
     PlacedModel at(int otherIndex) {
         return index == otherIndex ? this : with(otherIndex, triangles);
     }
@@ -36,7 +36,7 @@ public record PlacedModel(
         return new PlacedModel(otherIndex, said, mesh, worldFromModel, others, bounds, solid);
     }
 
-    /** Whether none of its triangles has an area, so that there is nothing to draw. */
+    /** Returns true if none of its triangles has an area, so that there is nothing to draw. */
     public boolean isEmpty() {
         return triangles.count() == 0;
     }

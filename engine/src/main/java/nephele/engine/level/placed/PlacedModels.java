@@ -22,26 +22,32 @@ import org.joml.Matrix4dc;
 public record PlacedModels(List<PlacedModel> all) {
     public static final PlacedModels NONE = new PlacedModels(List.of());
 
-    /** Of all models together: each triangle is drawn, shades and is solid. */
+    /** Upper bound of the triangles of all models together; each is drawn, casts shadows and is solid. */
     public static final int MOST_TRIANGLES = 200_000;
 
-    /** The size of the world, as for everything that a level places. */
+    /** The size of the world, as for everything placed in a level. */
     private static final double FARTHEST_METRES = 1e7;
 
     /**
-     * @throws AssetException naming a file that is missing or cannot be used, also for its size here
-     * @throws IllegalArgumentException when parents are missing or in a circle; the level rules say so first
+     * Reads and places the models.
+     *
+     * @throws AssetException that names a file that is missing or cannot be used, also for its size in the world
+     * @throws IllegalArgumentException if parents are missing or in a cycle; a level rule reports that first
      */
     public static PlacedModels of(Level level, AssetSource assets) {
         return of(level, new MeshAssets(assets)::mesh);
     }
 
-    /** @param meshOf a file's mesh; asked once for each file */
+    /**
+     * Places the models.
+     *
+     * @param meshOf returns a file's mesh; called once for each file
+     */
     public static PlacedModels of(Level level, Function<String, Mesh> meshOf) {
         return level.models().isEmpty() ? NONE : NONE.edited(level, meshOf);
     }
 
-    /** Those of an edited level: what is placed as before by the same file is the same object. */
+    /** Returns the models of an edited level; a model with the same placement and file stays the same object. */
     PlacedModels edited(Level level, AssetSource assets) {
         List<ModelPlacement> said = all.stream().map(PlacedModel::said).toList();
         return IdentityDiff.list(said, level.models()) == said ? this : edited(level, new MeshAssets(assets)::mesh);
@@ -98,7 +104,7 @@ public record PlacedModels(List<PlacedModel> all) {
     }
 
     private static void requireNear(PlacedModel model) {
-        // Also what overflowed: it would be left out as a triangle without area.
+        // This also rejects overflow, which would otherwise be removed as a triangle without area.
         if (!Arrays.stream(model.triangles().positions()).allMatch(x -> Math.abs(x) <= FARTHEST_METRES)) {
             throw new AssetException(
                     model.said().file(),
@@ -108,10 +114,10 @@ public record PlacedModels(List<PlacedModel> all) {
     }
 
     /**
-     * The same with the triangles of faceted models cut until none of their edges is longer, or there are so many of them
-     * that one level may not have more.
+     * Returns these models with the triangles of faceted ones subdivided until no edge is longer, or until their number
+     * reaches the limit of a level.
      *
-     * @param edgeMetres where there are few triangles
+     * @param edgeMetres greatest edge length, if the limit permits it
      */
     public PlacedModels split(double edgeMetres) {
         int most = all.isEmpty() ? 0 : MOST_TRIANGLES / all.size();
@@ -120,7 +126,7 @@ public record PlacedModels(List<PlacedModel> all) {
                 .toList());
     }
 
-    /** Of all meshes. */
+    /** Returns the number of vertices of all meshes. */
     public int vertexCount() {
         return all.stream()
                 .mapToInt(model -> model.triangles().positions().length / 3)
@@ -131,7 +137,7 @@ public record PlacedModels(List<PlacedModel> all) {
         return all.isEmpty();
     }
 
-    /** Those that are convex and closed. */
+    /** Returns the shapes of the models that are convex and closed. */
     public List<Brush> solids() {
         return all.stream()
                 .filter(model -> model.solid() != null)
@@ -139,7 +145,7 @@ public record PlacedModels(List<PlacedModel> all) {
                 .toList();
     }
 
-    /** Those that are not: surfaces without an inside. */
+    /** Returns the other models: surfaces without an interior. */
     public List<PlacedModel> sheets() {
         return all.stream().filter(model -> model.solid() == null).toList();
     }

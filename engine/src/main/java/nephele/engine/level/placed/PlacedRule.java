@@ -5,10 +5,10 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 
 /**
- * One thing that must hold in the world that follows from a level. It is asked only about levels in which the rules of
- * {@link nephele.engine.level.rule.LevelRules} find no error.
+ * A rule on the world that follows from a level. It is applied only to levels without errors under {@link
+ * nephele.engine.level.rule.LevelRules}.
  */
 public interface PlacedRule {
-    /** Reports every breach, in the order of the file. */
+    /** Reports every violation, in the order of the file. */
     void check(Level level, StaticShapes statics, Consumer<Problem> report);
 }

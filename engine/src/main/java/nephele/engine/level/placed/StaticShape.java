@@ -5,8 +5,8 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.heightfield.HeightField;
 
 /**
- * One shape that never moves. What treats the kinds differently implements {@link Cases}, so that a new kind is a compile
- * error wherever nothing is said about it yet.
+ * A static shape. Code that treats the kinds differently implements {@link Cases}, so that a new kind is a compile
+ * error wherever it is not handled.
  */
 public sealed interface StaticShape {
     Aabb bounds();
@@ -40,7 +40,7 @@ public sealed interface StaticShape {
         }
     }
 
-    /** A model of the level; one that is convex and closed is solid all through. */
+    /** A model of the level; the interior of a convex and closed one is solid. */
     record TriangleMesh(PlacedModel model) implements StaticShape {
         @Override
         public Aabb bounds() {
@@ -53,7 +53,7 @@ public sealed interface StaticShape {
         }
     }
 
-    /** A piece of ground. It is solid; no level has one yet, and nothing draws, traces or shades it. */
+    /** A height field. It is solid; no level has one yet, and no part of the program draws, traces or shades it. */
     record HeightGrid(String id, HeightField field) implements StaticShape {
         @Override
         public Aabb bounds() {

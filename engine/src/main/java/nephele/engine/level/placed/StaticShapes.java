@@ -12,7 +12,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.IdentityDiff;
 
 /**
- * The shapes of a level that never move, in the world; immutable. Built once, they serve scene, simulation and oracle.
+ * The static shapes of a level, in the world; immutable. Built once for scene, simulation and reference path tracer.
  *
  * @param solids in the level's order
  */
@@ -22,15 +22,19 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         ground = List.copyOf(ground);
     }
 
-    /** @throws nephele.engine.asset.AssetException naming a mesh that is missing or cannot be used */
+    /**
+     * Derives the shapes and reads the level's meshes.
+     *
+     * @throws nephele.engine.asset.AssetException that names a mesh that is missing or cannot be used
+     */
     public static StaticShapes of(Level level, AssetSource assets) {
         return new StaticShapes(brushes(level), PlacedModels.of(level, assets), List.of());
     }
 
     /**
-     * Of a level without models.
+     * Derives the shapes of a level without models.
      *
-     * @throws IllegalArgumentException when it has some: their files are needed
+     * @throws IllegalArgumentException if it has models, which need their files
      */
     public static StaticShapes of(Level level) {
         if (!level.models().isEmpty()) {
@@ -52,7 +56,11 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         return Brush.of(solid).refusingPortalsOn(mirrors);
     }
 
-    /** @param before the level that these are of */
+    /**
+     * Returns the shapes of an edited level; reuses those of unchanged records.
+     *
+     * @param before the level of these shapes
+     */
     StaticShapes edited(Level before, Level level, AssetSource assets) {
         Set<String> mirrors = MirrorFaces.materials(level.materials());
         boolean areMirrorsSame = MirrorFaces.materials(before.materials()).equals(mirrors);
@@ -66,17 +74,17 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         return others == solids && placed == models ? this : new StaticShapes(others, placed, ground);
     }
 
-    /** The same with other models. */
+    /** Returns these shapes with other models. */
     public StaticShapes with(PlacedModels others) {
         return new StaticShapes(solids, others, ground);
     }
 
-    /** As {@link FixedModels#split}. */
+    /** Returns these shapes with the triangles of models subdivided as by {@link PlacedModels#split}. */
     public StaticShapes split(double edgeMetres) {
         return models.isEmpty() ? this : with(models.split(edgeMetres));
     }
 
-    /** Every shape: solids, models, ground. */
+    /** Returns every shape: solids, models, height fields. */
     public List<StaticShape> all() {
         List<StaticShape> all = new ArrayList<>(solids.size() + models.all().size() + ground.size());
         for (int i = 0; i < solids.size(); i++) {
@@ -87,7 +95,7 @@ public record StaticShapes(List<Brush> solids, PlacedModels models, List<StaticS
         return all;
     }
 
-    /** Around everything; empty for nothing. */
+    /** Returns the bounds of all shapes; empty if there are none. */
     public Aabb bounds() {
         return all().stream().map(StaticShape::bounds).reduce(Aabb.EMPTY, Aabb::union);
     }

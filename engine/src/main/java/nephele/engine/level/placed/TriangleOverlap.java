@@ -6,16 +6,19 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.SpatialIndex;
 
-/** How many boxes of a level's triangles each one overlaps on average: what rays and sweeps among them have to test. */
+/**
+ * Estimates how many triangle bounds each triangle's bounds overlap on average, which is the number of triangles that
+ * rays and sweeps must test there.
+ */
 final class TriangleOverlap {
-    /** Beyond, a tick takes a tenth of a second and more. A closed mesh of small triangles has 10 to 30. */
+    /** Above this mean, a tick takes a tenth of a second or more. A closed mesh of small triangles has 10 to 30. */
     static final int MOST_OVERLAPS = 4_000;
 
     private static final int SAMPLES = 64;
 
     private final List<Aabb> boxes = new ArrayList<>();
 
-    /** @param models of which only the surfaces count: a convex solid is one shape */
+    /** @param models those with only a surface are counted; a convex solid is a single shape */
     TriangleOverlap(List<PlacedModel> models) {
         for (PlacedModel model : models) {
             for (int i = 0; model.solid() == null && i < model.triangles().count(); i++) {
@@ -28,7 +31,7 @@ final class TriangleOverlap {
         return model.triangles().corner(triangle, corner);
     }
 
-    /** How many boxes a sample's box meets on average, in every run alike; 0 where there are too few to be too many. */
+    /** Returns the mean number of boxes that a sample's box overlaps, the same in every run; 0 for few boxes. */
     long meanOverlaps() {
         if (boxes.size() <= MOST_OVERLAPS) {
             return 0;

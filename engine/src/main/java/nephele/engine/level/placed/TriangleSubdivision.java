@@ -3,8 +3,8 @@ package nephele.engine.level.placed;
 import nephele.engine.math.Vec3;
 
 /**
- * Triangles cut into smaller ones of the same shape, each edge into as many parts: what is found at vertices and mixed
- * between them is found more closely. Points on an edge have the same bits from both sides.
+ * Subdivides triangles into similar ones, each edge into the same number of parts, so that values computed at vertices
+ * and interpolated become more accurate. Points on a shared edge have the same bits from both sides.
  */
 final class TriangleSubdivision {
     private final WorldTriangles mesh;
@@ -28,7 +28,7 @@ final class TriangleSubdivision {
         faceNormals = new double[vertices.length];
     }
 
-    /** @param parts of each edge */
+    /** @param parts the number of parts of each edge */
     static WorldTriangles of(WorldTriangles mesh, int parts) {
         if (parts <= 1) {
             return mesh;
@@ -59,7 +59,7 @@ final class TriangleSubdivision {
         }
     }
 
-    /** By whole weights that add up to the number of parts. */
+    /** Adds a vertex with integer barycentric weights that add up to the number of parts. */
     private void addVertex(int triangle, int ofA, int ofB, int ofC) {
         Vec3 a = mesh.corner(triangle, 0);
         Vec3 b = mesh.corner(triangle, 1);

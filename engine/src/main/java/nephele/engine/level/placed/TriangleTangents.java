@@ -5,11 +5,11 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
- * In which directions a texture lies on a triangle of a mesh: where its coordinates grow. The shader has them from the
- * differences between neighbouring pixels, which of a flat triangle are the same.
+ * The directions in which the texture coordinates of a triangle of a mesh grow. The shader computes them from
+ * differences between neighbouring pixels, which are equal on a flat triangle.
  *
- * @param right where s grows, any length, zero where it does not
- * @param down where t grows
+ * @param right the direction of growing s, any length; zero if s does not grow
+ * @param down the direction of growing t
  */
 public record TriangleTangents(Vec3 right, Vec3 down) {
     public static TriangleTangents of(WorldTriangles mesh, int triangle) {
@@ -29,13 +29,13 @@ public record TriangleTangents(Vec3 right, Vec3 down) {
                         alongAb, (mesh.t(triangle, 1) - t) / area, alongAc, (mesh.t(triangle, 2) - t) / area));
     }
 
-    /** Unit direction in which s grows on a surface with this normal. */
+    /** Returns the unit direction in which s grows on a surface with this normal. */
     public Vec3 across(Vec3 normal) {
         Vec3 along = along(right, normal);
         return along == null ? FaceTexture.across(normal) : along;
     }
 
-    /** Unit direction in which t falls. */
+    /** Returns the unit direction in which t falls on a surface with this normal. */
     public Vec3 up(Vec3 normal) {
         Vec3 along = along(down.negated(), normal);
         return along == null ? normal.cross(across(normal)) : along;

@@ -12,20 +12,20 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 
 /**
- * A mesh's triangles in the world, counter-clockwise seen from outside, mirrored or not; those without area are left out.
+ * A mesh's triangles in the world, counter-clockwise seen from outside also if mirrored, without those of zero area.
  *
- * @param positions x, y, z of each of the mesh's vertices
- * @param normals likewise, of unit length
- * @param textureCoordinates s, t of each, t = 0 at the picture's top row
- * @param vertices three for each triangle
+ * @param positions x, y, z of each vertex of the mesh
+ * @param normals unit normal of each vertex, x, y, z
+ * @param textureCoordinates s, t of each vertex, t = 0 at the picture's top row
+ * @param vertices three indices for each triangle
  * @param faceNormals x, y, z of each triangle: the unit normal of its plane
  */
 public record WorldTriangles(
         double[] positions, double[] normals, double[] textureCoordinates, int[] vertices, double[] faceNormals) {
-    /** Flatter triangles, by height over longest edge, have no normal that rounding did not decide. */
+    /** Least ratio of height to longest edge; the normal of a flatter triangle would be decided by rounding. */
     private static final double LEAST_HEIGHT = 1e-6;
 
-    /** Cosine up to which a vertex's normal is that of its triangle: 0.08°, beyond what files round. */
+    /** Cosine above which a vertex's normal is that of its triangle: 0.08°, more than the rounding of files. */
     private static final double SAME_NORMAL = 0.999999;
 
     public static WorldTriangles of(Mesh mesh, Matrix4dc worldFromModel) {
@@ -82,7 +82,7 @@ public record WorldTriangles(
         return normals;
     }
 
-    /** {@code null} for a triangle without area to speak of. */
+    /** Returns {@code null} for a triangle of nearly zero area. */
     private static Vec3 faceNormal(double[] p, int a, int b, int c) {
         Vec3 ab = between(p, a, b);
         Vec3 ac = between(p, a, c);
@@ -104,7 +104,11 @@ public record WorldTriangles(
         return vertices.length / 3;
     }
 
-    /** @param corner 0 to 2 */
+    /**
+     * Returns a corner's position.
+     *
+     * @param corner 0 to 2
+     */
     public Vec3 corner(int triangle, int corner) {
         int at = 3 * vertices[3 * triangle + corner];
         return new Vec3(positions[at], positions[at + 1], positions[at + 2]);
@@ -114,7 +118,10 @@ public record WorldTriangles(
         return new Vec3(faceNormals[3 * triangle], faceNormals[3 * triangle + 1], faceNormals[3 * triangle + 2]);
     }
 
-    /** Of the surface that the mesh stands for; where a file has it point behind the triangle, the triangle's own. */
+    /**
+     * Returns the normal of the smooth surface at a corner; the triangle's own normal if the file's points behind the
+     * triangle.
+     */
     public Vec3 normal(int triangle, int corner) {
         Vec3 own = ofVertex(vertices[3 * triangle + corner]);
         Vec3 face = faceNormal(triangle);
@@ -133,7 +140,7 @@ public record WorldTriangles(
         return textureCoordinates[2 * vertices[3 * triangle + corner] + 1];
     }
 
-    /** Whether light on it is that on its triangles: no normal stands for a curved surface. */
+    /** Returns true if every vertex normal is that of its triangle, so that no triangle stands for a curved surface. */
     public boolean isFaceted() {
         for (int triangle = 0; triangle < count(); triangle++) {
             for (int corner = 0; corner < 3; corner++) {
@@ -145,7 +152,7 @@ public record WorldTriangles(
         return true;
     }
 
-    /** 0 for no triangles. */
+    /** Returns the length of the longest edge; 0 without triangles. */
     double longestEdge() {
         double longest = 0;
         for (int i = 0; i < vertices.length; i++) {
@@ -155,7 +162,7 @@ public record WorldTriangles(
         return Math.sqrt(longest);
     }
 
-    /** Of what is left of the mesh; empty for nothing. */
+    /** Returns the bounds of the triangles; empty if there are none. */
     public Aabb bounds() {
         double[] least = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
         double[] most = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
@@ -168,7 +175,7 @@ public record WorldTriangles(
         return new Aabb(least[0], least[1], least[2], most[0], most[1], most[2]);
     }
 
-    /** Nine numbers for each triangle: its corners. */
+    /** Returns nine numbers for each triangle: x, y, z of its corners. */
     public double[] corners() {
         double[] corners = new double[3 * vertices.length];
         for (int i = 0; i < vertices.length; i++) {

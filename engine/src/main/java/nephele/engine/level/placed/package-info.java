@@ -1,2 +1,4 @@
-/** Models where a level has them: frames, triangles in the world, and which of them are convex solids. */
+/**
+ * Shapes in the world that follow from a level: frames and triangles of models, and which of them are convex solids.
+ */
 package nephele.engine.level.placed;

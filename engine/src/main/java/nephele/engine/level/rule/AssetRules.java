@@ -13,7 +13,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.appearance.SkyboxSizes;
 
-/** Every file that the level names is there, and every picture can be decoded. */
+/** Every file that the level names exists, and every picture can be decoded. */
 final class AssetRules {
     static final LevelRule READABLE = (level, assets, report) -> {
         Check check = new Check(assets, report, new HashMap<>());
@@ -32,11 +32,11 @@ final class AssetRules {
 
     private AssetRules() {}
 
-    /** @param objection {@code null} for a picture that can be used, whose size follows */
+    /** @param objection {@code null} for a usable picture, of the given size */
     private record Verdict(String objection, int width, int height) {}
 
     private record Check(AssetSource assets, Consumer<Problem> report, Map<String, Verdict> verdicts) {
-        /** The picture's size; {@code null} after reporting that there is none. */
+        /** Returns the picture's size, or reports a problem and returns {@code null}. */
         Verdict picture(String path, String id) {
             Verdict verdict = id == null ? null : verdicts.computeIfAbsent(id, this::verdict);
             if (verdict != null && verdict.objection() != null) {
@@ -67,7 +67,7 @@ final class AssetRules {
             }
         }
 
-        /** @param first of six faces, {@code null} for a cross */
+        /** @param first the first of six faces, {@code null} for a cross */
         private void size(String path, String file, Verdict size, Verdict first) {
             try {
                 if (first == null) {

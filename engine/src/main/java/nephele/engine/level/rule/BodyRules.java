@@ -3,7 +3,7 @@ package nephele.engine.level.rule;
 import nephele.engine.level.Body;
 import nephele.engine.level.Problem;
 
-/** Bodies whose numbers contradict each other. */
+/** Rules for bodies whose numbers contradict each other. */
 final class BodyRules {
     static final LevelRule SHAPES = (level, assets, report) -> {
         LevelRule.each("bodies", level.bodies(), (path, body) -> {
@@ -16,7 +16,7 @@ final class BodyRules {
         });
     };
 
-    /** The space that is opened behind a portal is this deep. */
+    /** Depth of the space that is opened behind a portal. */
     private static final double MOST_REACH_METRES = 2.5;
 
     static final LevelRule REACH = (level, assets, report) -> {

@@ -6,12 +6,12 @@ import nephele.engine.level.Problem;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** Cameras that can show a picture. */
+/** Rules for cameras that cannot show a picture. */
 final class CameraRules {
-    /** Nearer together than this the depth range is empty. */
+    /** Least ratio of far to near distance; below it the depth range is empty. */
     private static final double FAR_TO_NEAR = 1 + 1e-3;
 
-    /** Sine of the angle between view and up below which the roll is left to chance. */
+    /** Sine of the angle between view and up below which the roll is undefined. */
     private static final double PARALLEL = 1e-6;
 
     static final LevelRule VIEW = (level, assets, report) ->

@@ -7,9 +7,9 @@ import nephele.engine.level.Problem;
 import nephele.engine.level.Solid;
 import nephele.engine.math.Vec3;
 
-/** Directions need not have unit length, but some length: there is no rotation without an axis. */
+/** Directions need not have unit length, but must not be zero: a rotation needs an axis. */
 final class DirectionRules {
-    /** Below it the square of a length is no longer a normal number to divide by. */
+    /** Least length whose square is still a normal number. */
     private static final double SHORTEST = 1e-9;
 
     static final LevelRule NOT_ZERO = (level, assets, report) -> {

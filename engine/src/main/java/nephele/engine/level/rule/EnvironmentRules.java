@@ -7,9 +7,9 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.json.WordFormats;
 
-/** A sky that can be shown. */
+/** Rules for skies that cannot be shown. */
 final class EnvironmentRules {
-    /** As many files as the layout of a skybox needs. */
+    /** A skybox names as many files as its layout needs. */
     static final LevelRule SKY_FILES = (level, assets, report) -> {
         if (level.environment().sky() instanceof Sky.Skybox skybox) {
             int wanted = skybox.layout() == SkyboxLayout.FACES ? 6 : 1;
@@ -23,7 +23,7 @@ final class EnvironmentRules {
         }
     };
 
-    /** What is read and checked but is not shown yet, so that nobody looks for it in the picture. */
+    /** Warns of features that are read and checked but not drawn yet. */
     static final LevelRule NOT_YET = (level, assets, report) -> {
         Environment environment = level.environment();
         tell(!environment.clouds().isEmpty(), "environment.clouds", report);

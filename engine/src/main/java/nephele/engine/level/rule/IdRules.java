@@ -18,7 +18,7 @@ import nephele.engine.level.Problem;
 import nephele.engine.level.Solid;
 import nephele.engine.level.json.WrittenMaterials;
 
-/** Names: each given once in its section, each reference meets one. */
+/** Every id is unique in its section, and every reference names an existing record. */
 final class IdRules {
     static final LevelRule UNIQUE = (level, assets, report) -> {
         unique("environment.clouds", level.environment().clouds(), Cloud::id, report);

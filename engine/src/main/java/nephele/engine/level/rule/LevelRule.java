@@ -7,12 +7,12 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 
-/** One thing that must hold between the values of a level, beyond what reading checks of each alone. */
+/** A rule on the values of a level that reading each value alone cannot check. */
 public interface LevelRule {
-    /** Hands every breach to {@code report}, in the order of the file. */
+    /** Reports every violation to {@code report}, in the order of the file. */
     void check(Level level, AssetSource assets, Consumer<Problem> report);
 
-    /** Every entry of a list with its path, such as {@code solids[3]}. */
+    /** Passes every entry of a list to {@code use} with its path, such as {@code solids[3]}. */
     static <T> void each(String section, List<T> entries, BiConsumer<String, T> use) {
         for (int i = 0; i < entries.size(); i++) {
             use.accept(section + "[" + i + "]", entries.get(i));

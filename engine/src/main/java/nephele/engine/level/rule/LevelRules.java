@@ -6,9 +6,9 @@ import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 
-/** The rules of a level, in the order in which their problems are told. */
+/** The rules of a level, in the order in which their problems are reported. */
 public final class LevelRules {
-    /** What can be said without opening another file. */
+    /** The rules that open no other file. */
     public static final List<LevelRule> STRUCTURE = List.of(
             IdRules.UNIQUE,
             IdRules.MATERIALS,
@@ -41,12 +41,12 @@ public final class LevelRules {
         return List.copyOf(all);
     }
 
-    /** Every problem, errors and warnings. */
+    /** Returns every problem, errors and warnings. */
     public static List<Problem> check(Level level, AssetSource assets) {
         return check(ALL, level, assets);
     }
 
-    /** The problems that {@code rules} find. */
+    /** Returns the problems that {@code rules} find. */
     public static List<Problem> check(List<LevelRule> rules, Level level, AssetSource assets) {
         List<Problem> problems = new ArrayList<>();
         rules.forEach(rule -> rule.check(level, assets, problems::add));

@@ -5,7 +5,7 @@ import nephele.engine.level.Light;
 import nephele.engine.level.Problem;
 import nephele.engine.math.Vec3;
 
-/** Lamps that light something. */
+/** Rules for lights that have no effect or cast too many shadows. */
 final class LightRules {
     static final LevelRule CONES = (level, assets, report) ->
             LevelRule.each("lights", level.lights(), (path, light) -> light(path, light, report));

@@ -13,7 +13,7 @@ import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.model.Mesh;
 
-/** Models hang below models, without circles, and all meshes can be read and are few and near enough. */
+/** Parents of models form no cycle, and all meshes can be read and are few and near enough. */
 final class ModelRules {
     static final LevelRule PARENTS = (level, assets, report) -> {
         Map<String, String> parents = new HashMap<>();
@@ -45,7 +45,7 @@ final class ModelRules {
             }
             triangles += meshes.get(file).triangleCount();
             if (triangles > PlacedModels.MOST_TRIANGLES) {
-                // That is told below; to read on might fill the memory.
+                // Another rule reports this. Reading on could exhaust the memory.
                 break;
             }
         }
@@ -88,7 +88,11 @@ final class ModelRules {
         }
     }
 
-    /** @param verdicts of the ids walked so far; grows, so that a chain is walked once */
+    /**
+     * Returns true if the chain of parents of {@code start} runs into a cycle.
+     *
+     * @param verdicts results of the ids visited so far; extended, so that each chain is followed once
+     */
     private static boolean circles(String start, Map<String, String> parents, Map<String, Boolean> verdicts) {
         Set<String> walked = new HashSet<>();
         String id = start;

@@ -12,9 +12,9 @@ import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
-/** A start from which the player can move. */
+/** Rules for starts from which the player cannot move. */
 final class PlayerRules {
-    /** The body's axis without its ends, which may touch floor and ceiling. */
+    /** Height of the body's axis without its ends, which may touch floor and ceiling. */
     private static final double AXIS_LOW_METRES = 0.02;
 
     private static final double AXIS_HIGH_METRES = 1.78;
@@ -40,7 +40,7 @@ final class PlayerRules {
 
     private PlayerRules() {}
 
-    /** As {@link #FREE}, of models that are solid all through. */
+    /** Reports models that are closed convex solids and contain the start, as {@link #FREE} does for solids. */
     static void tellInside(Level level, PlacedModels models, Consumer<Problem> report) {
         for (PlacedModel model : models.all()) {
             if (level.player() != null
@@ -58,7 +58,7 @@ final class PlayerRules {
         return brush.shape().faces().stream().map(ConvexPolyhedron.Face::plane).toList();
     }
 
-    /** Most solids are told apart without making their shape. */
+    /** Returns false for most solids that are out of reach, without deriving their shape. */
     static boolean mayReach(Solid solid, Vec3 feet, double margin) {
         if (solid instanceof Solid.Box box) {
             return within(
@@ -81,7 +81,7 @@ final class PlayerRules {
 
     private static boolean holdsAxis(Solid solid, Vec3 feet) {
         try {
-            // Planes that enclose nothing hold everything; making the shape refuses them.
+            // Planes that enclose nothing contain every point; deriving the shape rejects them.
             return holdsAxis(planes(solid), feet) && Brush.of(solid) != null;
         } catch (IllegalArgumentException toldByAnotherRule) {
             return false;
@@ -96,7 +96,7 @@ final class PlayerRules {
                 : planes(Brush.of(solid));
     }
 
-    /** Clips the upright segment by every plane (Cyrus and Beck 1978); what remains lies inside. */
+    /** Clips the upright segment by every plane (Cyrus and Beck 1978); the remainder is inside. */
     private static boolean holdsAxis(List<Plane> planes, Vec3 feet) {
         double low = AXIS_LOW_METRES;
         double high = AXIS_HIGH_METRES;

@@ -15,7 +15,7 @@ import nephele.engine.math.Ray;
 import nephele.engine.math.RayTriangleIntersection;
 import nephele.engine.math.Vec3;
 
-/** Portals come in pairs that name each other, and open in the surface of something. */
+/** Portals come in pairs that name each other, and lie on the surface of a shape. */
 final class PortalRules {
     static final LevelRule LINKS = (level, assets, report) -> {
         Map<String, PortalSpec> byId = new HashMap<>();
@@ -23,7 +23,7 @@ final class PortalRules {
         LevelRule.each("portals", level.portals(), (path, portal) -> link(path, portal, byId, report));
     };
 
-    /** As many as a mask of the simulation has bits, a gun's two among them. */
+    /** Number of bits of the simulation's portal masks, two of them for a gun's portals. */
     private static final int MOST_PORTALS = 64;
 
     private static final int PORTALS_OF_A_GUN = 2;
@@ -38,12 +38,12 @@ final class PortalRules {
         }
     };
 
-    /** Metres off a face, and cosine between its normal and the portal's: half a degree. */
+    /** Distance from a face, and cosine between its normal and the portal's (half a degree). */
     private static final double ON_FACE_METRES = 1e-3;
 
     private static final double ALONG_FACE = 0.99996192306417131;
 
-    /** Of levels without models; {@link ModelRules#READABLE} asks of the others. */
+    /** Checks levels without models; {@link ModelRules#READABLE} checks the others. */
     static final LevelRule ON_SURFACE = (level, assets, report) -> {
         if (level.models().isEmpty() && !level.solids().isEmpty()) {
             tellFree(level, PlacedModels.NONE, report);
@@ -52,7 +52,7 @@ final class PortalRules {
 
     private PortalRules() {}
 
-    /** Tells of portals that lie neither on a solid nor on a model. */
+    /** Reports portals that lie on neither a solid nor a model. */
     static void tellFree(Level level, PlacedModels models, Consumer<Problem> report) {
         LevelRule.each("portals", level.portals(), (path, portal) -> {
             boolean isOnSurface = DirectionRules.isZero(portal.normal())
@@ -70,7 +70,7 @@ final class PortalRules {
         Vec3 normal = Plane.of(portal.normal(), 0).normal();
         Vec3 p = portal.centre();
         double[] corners = mesh.corners();
-        // Along the normal from a millimetre before the surface to one behind it.
+        // The ray runs along the normal from a millimetre before the surface to one behind it.
         Vec3 from = p.addScaled(ON_FACE_METRES, normal);
         Ray ray = new Ray(from.x(), from.y(), from.z(), -normal.x(), -normal.y(), -normal.z());
         for (int triangle = 0; triangle < mesh.count(); triangle++) {

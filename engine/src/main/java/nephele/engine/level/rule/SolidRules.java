@@ -12,7 +12,7 @@ import nephele.engine.math.Vec3;
 final class SolidRules {
     private static final Set<String> WEDGE_FACES = Set.of("+x", "-x", "-y", "+z", "-z", "slope");
 
-    /** Triples of planes whose intersection is looked at before the rest is let through: about a second's work. */
+    /** Number of triples of planes whose intersections are examined before the rule stops: about a second of work. */
     private static final long MOST_TRIPLES = 5_000_000;
 
     static final LevelRule BOUNDED = (level, assets, report) -> {
@@ -36,7 +36,7 @@ final class SolidRules {
 
     private SolidRules() {}
 
-    /** The work of deriving the shape; 0 for those that are bounded as soon as their numbers are positive. */
+    /** Returns the work of deriving the shape; 0 for kinds that are bounded whenever their numbers are positive. */
     private static long triples(Solid solid) {
         if (solid instanceof Solid.Box box && positive(box.size())) {
             return 0;
