@@ -8,27 +8,29 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 
 /**
- * The same pictures as a {@link Renderer}'s by the least OpenGL: the same shaders, textures, target and visible
- * triangles, one draw for each material batch, everything decided beforehand. {@code bench --bare} measures it.
+ * Draws the same pictures as a {@link Renderer} with the fewest OpenGL calls: the same shaders, textures, target and
+ * visible triangles, one draw for each material batch, all decisions made beforehand. {@code bench --bare} measures it.
  */
 public final class BareTwin implements AutoCloseable {
     private final List<BareFrame> frames = new ArrayList<>();
 
-    /** Draws every view once with {@code renderer}, which must stay open as long as this, and remembers how. */
+    /**
+     * Draws every view once with {@code renderer} and records it; the renderer must stay open as long as this object.
+     */
     public BareTwin(GlContext gl, Renderer renderer, List<View> views, RenderTarget picture) {
-        // What is drawn once and kept, as shadow maps, is no part of a frame.
+        // The first frame draws cached data such as shadow maps, which later frames do not repeat.
         renderer.draw(views.get(0), picture);
         for (View view : views) {
             frames.add(BareFrame.record(gl, () -> renderer.draw(view, picture)));
         }
     }
 
-    /** Draws every frame of something else once; what they draw with must stay open as long as this. */
+    /** Draws and records frames of another kind; the objects that they use must stay open as long as this object. */
     public BareTwin(GlContext gl, List<Runnable> engineFrames) {
         engineFrames.forEach(frame -> frames.add(BareFrame.record(gl, frame)));
     }
 
-    /** Draws view number {@code frame}, wrapping around. */
+    /** Draws view number {@code frame}, modulo the number of views. */
     public void draw(int frame) {
         frames.get(Math.floorMod(frame, frames.size())).draw();
     }

@@ -12,11 +12,11 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.render.gl.RenderTarget;
 
-/** Pictures out of targets into files. */
+/** Writes the pictures of render targets to files. */
 public final class Capture {
     private Capture() {}
 
-    /** The 8-bit picture, as it is seen, opaque. */
+    /** Returns the displayed 8-bit picture, opaque. */
     public static BufferedImage image(RenderTarget picture) {
         int width = picture.width();
         int height = picture.height();
@@ -33,12 +33,12 @@ public final class Capture {
         return image;
     }
 
-    /** Writes the 8-bit picture. */
+    /** Writes the 8-bit picture as PNG. */
     public static void png(RenderTarget picture, Path file) throws IOException {
         png(image(picture), file);
     }
 
-    /** Writes a picture that comes from elsewhere. */
+    /** Writes another picture as PNG. */
     public static void png(BufferedImage picture, Path file) throws IOException {
         AtomicFile.write(file, encoded(picture));
     }
@@ -56,7 +56,7 @@ public final class Capture {
         AtomicFile.write(file, bytes.array());
     }
 
-    /** In memory: given a file, ImageIO deletes it first and prints a stack trace where it cannot be opened. */
+    /** Encodes in memory: ImageIO would delete an existing file first and print a stack trace if it cannot open it. */
     private static byte[] encoded(BufferedImage image) throws IOException {
         var bytes = new ByteArrayOutputStream();
         try (var stream = new MemoryCacheImageOutputStream(bytes)) {

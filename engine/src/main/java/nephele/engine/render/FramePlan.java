@@ -6,16 +6,16 @@ import nephele.engine.render.frame.FrameRequest;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 
-/** Which passes a request requires, in frame order, and why. */
+/** The passes that a request requires, in frame order, with the reasons. */
 public record FramePlan(List<Step> steps) {
-    /** One registered feature; {@code required} is empty when nothing asks for it. */
+    /** A registered feature; {@code required} is empty if nothing requires it. */
     public record Step(RenderFeature feature, List<Required> required) {}
 
     public static FramePlan of(FrameRequest request) {
         return of(request, RenderFeatures.ALL);
     }
 
-    /** As if no other feature were registered than these. */
+    /** Returns the plan for a list of features other than the registered ones. */
     static FramePlan of(FrameRequest request, List<RenderFeature> features) {
         List<Step> steps = new ArrayList<>();
         for (RenderFeature feature : features) {
@@ -24,12 +24,15 @@ public record FramePlan(List<Step> steps) {
         return new FramePlan(List.copyOf(steps));
     }
 
-    /** What builds the frame's passes, in order. */
+    /** Returns the requirements that build the frame's passes, in order. */
     public List<Required> required() {
         return steps.stream().flatMap(step -> step.required().stream()).toList();
     }
 
-    /** {@code NAME: required by JSON.PATH: because} or {@code NAME: not required}, a line for each feature. */
+    /**
+     * Returns {@code NAME: required by JSON.PATH: because} or {@code NAME: not required}, at least one line for each
+     * feature.
+     */
     public List<String> explain() {
         return steps.stream().flatMap(step -> lines(step).stream()).toList();
     }

@@ -4,7 +4,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 
-/** Linear radiance of a frame in output HDR; follows the size of the picture that it is developed into. */
+/** The linear radiance of a frame in output HDR; has the size of the picture into which it is tone-mapped. */
 final class LinearTarget implements AutoCloseable {
     private final GlContext gl;
     private RenderTarget target;
@@ -21,7 +21,7 @@ final class LinearTarget implements AutoCloseable {
         return target;
     }
 
-    /** RGB, the bottom row first. */
+    /** Returns RGB, the bottom row first. */
     float[] read() {
         if (target == null) {
             throw new IllegalStateException("radiance can be read after a frame with output HDR");

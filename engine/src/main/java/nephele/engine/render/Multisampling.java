@@ -5,8 +5,8 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 
 /**
- * Draws surfaces with several coverage samples a pixel and averages them. Where OpenGL cannot, or one sample is asked
- * for, surfaces are drawn straight into their target; but for a window whose pixels are to be read.
+ * Draws surfaces with several coverage samples a pixel and averages them. If OpenGL cannot, or if one sample is
+ * requested, surfaces are drawn directly into their target, except for a window whose pixels are read.
  */
 final class Multisampling implements AutoCloseable {
     private final GlContext gl;
@@ -18,14 +18,17 @@ final class Multisampling implements AutoCloseable {
     private int width;
     private int height;
 
-    /** @param isRead whether passes read copies of what is drawn, which a window does not give away */
+    /** @param isRead true if passes read copies of the target, which a window does not permit */
     Multisampling(GlContext gl, int samples, boolean isRead) {
         this.gl = gl;
         this.isRead = isRead;
         this.samples = Math.min(samples, gl.limits().maxSamples());
     }
 
-    /** What to draw into instead of {@code surface}: that itself when its pixels have one sample and can be copied. */
+    /**
+     * Returns the target to draw into instead of {@code surface}: itself if its pixels have one sample and can be
+     * copied.
+     */
     RenderTarget inPlaceOf(RenderTarget surface, PixelFormat surfaceFormat) {
         boolean isHidden = isRead && surface.isWindow();
         if (samples <= 1 && !isHidden) {
@@ -44,7 +47,7 @@ final class Multisampling implements AutoCloseable {
         return many == null ? surface : many;
     }
 
-    /** Brings what was drawn to {@code surface}, if it is not there already. */
+    /** Copies the drawn picture to {@code surface} if it was drawn elsewhere. */
     void resolve(RenderTarget surface) {
         if (many == null) {
             return;
@@ -53,7 +56,7 @@ final class Multisampling implements AutoCloseable {
             many.copyTo(surface);
             return;
         }
-        // Samples may only be averaged into the same format, and a window's is the system's choice.
+        // Samples can only be averaged into the same format, and the system chooses that of a window.
         if (averaged == null) {
             averaged = RenderTarget.picture(gl, "averaged samples", format, width, height);
         }

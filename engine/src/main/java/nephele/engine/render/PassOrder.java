@@ -14,7 +14,7 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 
-/** The passes that a request requires, in frame order: stage after stage. */
+/** The passes that a request requires, in frame order, ordered by stage. */
 final class PassOrder {
     private static final Set<Target> OF_A_VIEW = EnumSet.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);
 
@@ -49,7 +49,7 @@ final class PassOrder {
         return entries.isEmpty();
     }
 
-    /** Index of the first pass of {@code stage} or a later one. */
+    /** Returns the index of the first pass of {@code stage} or a later one. */
     private int begin(Stage stage) {
         return (int) entries.stream()
                 .filter(entry -> entry.feature.stage().compareTo(stage) < 0)
@@ -72,14 +72,14 @@ final class PassOrder {
         return new ViewPasses(all, skies, begin(Stage.IN_VIEWS_AFTER_OPAQUE) - first);
     }
 
-    /** Targets that any pass reads. */
+    /** Returns the targets that any pass reads. */
     Set<Target> reads() {
         Set<Target> reads = EnumSet.noneOf(Target.class);
         entries.forEach(entry -> reads.addAll(entry.pass.reads()));
         return reads;
     }
 
-    /** Of the passes, with the clear between what serves every view and what draws one. */
+    /** Returns the names of the passes, with the clear between the passes of all views and those of each view. */
     List<String> stepNames() {
         List<String> names = new ArrayList<>();
         entries.forEach(entry -> names.add(entry.feature.name()));

@@ -8,7 +8,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.scene.ViewNode;
 
-/** Pictures of views through portals, for the texture technique; kept from frame to frame. */
+/** Pictures of views through portals, for the texture technique; reused from frame to frame. */
 final class PortalPictures implements AutoCloseable {
     private final GlContext gl;
     private final double resolution;
@@ -18,13 +18,13 @@ final class PortalPictures implements AutoCloseable {
     private int width;
     private int height;
 
-    /** @param resolution share of the picture's sides */
+    /** @param resolution size as a share of the picture's sides */
     PortalPictures(GlContext gl, double resolution) {
         this.gl = gl;
         this.resolution = resolution;
     }
 
-    /** Makes all pictures free for a frame of this size. */
+    /** Marks all pictures as free for a frame of this size. */
     void begin(PixelFormat newFormat, int pictureWidth, int pictureHeight) {
         for (int i = 0; i < byNumber.size(); i++) {
             release(i);
@@ -53,7 +53,7 @@ final class PortalPictures implements AutoCloseable {
     }
 
     private RenderTarget newTarget() {
-        // Texels lie on pixels at full resolution, and are not to be mixed by what rounding leaves.
+        // At full resolution texels coincide with pixels, and interpolation would add rounding errors.
         Sampling sampling = resolution == 1 ? Sampling.NEAREST_CLAMP : Sampling.LINEAR_CLAMP;
         return RenderTarget.picture(gl, "view through a portal", format, width, height, sampling);
     }

@@ -22,7 +22,7 @@ import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.VisibleSet;
 
-/** The views through openings of a level that may have some. */
+/** Draws the views through openings, for levels that may have some. */
 final class PortalViews implements NestedViews, AutoCloseable {
     private final GlContext gl;
     private final RenderSettings settings;
@@ -31,21 +31,21 @@ final class PortalViews implements NestedViews, AutoCloseable {
     private final ViewPasses passes;
     private final List<Pass> skies;
     private final ViewCopies copies;
-    /** Of views that have pictures of their own, and perhaps another size. */
+    /** Copies for views with pictures of their own, which may have another size. */
     private final ViewCopies pictureCopies;
 
     private final FrameEnvironment environment;
     private final PortalPictures pictures;
     private final PreviousPicture previous;
     private final Multisampling multisampling;
-    /** By depth: a view is drawn to its end after those that are seen in it. */
+    /** By depth: a view is drawn completely after the views that are visible in it. */
     private final List<VisibleSet> visible = new ArrayList<>();
 
     private final List<FrameContext> contexts = new ArrayList<>();
     private ViewTree tree;
     private RenderTarget frameBuffer;
 
-    /** @param copies of views that are drawn into the same target as the main one */
+    /** @param copies copies for views that are drawn into the same target as the main one */
     PortalViews(
             GlContext gl,
             RenderSettings settings,
@@ -83,9 +83,9 @@ final class PortalViews implements NestedViews, AutoCloseable {
     }
 
     /**
-     * Draws what has pictures of its own, when everything that all views use has been drawn.
+     * Draws the views with pictures of their own, after everything that all views share.
      *
-     * @param drawn the frame buffer: what is in it is lost
+     * @param drawn the frame buffer; its content is overwritten
      */
     void drawPictures(FrameState frameState, RenderTarget picture, RenderTarget drawn) {
         if (technique().hasPictures()) {
@@ -100,7 +100,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         return settings.quality().portalTechnique();
     }
 
-    /** Tells what the frame looks like before anything is drawn over it. */
+    /** Keeps the finished frame as history, before anything is drawn over it. */
     void end(RenderTarget surface) {
         int drawn = tree.views().size() - 1;
         boolean mayEndSoon = drawn > 0 && 2 * (drawn + 1) > settings.quality().viewBudget();
@@ -112,7 +112,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
     }
 
-    /** Views that were drawn, without the picture itself. */
+    /** Returns the number of views drawn, without the main one. */
     int drawn() {
         return tree == null ? 0 : tree.views().size() - 1;
     }
@@ -171,7 +171,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
     }
 
-    /** Deepest first: what a view shows through its portals has been drawn before it. */
+    /** Draws the deepest views first, so that a view's nested pictures exist before it is drawn. */
     private void drawPictures(ViewNode node, FrameState frameState, RenderTarget picture) {
         for (int i = 0; i < node.children().size(); i++) {
             ViewNode child = node.children().get(i);
@@ -206,7 +206,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
     }
 
-    /** Where the view was drawn elsewhere than in its own picture; the scissor limits what is copied. */
+    /** Copies a view that was not drawn directly into its own picture; the scissor limits the copied pixels. */
     private void copy(RenderTarget drawn, RenderTarget own) {
         if (technique() == PortalTechnique.COPY) {
             gl.state().noScissor();
@@ -216,7 +216,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
     }
 
-    /** The pixels of a target of another size, and one more on each side where it is smaller. */
+    /** Sets the scissor to the pixels of a target of another size, and to one more on each side if it is smaller. */
     private void scissor(PixelRectangle pixels, double acrossScale, double upScale) {
         int margin = acrossScale < 1 ? 1 : 0;
         int x = (int) Math.floor(pixels.x() * acrossScale) - margin;

@@ -9,11 +9,11 @@ import nephele.engine.scene.Opening;
 import nephele.engine.scene.ViewHistory;
 import nephele.engine.scene.ViewTree;
 
-/** The picture before this one and what was seen where in it; empty at first and after a cut. */
+/** The previous picture and its views; empty at first and after a cut. */
 final class PreviousPicture implements AutoCloseable {
     private final GlContext gl;
     private final ViewHistory history = new ViewHistory();
-    /** In turn: one grows while the other one's views are looked up. */
+    /** Two trees that alternate: one is built while the other one's views are looked up. */
     private ViewTree next;
 
     private ViewTree kept;
@@ -25,7 +25,7 @@ final class PreviousPicture implements AutoCloseable {
         kept = new ViewTree(mirrors);
     }
 
-    /** The tree to grow for the frame that begins. */
+    /** Returns the tree to build for the frame that begins. */
     ViewTree nextTree() {
         return next;
     }

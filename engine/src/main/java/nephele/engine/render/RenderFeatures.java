@@ -16,7 +16,7 @@ import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
 
-/** Everything that can be drawn, in frame order: by {@link nephele.engine.render.frame.Stage}, and in each as listed. */
+/** All features, in frame order: by {@link nephele.engine.render.frame.Stage}, and within each in the listed order. */
 public final class RenderFeatures {
     public static final List<RenderFeature> ALL = List.of(
             // Once a frame.
@@ -35,7 +35,7 @@ public final class RenderFeatures {
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
             DynamicPass.HELD,
-            // After all.
+            // After everything else.
             ToneMapPass.FEATURE);
 
     private RenderFeatures() {}

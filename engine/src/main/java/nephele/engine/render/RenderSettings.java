@@ -8,7 +8,7 @@ import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.VisibleSet;
 import nephele.engine.scene.dynamic.CharacterPresence;
 
-/** What the caller, not the level, decides about a picture. */
+/** The properties of a picture that the caller decides, not the level. */
 public record RenderSettings(
         Output output,
         Quality quality,
@@ -17,13 +17,13 @@ public record RenderSettings(
         Decoration decoration,
         Deepest deepest,
         CharacterPresence figure) {
-    /** How solids outside of a view are left out; pictures do not differ. */
+    /** The method of culling solids outside a view; pictures do not differ. */
     public enum Culling {
-        /** Everything is drawn. */
+        /** Draws everything. */
         NONE,
-        /** A sphere around each solid, one after the other. */
+        /** Tests the bounding sphere of each solid. */
         SPHERE,
-        /** Boxes around solids, and around more and more of them. */
+        /** Traverses the bounding volume hierarchy. */
         HIERARCHY;
 
         void find(VisibleSet visible, View view) {
@@ -43,27 +43,27 @@ public record RenderSettings(
         }
     }
 
-    /** Whether a view through a portal is drawn only where the portal shows; pictures do not differ. */
+    /** Decides whether a view through a portal is limited to the portal's outline; pictures do not differ. */
     public enum Narrowing {
         ON,
         OFF
     }
 
-    /** Whether what only guides the player is drawn: rims of portals, where a shot would land. */
+    /** Decides whether aids for the player are drawn: rims of portals and previews of shots. */
     public enum Decoration {
         ON,
         OFF
     }
 
-    /** What fills the openings that the view budget does not reach. */
+    /** The content of the openings beyond the view budget. */
     public enum Deepest {
-        /** The picture before this one; where there is none, a membrane before the wall that the opening lies in. */
+        /** The previous picture; without one, a membrane before the wall of the opening. */
         HISTORY,
         /** A colour that nothing else has, see {@code Renderer.MARK}. */
         MARK
     }
 
-    /** What of things that move a view may see; {@code null} for all in the sides of its picture. */
+    /** Returns the frustum for culling dynamic objects in a view; {@code null} for the frustum of its picture. */
     Frustum limits(ViewNode node) {
         if (culling == Culling.NONE) {
             return Frustum.everything();

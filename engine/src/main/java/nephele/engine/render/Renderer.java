@@ -24,7 +24,7 @@ import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.VisibleSet;
 
-/** One level on the GPU, with the passes that it requires and nothing else. */
+/** One level on the GPU, with the passes that it requires and no others. */
 public final class Renderer implements AutoCloseable {
     private final GlContext gl;
     private final RenderSettings settings;
@@ -35,14 +35,14 @@ public final class Renderer implements AutoCloseable {
     private final VisibleSet visible;
     private final FrameState start;
     private final LinearTarget linear;
-    // Known when the passes are.
+    // Set when the passes are known.
     private PassOrder passes;
     private List<Pass> onceAFrame;
     private ViewPasses views;
     private List<Pass> afterAll;
     private ViewCopies copies;
     private Multisampling multisampling;
-    /** {@code null} in a level where portals cannot be. */
+    /** {@code null} in a level that cannot have portals. */
     private PortalViews portals;
 
     private FrameContext frame;
@@ -64,21 +64,21 @@ public final class Renderer implements AutoCloseable {
     /**
      * Builds what the level requires.
      *
-     * @throws nephele.engine.asset.AssetException naming a picture that cannot be used
+     * @throws nephele.engine.asset.AssetException that names a picture that cannot be used
      */
     public static Renderer load(GlContext gl, Level level, AssetSource assets, RenderSettings settings) {
         return load(gl, Scene.of(level, assets), settings);
     }
 
     /**
-     * As {@link #load(GlContext, Level, AssetSource, RenderSettings)}, from a scene that was derived elsewhere. Renderers
-     * of one context and scene have its geometry, pictures and shadow maps on the GPU once.
+     * Builds a renderer as {@link #load(GlContext, Level, AssetSource, RenderSettings)} does, from a derived scene.
+     * Renderers of one context and scene share geometry, pictures and shadow maps on the GPU.
      */
     public static Renderer load(GlContext gl, Scene scene, RenderSettings settings) {
         return load(gl, scene, settings, RenderFeatures.ALL);
     }
 
-    /** As if no other feature were registered than these. */
+    /** Builds a renderer with a list of features other than the registered ones. */
     static Renderer load(GlContext gl, Scene scene, RenderSettings settings, List<RenderFeature> features) {
         Renderer renderer = new Renderer(gl, scene, settings, features);
         try {
@@ -91,11 +91,12 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * A renderer of the edited level in place of this one, which is closed. What the edit left as it was stays on the GPU;
-     * shadow maps are drawn again with the next frame.
+     * Returns a renderer of the edited level and closes this one. Unchanged data stay on the GPU; shadow maps that
+     * changed are drawn again with the next frame.
      *
-     * @param edited derived from this one's scene
-     * @throws nephele.engine.asset.AssetException naming a picture that cannot be used; this renderer goes on then
+     * @param edited derived from this renderer's scene
+     * @throws nephele.engine.asset.AssetException that names a picture that cannot be used; this renderer then stays
+     * open
      */
     public Renderer edited(Scene edited) {
         Renderer next = load(gl, edited, settings, features);
@@ -120,12 +121,15 @@ public final class Renderer implements AutoCloseable {
         return scene;
     }
 
-    /** What a frame consists of, in order: what all views use, the clear, then the other passes. */
+    /**
+     * Returns the names of a frame's steps, in order: the passes that all views share, the clear, then the other
+     * passes.
+     */
     public List<String> stepNames() {
         return passes.stepNames();
     }
 
-    /** Hears when each step of a frame has been submitted: for timing. */
+    /** Called after each step's draw calls have been submitted; used for timing. */
     @FunctionalInterface
     public interface StepListener {
         StepListener NONE = step -> {};
@@ -134,28 +138,28 @@ public final class Renderer implements AutoCloseable {
         void submitted(int step);
     }
 
-    /** Draws one view of the level as it is before the first tick. */
+    /** Draws one view of the level in its state before the first tick. */
     public void draw(View view, RenderTarget picture) {
         draw(view, start, picture);
     }
 
-    /** As {@link #draw(View, RenderTarget)}, telling {@code listener} after each step. */
+    /** Draws as {@link #draw(View, RenderTarget)} does, and calls {@code listener} after each step. */
     public void draw(View view, RenderTarget picture, StepListener listener) {
         draw(view, start, picture, listener);
     }
 
-    /** Draws one view over the whole of {@code picture}; nothing when that has no pixels, as a minimised window. */
+    /** Draws one view over the whole of {@code picture}; does nothing if that has no pixels, as a minimised window. */
     public void draw(View view, FrameState frameState, RenderTarget picture) {
         draw(view, frameState, picture, StepListener.NONE);
     }
 
-    /** As {@link #draw(View, FrameState, RenderTarget)}, telling {@code listener} after each step. */
+    /** Draws as {@link #draw(View, FrameState, RenderTarget)} does, and calls {@code listener} after each step. */
     public void draw(View view, FrameState frameState, RenderTarget picture, StepListener listener) {
         gl.state().resetCounts();
         if (picture.width() == 0 || picture.height() == 0) {
             return;
         }
-        // Another renderer of this context, another toolkit or a recording may have left them otherwise.
+        // Another renderer of this context, another toolkit or a recording may have changed them.
         gl.state().fill(Fill.WHOLE);
         gl.state().stencil(Stencil.OFF, 0);
         gl.state().depthOf(DepthOf.SURFACE);
@@ -167,7 +171,8 @@ public final class Renderer implements AutoCloseable {
             drawOnce(listener);
         }
         if (portals != null) {
-            // Pictures of their own come first: drawing on in a target after another one is costly.
+            // Views with pictures of their own are drawn first: it is costly to continue in a target after a switch to
+            // another one.
             portals.drawPictures(frameState, picture, drawn);
         }
         ClearColour behind = environment.clearColour();
@@ -216,7 +221,7 @@ public final class Renderer implements AutoCloseable {
         }
     }
 
-    /** From here on the surface's pixels can be read. */
+    /** Averages the samples; afterwards the surface's pixels can be read. */
     private void average(RenderTarget surface) {
         multisampling.resolve(surface);
         frame.setTarget(surface);
@@ -229,29 +234,33 @@ public final class Renderer implements AutoCloseable {
         }
     }
 
-    /** The next picture has nothing to do with the last one: the deepest openings take nothing from it. */
+    /**
+     * Drops the history of pictures after a cut, so that the deepest openings of the next picture take nothing from it.
+     */
     public void forget() {
         if (portals != null) {
             portals.forget();
         }
     }
 
-    /** Linear radiance before exposure of the last frame, RGB, the bottom row first; only for output HDR. */
+    /**
+     * Returns the linear radiance of the last frame before exposure, RGB, the bottom row first; only for output HDR.
+     */
     public float[] readRadiance() {
         return linear.read();
     }
 
-    /** Views through portals that the last frame drew. */
+    /** Returns the number of views through openings in the last frame. */
     public int viewsDrawn() {
         return portals == null ? 0 : portals.drawn();
     }
 
-    /** Draw calls of the last frame. */
+    /** Returns the number of draw calls of the last frame. */
     public long draws() {
         return gl.state().draws();
     }
 
-    /** Triangles submitted in the last frame. */
+    /** Returns the number of triangles submitted in the last frame. */
     public long triangles() {
         return gl.state().triangles();
     }

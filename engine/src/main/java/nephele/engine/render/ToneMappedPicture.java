@@ -5,11 +5,15 @@ import nephele.engine.level.Environment;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.ToneMapping;
 
-/** Linear radiance as the engine's own output would show it. */
+/** Converts linear radiance to the picture that the engine's own tone mapping gives. */
 public final class ToneMappedPicture {
     private ToneMappedPicture() {}
 
-    /** @param rgb the bottom row first */
+    /**
+     * Returns the displayed picture.
+     *
+     * @param rgb linear radiance, the bottom row first
+     */
     public static BufferedImage of(float[] rgb, int width, Environment environment, Output output) {
         int height = rgb.length / 3 / width;
         double exposure = Math.pow(2, environment.exposureStops());

@@ -9,8 +9,8 @@ import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
 
 /**
- * Copies of a view's depth and colours for the passes after its opaque surfaces. One serves all views of a size in turn: a
- * view is drawn to its end before the one that it is seen in goes on. Where no pass reads them, nothing is made or called.
+ * Copies of a view's depth and colours for the passes after its opaque surfaces. All views of one size share a copy in
+ * turn, since a view is drawn completely before its parent continues. If no pass reads copies, none is made.
  */
 final class ViewCopies implements AutoCloseable {
     private final GlContext gl;
@@ -18,19 +18,19 @@ final class ViewCopies implements AutoCloseable {
     private final Set<Target> read;
     private RenderTarget copy;
 
-    /** @param read targets that passes read, of which {@link Target#VIEW_DEPTH} and {@link Target#VIEW_COLOUR} count */
+    /** @param read targets that passes read; only {@link Target#VIEW_DEPTH} and {@link Target#VIEW_COLOUR} matter */
     ViewCopies(GlContext gl, SharedResources shared, Set<Target> read) {
         this.gl = gl;
         this.shared = shared;
         this.read = read;
     }
 
-    /** Whether there is anything to copy. */
+    /** Returns true if there is anything to copy. */
     boolean areRead() {
         return depth() || colour();
     }
 
-    /** The same for views of another size. */
+    /** Returns such copies for views of another size. */
     ViewCopies another() {
         return new ViewCopies(gl, shared, read);
     }
@@ -43,7 +43,7 @@ final class ViewCopies implements AutoCloseable {
         return read.contains(Target.VIEW_COLOUR);
     }
 
-    /** Copies what has been drawn into {@code surface} within the scissor and hands it to the passes. */
+    /** Copies the content of {@code surface} within the scissor and passes it to the passes. */
     void take(RenderTarget surface) {
         if (!areRead()) {
             return;

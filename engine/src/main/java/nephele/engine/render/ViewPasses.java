@@ -7,8 +7,8 @@ import nephele.engine.render.frame.Pass;
 /**
  * The passes of every view, in order.
  *
- * @param skies those among them that draw what is seen where nothing else is
- * @param opaque so many of them come before {@link nephele.engine.render.frame.Stage#IN_VIEWS_AFTER_OPAQUE}
+ * @param skies those passes that draw the background
+ * @param opaque the number of passes before {@link nephele.engine.render.frame.Stage#IN_VIEWS_AFTER_OPAQUE}
  */
 record ViewPasses(List<Pass> passes, List<Pass> skies, int opaque) {
     /** Draws a view, with copies of it for the passes that read them. */

@@ -15,9 +15,9 @@ import nephele.engine.render.gl.shader.Uniforms.Matrix4;
 import nephele.engine.render.gl.shader.Uniforms.Scalar;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 
-/** The world's axes, which take part in the depth test. They cross the picture from wherever they are looked at. */
+/** Draws the world's axes, with the depth test. They span the picture from any eye position. */
 final class AxesDrawing implements AutoCloseable {
-    /** Each half's, as in the course's own pictures. */
+    /** Length of each half, as in the pictures of the course that the scenes come from. */
     private static final float LEAST_LENGTH = 100;
 
     private static final float LENGTH_PER_DISTANCE = 5;

@@ -12,7 +12,7 @@ import nephele.engine.render.gl.Texture;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 
-/** A picture that fills the window behind the scene. */
+/** Draws a picture that fills the window behind the scene. */
 final class BackgroundDrawing implements AutoCloseable {
     private final GlContext gl;
     private final Texture picture;

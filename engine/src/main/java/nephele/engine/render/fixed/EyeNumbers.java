@@ -4,7 +4,7 @@ import nephele.engine.scene.View;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
-/** A view as shaders take it: one object for all frames. */
+/** The numbers of a view in the form of shader uniforms; one object serves all frames. */
 final class EyeNumbers {
     private final Matrix4d clipFromRelative = new Matrix4d();
     private final float[] columns = new float[16];
@@ -49,7 +49,7 @@ final class EyeNumbers {
         return columns;
     }
 
-    /** For culling; not to be changed. */
+    /** Returns the matrix for culling; callers must not change it. */
     Matrix4d exactClipFromRelative() {
         return clipFromRelative;
     }

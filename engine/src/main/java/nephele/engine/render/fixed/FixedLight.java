@@ -16,7 +16,7 @@ import org.joml.Vector3dc;
  */
 public record FixedLight(Vector3dc towardsViewer, List<XmlLight> lights, Set<LightTerm> terms) {
     /**
-     * The colour of a point, 0–1.
+     * Returns the colour of a point, 0–1.
      *
      * @param normal of unit length
      */

@@ -22,7 +22,7 @@ import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.XmlModel.Colours;
 import org.joml.Matrix4dc;
 
-/** The models of one scene on the GPU: one draw for all that share mesh and picture. */
+/** The models of one scene on the GPU; models that share mesh and picture take one draw. */
 final class FixedModels implements AutoCloseable {
     private static final int LOOK_FLOATS = 16;
 
@@ -35,7 +35,7 @@ final class FixedModels implements AutoCloseable {
     private final VisibleModels visible;
     private final int staying;
 
-    /** A run with what it is drawn with. */
+    /** A run with its GPU resources. */
     private record Drawn(Run run, ModelBuffers mesh, Texture picture) {}
 
     FixedModels(GlContext gl, PosedScene posed, ModelOrder order, Texture white, LightChains lights) {
@@ -68,7 +68,7 @@ final class FixedModels implements AutoCloseable {
         return packed;
     }
 
-    /** Follows the posed scene. */
+    /** Updates the models from the posed scene. */
     void update(Matrix4dc worldFromScene) {
         places.update(worldFromScene);
     }

@@ -11,13 +11,13 @@ import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.gl.shader.Uniforms.Vector4;
 import nephele.engine.render.gl.shader.Uniforms.Whole;
 
-/** What models are drawn with in one kind of shading. */
+/** The program of one kind of shading. */
 final class FixedProgram {
     static final String FOLDER = "/nephele/engine/render/fixed/";
 
     private final GlProgram<Inputs> program;
 
-    /** @param light {@code null} where nothing is lit */
+    /** @param light {@code null} without lighting */
     record Inputs(Whole firstVisible, Whole firstPlace, Vector3 eye, Matrix4 clipFromRelative, LightInputs light) {
         static Inputs of(Uniforms uniforms, Shading shading) {
             uniforms.sampler("visibleModels", TextureUnit.SCENE_VISIBLE);
@@ -49,7 +49,7 @@ final class FixedProgram {
                 uniforms -> Inputs.of(uniforms, shading));
     }
 
-    /** Sets what all models of a frame share. */
+    /** Sets the uniforms that all models of a frame share. */
     Inputs use(EyeNumbers eye, SceneAppearance look) {
         Inputs inputs = program.uniforms();
         program.use();

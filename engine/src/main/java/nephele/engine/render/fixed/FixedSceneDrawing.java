@@ -14,7 +14,7 @@ import nephele.engine.xmlscene.XmlScene;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
-/** Draws an XML scene, with an entity that is flown about in it and a background if there are any. */
+/** Draws an XML scene, with an optional movable entity and an optional background. */
 public final class FixedSceneDrawing implements AutoCloseable {
     private static final Matrix4dc AT_HOME = new Matrix4d();
 
@@ -31,7 +31,11 @@ public final class FixedSceneDrawing implements AutoCloseable {
     /** A scene with its files. */
     public record Source(XmlScene scene, SceneFiles files) {}
 
-    /** What is drawn. @param entity and background {@code null} for none */
+    /**
+     * The sources of a drawing. @param entity {@code null} for none
+     *
+     * @param background {@code null} for none
+     */
     public record Sources(Source scene, Source entity, Picture background) {}
 
     private FixedSceneDrawing(GlContext gl, Sources sources) {
@@ -43,22 +47,22 @@ public final class FixedSceneDrawing implements AutoCloseable {
         axes = new AxesDrawing(gl);
     }
 
-    /** Sends everything to the GPU. */
+    /** Uploads everything to the GPU. */
     public static FixedSceneDrawing load(GlContext gl, Sources sources) {
         return new FixedSceneDrawing(gl, sources);
     }
 
-    /** What a scene's own camera sees. @param aspect width / height */
+    /** Returns the view of a scene's own camera. @param aspect width / height */
     public static View view(XmlScene.Eye eye, double aspect) {
         var projection = new Projection(Math.toRadians(eye.fovDegrees()), aspect, eye.near(), eye.far());
         return View.lookAt(eye.position(), eye.lookAt(), eye.up(), projection);
     }
 
     /**
-     * Replaces what is in the target.
+     * Replaces the content of the target.
      *
      * @param seconds of the scene's clock
-     * @param worldFromEntity where the entity is, without scale; not looked at where there is none
+     * @param worldFromEntity pose of the entity, without scale; ignored without an entity
      */
     public void draw(View view, double seconds, Matrix4dc worldFromEntity, SceneAppearance look, RenderTarget target) {
         eye.set(view);
@@ -81,7 +85,7 @@ public final class FixedSceneDrawing implements AutoCloseable {
         gl.state().fill(look.shading() == Shading.WIREFRAME ? Fill.EDGES : Fill.WHOLE);
         var inputs = programs.computeIfAbsent(look.shading(), shading -> new FixedProgram(gl, shading))
                 .use(eye, look);
-        // Rounded as shaders have it.
+        // Rounded to float, as in shaders.
         frustum.restart(eye.x(), eye.y(), eye.z());
         if (look.culling() == SceneAppearance.Culling.SPHERES) {
             frustum.keepAll(eye.exactClipFromRelative());

@@ -10,8 +10,8 @@ import org.joml.Matrix4dc;
 import org.lwjgl.BufferUtils;
 
 /**
- * The lights of one scene on the GPU, each with the next that reaches the same models. An entity's own lights come
- * first, then all those of the scene that it is flown about in: it belongs to none of that one's groups.
+ * The lights of one scene on the GPU, each linked to the next one that lights the same models. An entity's own lights
+ * come first, then all lights of the surrounding scene, since the entity belongs to none of its groups.
  */
 final class LightChains implements AutoCloseable {
     private final PosedScene own;
@@ -21,7 +21,7 @@ final class LightChains implements AutoCloseable {
     private final FloatBuffer staging;
     private final Matrix4d place = new Matrix4d();
 
-    /** @param around the scene that {@code own} is an entity in; {@code null} for none */
+    /** @param around the scene that contains the entity {@code own}; {@code null} for none */
     LightChains(GlContext gl, PosedScene own, PosedScene around) {
         this.own = own;
         this.around = around;
@@ -35,13 +35,13 @@ final class LightChains implements AutoCloseable {
         return extended(own.firstLight(model));
     }
 
-    /** Where an own chain ends, that of the scene around begins. */
+    /** Returns the next light: where a chain of the entity ends, that of the surrounding scene begins. */
     private int extended(int light) {
         boolean goesOn = light == PosedScene.NONE && around != null && around.lightCount() > 0;
         return goesOn ? own.lightCount() : light;
     }
 
-    /** Follows the posed scenes. */
+    /** Updates the lights from the posed scenes. */
     void update(Matrix4dc worldFromOwn) {
         for (int i = 0; i < own.lightCount(); i++) {
             worldFromOwn.mul(own.worldFromLight(i), place);

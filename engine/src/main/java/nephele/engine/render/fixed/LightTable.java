@@ -5,11 +5,11 @@ import nephele.engine.xmlscene.XmlLight;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 
-/** Lights as shaders read them, in the world. */
+/** Lights in the layout of the shaders, in world coordinates. */
 final class LightTable {
     static final int FLOATS = 12;
 
-    /** Below any cosine. */
+    /** Smaller than any cosine. */
     private static final float ALL_AROUND = -2;
 
     private final float[] packed;
@@ -23,7 +23,7 @@ final class LightTable {
         return packed;
     }
 
-    /** @param before the next light of the chain, -1 for its end */
+    /** @param before the next light of the chain, −1 for its end */
     void put(int number, XmlLight light, Matrix4dc worldFromLight, int before) {
         int at = FLOATS * number;
         packed[at + 7] = ALL_AROUND;
@@ -53,7 +53,7 @@ final class LightTable {
         put(at, length > 0 ? v.div(length) : v);
     }
 
-    /** Where steps overflow there is no light: a direction of no length lights nothing. */
+    /** Returns false if transform steps overflow; such a light has a direction of zero length and lights nothing. */
     private boolean put(int at, Vector3d v) {
         boolean finite = Math.abs(v.x) + Math.abs(v.y) + Math.abs(v.z) < Float.MAX_VALUE;
         packed[at] = finite ? (float) v.x : 0;

@@ -1,8 +1,8 @@
 package nephele.engine.render.fixed;
 
-/** A summand of the light model. */
+/** A term of the light model. */
 public enum LightTerm {
-    /** Of the scene's global ambient light, which is white; lights have none of their own. */
+    /** The scene's global ambient light, which is white; lights have no ambient part. */
     AMBIENT,
     DIFFUSE,
     SPECULAR,

@@ -11,35 +11,35 @@ import nephele.engine.xmlscene.PosedScene;
 import nephele.engine.xmlscene.XmlModel;
 
 /**
- * The models of a scene that can be shown, numbered anew: those that stay before those that move, and those that one
- * call draws one after the other.
+ * The drawable models of a scene in a new order: static models before moving ones, and models of one draw call next to
+ * each other.
  */
 final class ModelOrder {
     private final List<Integer> posedNumbers = new ArrayList<>();
     private final List<Run> runs = new ArrayList<>();
     private int staying;
 
-    /** Those that stay are placed once. */
+    /** Static models are placed once. */
     enum Motion {
         STAYS,
         MOVES
     }
 
-    /** A mirror turns faces inside out. */
+    /** A mirroring transform reverses the winding. */
     enum Handedness {
         KEPT,
         MIRRORED
     }
 
-    /** What one draw call has in common. @param picture {@code null} for none */
+    /** The common properties of one draw call. @param picture {@code null} for none */
     record Kind(Motion motion, Mesh mesh, Picture picture, Handedness handedness) {}
 
-    /** The models of a kind are numbered from {@code first} to before {@code end}. */
+    /** The models of a kind, numbered from {@code first} to before {@code end}. */
     record Run(Kind kind, int first, int end) {}
 
     private ModelOrder() {}
 
-    /** @param least of all models, as of an entity that is flown about */
+    /** @param least the least motion of all models: MOVES for a movable entity */
     static ModelOrder of(PosedScene posed, SceneFiles files, Motion least) {
         Map<Kind, List<Integer>> byKind = new LinkedHashMap<>();
         for (int number = 0; number < posed.modelCount(); number++) {
@@ -75,7 +75,7 @@ final class ModelOrder {
         return posedNumbers.size();
     }
 
-    /** The number of a model in the posed scene. */
+    /** Returns the number of a model in the posed scene. */
     int posedNumber(int number) {
         return posedNumbers.get(number);
     }
@@ -84,7 +84,7 @@ final class ModelOrder {
         return runs;
     }
 
-    /** How many models stay: the number of the first that moves. */
+    /** Returns the number of static models, which is the index of the first moving one. */
     int staying() {
         return staying;
     }

@@ -17,14 +17,17 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 import org.lwjgl.BufferUtils;
 
-/** Where models are, on the GPU and with the spheres around them: those that stay once, the others whenever they move. */
+/**
+ * The poses of models on the GPU and their bounding spheres: static ones are uploaded once, the others whenever they
+ * move.
+ */
 final class ModelPoses implements AutoCloseable {
     private static final int FLOATS = 12;
 
-    /** Vertices are placed by floats, whose last bit is worth 2⁻²⁴ of a number; with room for the sums of a product. */
+    /** Relative rounding error of placed vertices: floats have 24 bits, with a margin for the sums of a product. */
     private static final double ROUNDING = 0x1p-21;
 
-    /** Beyond, a float's squares are infinite, and nothing could be seen of what is there. */
+    /** Distance beyond which a float's square is infinite; nothing there is visible. */
     private static final double FARTHEST = 1e18;
 
     private final PosedScene posed;
@@ -61,7 +64,7 @@ final class ModelPoses implements AutoCloseable {
         return all;
     }
 
-    /** Follows the posed scene. */
+    /** Updates the poses from the posed scene. */
     void update(Matrix4dc worldFromScene) {
         if (order.staying() < order.count()) {
             staging.clear();
@@ -70,7 +73,7 @@ final class ModelPoses implements AutoCloseable {
         }
     }
 
-    /** The first three rows of each place. */
+    /** Writes the first three rows of each pose matrix. */
     private void put(int first, int end, Matrix4dc worldFromScene, FloatBuffer rows) {
         for (int number = first; number < end; number++) {
             worldFromScene.mul(posed.worldFromModel(order.posedNumber(number)), place);

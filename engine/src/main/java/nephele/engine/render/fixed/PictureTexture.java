@@ -10,7 +10,7 @@ import nephele.engine.render.gl.Texture.Extent;
 import nephele.engine.render.gl.Texture.Shape;
 import org.lwjgl.BufferUtils;
 
-/** Pictures as textures of the values that they store, (0, 0) at the bottom-left corner. */
+/** Makes textures of pictures, with the stored values and (0, 0) at the bottom-left corner. */
 final class PictureTexture {
     private PictureTexture() {}
 
@@ -33,7 +33,7 @@ final class PictureTexture {
         return texture;
     }
 
-    /** Changes no colour that it is multiplied by. */
+    /** Returns a texture that leaves a colour unchanged when multiplied. */
     static Texture white(GlContext gl) {
         byte full = (byte) 0xff;
         return of(gl, "white", new Picture(1, 1, 4, 8, new byte[] {full, full, full, full}));

@@ -3,9 +3,9 @@ package nephele.engine.render.fixed;
 import java.util.EnumSet;
 import java.util.Set;
 
-/** How a scene is shown. */
+/** The settings with which a scene is shown. */
 public record SceneAppearance(Shading shading, Set<LightTerm> terms, Axes axes, Culling culling) {
-    /** As a viewer starts. */
+    /** The settings at the start of a viewer. */
     public static final SceneAppearance USUAL =
             new SceneAppearance(Shading.GOURAUD, EnumSet.allOf(LightTerm.class), Axes.HIDDEN, Culling.SPHERES);
 
@@ -15,11 +15,11 @@ public record SceneAppearance(Shading shading, Set<LightTerm> terms, Axes axes, 
         SHOWN
     }
 
-    /** Which models are submitted. */
+    /** The choice of submitted models. */
     public enum Culling {
-        /** All. */
+        /** All models. */
         OFF,
-        /** Those whose bounding sphere touches what the view can see. */
+        /** Models whose bounding sphere intersects the view frustum. */
         SPHERES
     }
 

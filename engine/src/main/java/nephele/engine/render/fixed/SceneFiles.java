@@ -4,11 +4,11 @@ import nephele.engine.asset.Picture;
 import nephele.engine.model.Mesh;
 import nephele.engine.xmlscene.XmlModel;
 
-/** Where a scene's meshes and pictures come from; what is missing has been complained of by whoever answers. */
+/** Provides a scene's meshes and pictures; an implementation has already warned about missing ones. */
 public interface SceneFiles {
-    /** The mesh of a model; {@code null} where there is none to show. */
+    /** Returns the mesh of a model; {@code null} if there is none to show. */
     Mesh mesh(XmlModel model);
 
-    /** The picture of a model that names one; {@code null} where there is none to show. */
+    /** Returns the picture of a model that names one; {@code null} if there is none to show. */
     Picture picture(XmlModel model);
 }

@@ -15,11 +15,11 @@ import nephele.engine.model.shape.GeneratedName;
 import nephele.engine.xmlscene.XmlModel;
 
 /**
- * The files beside a scene, each read once. A mesh that is not there but has a name of the generator's is generated.
- * What cannot be shown is complained of once, with the first line that asks for it.
+ * The files beside a scene, each read once. A missing mesh is generated if its name is one of the generator's. Each
+ * file that cannot be shown gives one warning, with the first line that refers to it.
  */
 public final class SceneFolder implements SceneFiles {
-    /** Of all meshes, and of all pictures: beyond, a scene would not fit into a graphics card. */
+    /** Upper bounds of all meshes and of all pictures; a larger scene would not fit on a graphics card. */
     private static final long MOST_VERTICES = 16L << 20;
 
     private static final long MOST_PIXELS = 128L << 20;
@@ -33,7 +33,7 @@ public final class SceneFolder implements SceneFiles {
     private long pixels;
 
     /**
-     * @param sceneFile how complaints call it
+     * @param sceneFile its name in warnings
      * @param assets names in the scene are relative to its folder
      */
     public SceneFolder(String sceneFile, AssetSource assets, Consumer<String> complaints) {
@@ -54,7 +54,7 @@ public final class SceneFolder implements SceneFiles {
                 .orElse(null);
     }
 
-    /** Reads what may fail. */
+    /** Reads a file; may fail. */
     @FunctionalInterface
     private interface Reading<T> {
         T read() throws ModelFileException, AssetException;
@@ -101,7 +101,7 @@ public final class SceneFolder implements SceneFiles {
         return picture;
     }
 
-    /** A file with another name may be there, but is never looked for. */
+    /** A file whose name is not a valid asset id may exist, but is not looked up. */
     private AssetException missing(String file) {
         String objection = assets.objection(file);
         if (objection != null) {

@@ -8,7 +8,7 @@ import nephele.engine.render.gl.Texture;
 import nephele.engine.xmlscene.PosedScene;
 import org.joml.Matrix4dc;
 
-/** One scene's models with the lights that reach them. */
+/** One scene's models with their lights. */
 final class SceneOnGpu implements AutoCloseable {
     private final PosedScene posed;
     private final LightChains lights;
@@ -24,7 +24,7 @@ final class SceneOnGpu implements AutoCloseable {
         return new SceneOnGpu(gl, source, Motion.STAYS, white, null);
     }
 
-    /** @param around the scene that it is flown about in */
+    /** @param around the surrounding scene */
     static SceneOnGpu entity(GlContext gl, Source source, Texture white, SceneOnGpu around) {
         return new SceneOnGpu(gl, source, Motion.MOVES, white, around.posed);
     }

@@ -1,12 +1,12 @@
 package nephele.engine.render.fixed;
 
-/** What becomes of triangles; their back faces are never drawn. */
+/** The shading of triangles; back faces are never drawn. */
 public enum Shading {
-    /** White edges a pixel wide; a face hides nothing. */
+    /** White edges a pixel wide; faces hide nothing. */
     WIREFRAME,
     /** Lit at each triangle's last vertex. */
     FLAT,
-    /** Lit at the vertices, as fixed-function OpenGL does it. */
+    /** Lit at the vertices, as fixed-function OpenGL does. */
     GOURAUD,
     /** Lit at the pixels. */
     PHONG

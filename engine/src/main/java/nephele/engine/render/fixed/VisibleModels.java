@@ -9,7 +9,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.shader.TextureUnit;
 import org.lwjgl.BufferUtils;
 
-/** The numbers of the models that a frame submits, run by run; the GPU hears of them when they have changed. */
+/** The numbers of the models that a frame submits, run by run; uploaded when they have changed. */
 final class VisibleModels implements AutoCloseable {
     private final BufferTexture texels;
     private final IntBuffer staging;
@@ -25,7 +25,7 @@ final class VisibleModels implements AutoCloseable {
         staging = BufferUtils.createIntBuffer(models);
         numbers = new int[models];
         uploaded = new int[models];
-        // No run is empty.
+        // Every run has at least one model.
         starts = new int[models + 1];
     }
 

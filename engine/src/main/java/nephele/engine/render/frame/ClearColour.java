@@ -8,7 +8,7 @@ import nephele.engine.scene.View;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** What lies behind everything, computed once on the CPU: a constant sky and endless fog require no pass. */
+/** The colour behind everything, computed once on the CPU: a constant sky and fog of unlimited extent need no pass. */
 public record ClearColour(float red, float green, float blue) {
     private static final double LARGEST_HALF = 65504;
 
@@ -16,7 +16,7 @@ public record ClearColour(float red, float green, float blue) {
         return of(environment, output, new Vector3d(1));
     }
 
-    /** Of a view that mirrors tint; {@code this} where none does. */
+    /** Returns the clear colour of a view that mirrors tint; {@code this} for others. */
     public ClearColour in(View view, Environment environment, Output output) {
         return view.isTinted() ? of(environment, output, view.tint()) : this;
     }
@@ -31,7 +31,11 @@ public record ClearColour(float red, float green, float blue) {
                 value(radiance.z() * tint.z(), environment, output));
     }
 
-    /** @param rgb 0xRRGGBB, as stored */
+    /**
+     * Returns a colour.
+     *
+     * @param rgb 0xRRGGBB, as stored
+     */
     public static ClearColour of(int rgb) {
         return new ClearColour((rgb >> 16) / 255f, (rgb >> 8 & 0xff) / 255f, (rgb & 0xff) / 255f);
     }
@@ -44,7 +48,7 @@ public record ClearColour(float red, float green, float blue) {
         };
     }
 
-    /** Factor on radiance. */
+    /** Returns the factor on radiance. */
     public static double exposure(Environment environment) {
         return Math.pow(2, environment.exposureStops());
     }

@@ -6,11 +6,14 @@ import nephele.engine.level.Environment;
 import nephele.engine.level.appearance.FogTransmittance;
 import nephele.engine.scene.ViewTree;
 
-/** The preprocessor names that a pass compiles its shaders with. */
+/** The preprocessor definitions with which a pass compiles its shaders. */
 public final class Defines {
     private final Map<String, String> values = new HashMap<>();
 
-    /** Output, tone curve and fog of {@code context}, which {@code output.glsl} needs, and whether there may be openings. */
+    /**
+     * Returns the output, tone curve and fog of {@code context}, which {@code output.glsl} needs, and whether there may
+     * be openings.
+     */
     public static Defines of(LoadContext context) {
         Environment environment = context.scene().level().environment();
         return new Defines()

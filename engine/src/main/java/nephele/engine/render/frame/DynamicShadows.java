@@ -11,13 +11,13 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
 /**
- * The shadows of what moves, for shaders that include {@code surface-light.glsl}: defines, the block {@code DynamicShadows}
- * and two more depth textures beside those of what never moves.
+ * The shadows of dynamic objects for shaders that include {@code surface-light.glsl}: defines, the block {@code
+ * DynamicShadows} and two depth textures in addition to those of static geometry.
  */
 public final class DynamicShadows implements GlObject {
     public static final int BINDING = 3;
 
-    /** One float for each layer of the lamps' depth texture, four to a vector. */
+    /** Layers of the punctual lights' depth texture; one float each, four to a vector. */
     private static final int MOST_LAYERS = 512;
 
     private static final int FLOATS = 16 + 3 * 4 + MOST_LAYERS;
@@ -59,7 +59,7 @@ public final class DynamicShadows implements GlObject {
         }
     }
 
-    /** Where the sun's map lies now. */
+    /** Sets the current projection of the sun's map. */
     public void sunMap(DynamicSunProjection sunMap, Vec3 anchor) {
         sunMap.mapFromAnchor(anchor, map).get(values);
         float texelDepth = (float) (sunMap.texelMetres() / sunMap.depthMetres());
@@ -69,17 +69,17 @@ public final class DynamicShadows implements GlObject {
         values[25] = sunMap.height();
     }
 
-    /** Where nothing that moves casts: the map is not asked. */
+    /** Disables the sun's map while no dynamic object casts a shadow. */
     public void noSunMap() {
         values[24] = 0;
     }
 
-    /** Whether a lamp's layer shows anything that moves. */
+    /** Sets whether a light's layer contains dynamic objects. */
     public void layer(int layer, boolean isUsed) {
         values[LAYERS + layer] = isUsed ? 1 : 0;
     }
 
-    /** Hands what was set to the shaders. */
+    /** Uploads the values that were set. */
     public void upload() {
         block.upload(values);
     }
@@ -91,7 +91,7 @@ public final class DynamicShadows implements GlObject {
         values[at + 3] = w;
     }
 
-    /** Binds the block; the depth textures are {@link LightMaps}. */
+    /** Binds the block; {@link LightMaps} binds the depth textures. */
     void bind() {
         if (block != null) {
             block.bind(BINDING);

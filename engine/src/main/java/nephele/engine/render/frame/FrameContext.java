@@ -7,7 +7,7 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.VisibleSet;
 
-/** What a pass draws one view with; one object serves frame after frame, and no pass keeps it. */
+/** The arguments of a pass for one view; one object serves all frames, and no pass keeps it. */
 public final class FrameContext {
     private final NestedViews nested;
     private View view;
@@ -18,7 +18,7 @@ public final class FrameContext {
     private ViewNode node;
     private Frustum limits;
 
-    /** @param nested draws what is seen through portals; {@code null} in a level where portals cannot be */
+    /** @param nested draws the views through openings; {@code null} in a level that cannot have openings */
     public FrameContext(NestedViews nested) {
         this.nested = nested;
     }
@@ -30,15 +30,15 @@ public final class FrameContext {
         picture = newPicture;
     }
 
-    /** Another target for surfaces, as when their samples have been averaged. */
+    /** Replaces the target of surfaces, for example after their samples have been averaged. */
     public void setTarget(RenderTarget newSurface) {
         surface = newSurface;
     }
 
     /**
-     * Looks from somewhere.
+     * Sets the view.
      *
-     * @param newLimits beyond which nothing that moves is drawn; {@code null} for the sides of the view's picture
+     * @param newLimits frustum for culling dynamic objects; {@code null} for that of the view's picture
      */
     public void setView(View newView, ViewNode newNode, VisibleSet newVisible, Frustum newLimits) {
         limits = newLimits;
@@ -51,14 +51,14 @@ public final class FrameContext {
         return view;
     }
 
-    /** What can change, as it is now. */
+    /** Returns the dynamic state of the frame. */
     public FrameState frameState() {
         return frameState;
     }
 
     /**
-     * What surfaces draw into, see {@link Target#SURFACE}; the same object as {@link #picture} unless the output is HDR
-     * or surfaces have several samples a pixel, where it has no texture until these are averaged.
+     * Returns the target of surfaces, see {@link Target#SURFACE}. It is the same object as {@link #picture} unless the
+     * output is HDR or surfaces have several samples a pixel; then it has no texture until the samples are averaged.
      */
     public RenderTarget surface() {
         return surface;
@@ -68,27 +68,29 @@ public final class FrameContext {
         return picture;
     }
 
-    /** Solids that the view may see; {@code null} in a scene without solids. */
+    /** Returns the solids that the view may see; {@code null} in a scene without solids. */
     public VisibleSet visible() {
         return visible;
     }
 
-    /** What of things that move the view may see; {@code null} for all in the view's picture. */
+    /** Returns the frustum for culling dynamic objects; {@code null} for that of the view's picture. */
     public Frustum limits() {
         return limits;
     }
 
-    /** Where the view stands among the views of the frame; {@code null} in a level where portals cannot be. */
+    /** Returns the node of the view in the frame's view tree; {@code null} in a level that cannot have openings. */
     public ViewNode node() {
         return node;
     }
 
-    /** Draws what is seen through portals; {@code null} as {@link #node}. */
+    /** Returns the object that draws the views through openings; {@code null} if {@link #node} is. */
     public NestedViews nested() {
         return nested;
     }
 
-    /** Elements of {@code gl_ClipDistance} that cut surfaces: one in a view through a portal. */
+    /**
+     * Returns the number of elements of {@code gl_ClipDistance} that clip surfaces: one in a view through an opening.
+     */
     public int clipDistances() {
         return view.clip() == null ? 0 : 1;
     }

@@ -3,7 +3,7 @@ package nephele.engine.render.frame;
 import nephele.engine.level.Environment;
 import nephele.engine.scene.View;
 
-/** What follows from a frame's environment for each of its views; derived anew when the environment has changed. */
+/** Values derived from a frame's environment for all views; derived again when the environment has changed. */
 public final class FrameEnvironment {
     private final Output output;
     private Environment environment;
@@ -22,17 +22,17 @@ public final class FrameEnvironment {
         }
     }
 
-    /** Factor on radiance before the tone curve. */
+    /** Returns the factor on radiance before the tone curve. */
     public double exposure() {
         return exposure;
     }
 
-    /** What lies behind everything. */
+    /** Returns the colour behind everything. */
     public ClearColour clearColour() {
         return clearColour;
     }
 
-    /** The same in a view that mirrors tint. */
+    /** Returns the colour behind everything in a view that mirrors tint. */
     public ClearColour clearColour(View view) {
         return clearColour.in(view, environment, output);
     }

@@ -12,19 +12,19 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameUniforms;
 
-/** One shader over a whole target. */
+/** Runs one shader over a whole target. */
 public final class FullScreenDrawing {
     private final GlContext gl;
     private final FullScreenTriangle triangle;
     private final GlProgram<?> program;
 
-    /** File names of a program's two shaders. */
+    /** The file names of a program's two shaders. */
     public record Stages(String vertex, String fragment) {}
 
     /**
-     * Compiles for the output of {@code context}; the frame's block is tied already when {@code tie} is called.
+     * Compiles for the output of {@code context}; the frame's block is bound before {@code tie} is called.
      *
-     * @param folder of both resources, ending in a slash
+     * @param folder the folder of both resources, ending in a slash
      */
     public FullScreenDrawing(LoadContext context, String folder, Stages stages, Consumer<Uniforms> tie) {
         gl = context.gl();
@@ -41,7 +41,7 @@ public final class FullScreenDrawing {
                 });
     }
 
-    /** Replaces what is there; textures have been bound by the caller. */
+    /** Replaces the content of the target; the caller has bound the textures. */
     public void draw(RenderTarget target, Depth depth) {
         target.bind();
         gl.state().set(depth, Blend.REPLACE, Cull.NONE);

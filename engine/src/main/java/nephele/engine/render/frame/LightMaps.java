@@ -8,10 +8,10 @@ import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.scene.light.LightRequirements;
 
 /**
- * The textures that a level's light is looked up in. Passes are required, declare, compile and bind by this one value.
+ * The textures with which a level is lit. Passes are required, declare reads, compile and bind by this one value.
  *
- * @param all of solids: the light map of the static faces too
- * @param dynamicObjects of what moves, which has no place in the light map
+ * @param all textures for solids, with the light map of static faces
+ * @param dynamicObjects textures for dynamic objects, which have no place in the light map
  */
 public record LightMaps(TargetReads all, TargetReads dynamicObjects) {
     public static LightMaps of(Level level, StaticShapes statics, CharacterPresence figure) {

@@ -5,11 +5,14 @@ import nephele.engine.level.Level;
 import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.appearance.FogTransmittance;
 
-/** Why a level's light is summed up in a linear target before it is tone-mapped: something adds light to what is drawn. */
+/**
+ * Decides whether a level's light is accumulated in a linear target before tone mapping, because a pass adds light to
+ * the drawn surfaces.
+ */
 public final class LinearLight {
     private LinearLight() {}
 
-    /** Empty where nothing in the level is added. */
+    /** Returns the reason; empty if nothing is added. */
     public static Optional<String> because(Level level) {
         int tinted = MirrorFaces.firstTinted(level);
         return tinted < 0 || FogTransmittance.of(level.environment()).isEmpty()

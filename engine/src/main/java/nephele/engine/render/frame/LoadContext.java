@@ -5,7 +5,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.scene.Scene;
 
-/** What a pass is made from, once per renderer. */
+/** The arguments for building a pass, once per renderer. */
 public record LoadContext(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {
     public Output output() {
         return request.output();
@@ -15,12 +15,12 @@ public record LoadContext(GlContext gl, Scene scene, FrameRequest request, Share
         return request.quality();
     }
 
-    /** As {@link SharedResources#own}: a pass closes nothing itself. */
+    /** Owns an object as {@link SharedResources#own} does: a pass closes nothing itself. */
     public <T extends GlObject> T own(T object) {
         return shared.own(object);
     }
 
-    /** As {@link SharedResources#share}. */
+    /** Shares an object as {@link SharedResources#share} does. */
     public <T extends GlObject> T share(Class<T> kind, Object madeFrom, Supplier<T> make) {
         return shared.share(kind, madeFrom, make);
     }

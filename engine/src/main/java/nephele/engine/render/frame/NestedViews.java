@@ -3,11 +3,11 @@ package nephele.engine.render.frame;
 import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.ViewNode;
 
-/** What is seen through portals, for the passes that fill their openings. */
+/** Draws the views through openings, for the passes that fill them. */
 public interface NestedViews {
-    /** What fills an opening. */
+    /** The content of an opening. */
     enum Filling {
-        /** The sky of the view behind it, {@link #drawSky drawn} in place, and a membrane before that. */
+        /** The sky of the view behind it, {@link #drawSky drawn} in place, and a membrane in front. */
         SKY,
         /** The view behind it, {@link #draw drawn} in place. */
         VIEW,
@@ -17,20 +17,23 @@ public interface NestedViews {
         MARK
     }
 
-    /** Stands for what is not drawn, where colours tell surfaces apart; 0xRRGGBB. */
+    /** The colour, 0xRRGGBB, of an opening that is not drawn, in pictures whose colours identify surfaces. */
     int MARK = 0xff00ff;
 
     Filling filling(ViewNode child);
 
-    /** Draws a view that is seen in {@code frame} into the same target, as the stencil allows. */
+    /** Draws a view that is visible in {@code frame} into the same target, limited by the stencil. */
     void draw(FrameContext frame, ViewNode child);
 
-    /** Draws what a view that is seen in {@code frame} has where nothing else is, as the stencil allows. */
+    /** Draws the background of a view that is visible in {@code frame}, limited by the stencil. */
     void drawSky(FrameContext frame, ViewNode child);
 
-    /** How many openings the stencil of a target counts where a view begins to be drawn into it. */
+    /** Returns the stencil value with which the drawing of a view begins: the number of openings before it. */
     int openingsCounted(ViewNode node);
 
-    /** What covers an opening, at the places that {@link nephele.engine.render.resource.OpeningMesh} tells. */
+    /**
+     * Returns the picture that covers an opening, at the coordinates of {@link
+     * nephele.engine.render.resource.OpeningMesh}.
+     */
     Texture picture(ViewNode child);
 }

@@ -1,10 +1,10 @@
 package nephele.engine.render.frame;
 
-/** In which form surfaces leave their shaders. */
+/** The form in which shaders write surfaces. */
 public enum Output {
-    /** Tone-mapped, sRGB, dithered, straight into the 8-bit picture. */
+    /** Tone-mapped, sRGB, dithered, directly into the 8-bit picture. */
     DIRECT,
-    /** Linear radiance into a half-float picture that the tone-mapping pass develops. */
+    /** Linear radiance into a half-float picture, which the tone-mapping pass converts. */
     HDR,
     /** Values as stored: no sRGB decoding or encoding, no exposure, tone curve or dither. */
     PLAIN;

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.function.Function;
 import nephele.engine.level.Level;
 
-/** Why a level needs what draws portals, as opposed to mirrors. */
+/** Decides why a level needs the passes for portals, as opposed to mirrors. */
 public final class PortalRequirements {
     private PortalRequirements() {}
 
-    /** @param what of portals the pass draws */
+    /** @param what the part of portals that the pass draws */
     public static List<Required> of(FrameRequest request, String what, Function<LoadContext, Pass> pass) {
         Level level = request.level();
         if (!level.portals().isEmpty()) {

@@ -1,17 +1,17 @@
 package nephele.engine.render.frame;
 
-/** How what is seen through a portal gets into the picture. */
+/** The technique of drawing a view through an opening. */
 public enum PortalTechnique {
-    /** Drawn straight into the picture, where a stencil holds how many openings a pixel is seen through. */
+    /** Draws directly into the picture; a stencil holds the number of openings through which a pixel is seen. */
     STENCIL,
-    /** Drawn into a picture of its own, which then covers the opening. */
+    /** Draws into a separate picture, which then covers the opening. */
     TEXTURE,
-    /** Drawn into the picture, copied out of it whole, and drawn over: what was done before frame buffers could be chosen. */
+    /** Draws into the picture, copies the whole of it and draws over it, as before framebuffer objects existed. */
     COPY,
     /** As COPY, but only the part that the opening needs is copied. */
     COPY_AREA;
 
-    /** Whether what is behind an opening is a picture before it is drawn. */
+    /** Returns true if the content of an opening is a picture before the opening is drawn. */
     public boolean hasPictures() {
         return this != STENCIL;
     }

@@ -9,7 +9,7 @@ import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.LightBlock;
 import nephele.engine.scene.light.PunctualLightTable;
 
-/** The lamps' part of {@code surface-light.glsl}, with the shadows of what never moves. */
+/** The punctual lights' part of {@code surface-light.glsl}, with the shadows of static geometry. */
 final class PunctualLighting implements GlObject {
     private final Vec3 anchor;
     private final boolean shadow;
@@ -18,8 +18,8 @@ final class PunctualLighting implements GlObject {
     private final BufferTexture grid;
 
     /**
-     * @param table of the level's lamps, or {@code null}
-     * @param anchor what positions in shaders are relative to
+     * @param table the level's lights, or {@code null}
+     * @param anchor the origin of positions in shaders
      */
     PunctualLighting(GlContext gl, FrameRequest request, PunctualLightTable table, Vec3 anchor) {
         this.anchor = anchor;
@@ -38,7 +38,7 @@ final class PunctualLighting implements GlObject {
         }
     }
 
-    /** {@code null} without lamps. */
+    /** Returns {@code null} without punctual lights. */
     PunctualLightTable table() {
         return table;
     }
@@ -63,7 +63,7 @@ final class PunctualLighting implements GlObject {
         }
     }
 
-    /** Binds the lists of lamps; their depth pictures are {@link LightMaps}. */
+    /** Binds the light lists; {@link LightMaps} binds the depth pictures. */
     void bind() {
         if (table != null) {
             texels.bind(TextureUnit.PUNCTUAL_LIGHTS);

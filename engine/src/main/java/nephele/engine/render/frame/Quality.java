@@ -1,14 +1,14 @@
 package nephele.engine.render.frame;
 
 /**
- * What may be traded for speed.
+ * Settings that trade accuracy for speed.
  *
- * @param anisotropy texture samples along the steepest direction, at most
- * @param shadowTexels longer side of the sun's shadow map, at most
- * @param samples coverage samples a pixel, at most; 1 draws without multisampling
- * @param portalTechnique how what is seen through a portal gets into the picture
- * @param viewBudget views through portals that are drawn in a frame, at most; the largest are
- * @param portalResolution pixels of a portal's own picture along each side, as a share of the picture's; for TEXTURE
+ * @param anisotropy greatest number of texture samples along the steepest direction
+ * @param shadowTexels greatest length of the longer side of the sun's shadow map
+ * @param samples greatest number of coverage samples a pixel; 1 draws without multisampling
+ * @param portalTechnique technique of drawing a view through an opening
+ * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
+ * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
  */
 public record Quality(
         int anisotropy,

@@ -4,17 +4,17 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * Something that can be drawn, as the one constant of the pass that draws it.
+ * A feature that can be drawn; the one constant of the pass that draws it.
  *
- * @param requiredBy why a request needs it; empty when it does not
+ * @param requiredBy returns why a request needs it; empty if it does not
  */
 public record RenderFeature(String name, Stage stage, Role role, Function<FrameRequest, List<Required>> requiredBy) {
-    /** What a pass is for, where others must know. */
+    /** The role of a pass that other code must distinguish. */
     public enum Role {
         SCENERY,
-        /** What is seen where nothing else is. */
+        /** The background, visible where no surface is. */
         SKY,
-        /** Only guides the player: it can be left out of a picture that is compared with something. */
+        /** An aid for the player, left out of pictures for comparison. */
         DECORATION
     }
 

@@ -3,7 +3,7 @@ package nephele.engine.render.frame;
 import java.util.function.Function;
 
 /**
- * A reason for a pass to exist.
+ * A reason for a pass.
  *
  * @param because JSON path in the level, a colon and the reason: {@code environment.sky: a gradient}
  */

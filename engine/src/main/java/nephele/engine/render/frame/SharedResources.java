@@ -27,8 +27,8 @@ import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.SkyProbes;
 
 /**
- * What the passes of one renderer use together, made when the first of them asks. Whatever is owned here is closed with
- * the renderer, the last first; what is shared stays while another renderer of the context has it too.
+ * Resources that the passes of one renderer share, created on first use. Owned objects are closed with the renderer,
+ * the last first; shared ones stay while another renderer of the context uses them.
  */
 public final class SharedResources implements GlObject {
     private final GlContext gl;
@@ -53,7 +53,7 @@ public final class SharedResources implements GlObject {
         surroundings = new FrameEnvironment(request.output());
     }
 
-    /** What passes are made from. */
+    /** Returns the arguments for building a pass. */
     public LoadContext loadContext() {
         return new LoadContext(gl, scene, request, this);
     }
@@ -65,25 +65,25 @@ public final class SharedResources implements GlObject {
     }
 
     /**
-     * What all renderers of the context have in common that ask for the same.
+     * Returns an object that all renderers of the context share if they request it for the same value.
      *
-     * @param madeFrom an immutable value that the object follows from
+     * @param madeFrom an immutable value from which the object follows
      */
     public <T extends GlObject> T share(Class<T> kind, Object madeFrom, Supplier<T> make) {
         return own(gl.shared().share(kind, madeFrom, make, GlObject::close)).get();
     }
 
-    /** The same of a value that holds nothing to be closed: derived once, as long as any renderer of the context has it. */
+    /** Shares a value that needs no closing: derived once for as long as any renderer of the context uses it. */
     public <T> T shareValue(Class<T> kind, Object madeFrom, Supplier<T> make) {
         return own(gl.shared().share(kind, madeFrom, make, value -> {})).get();
     }
 
-    /** A key for what belongs to one opened level, however it is edited. */
+    /** Returns a key for data that belong to one opened level, in all its edited versions. */
     public Same openedLevel() {
         return new Same(scene.assets());
     }
 
-    /** Begins a frame: what follows from the light outside is derived anew where that has changed. */
+    /** Begins a frame: derives the environment's values again if the environment has changed. */
     public void follow(FrameState frameState) {
         surroundings.follow(frameState.environment());
         if (surfaceLight != null) {
@@ -95,7 +95,9 @@ public final class SharedResources implements GlObject {
         return surroundings;
     }
 
-    /** The block of {@code frame.glsl}, bound at {@link nephele.engine.render.resource.FrameUniforms#BINDING}. */
+    /**
+     * Returns the block of {@code frame.glsl}, bound at {@link nephele.engine.render.resource.FrameUniforms#BINDING}.
+     */
     public FrameUniforms frameUniforms() {
         if (frameUniforms == null) {
             frameUniforms = own(new FrameUniforms(gl, scene.level().environment()));
@@ -103,7 +105,7 @@ public final class SharedResources implements GlObject {
         return frameUniforms;
     }
 
-    /** Where portals open in the views of this frame. */
+    /** Returns the openings in the views of this frame. */
     public OpeningMesh openings() {
         if (openings == null) {
             openings = own(new OpeningMesh(gl));
@@ -111,7 +113,7 @@ public final class SharedResources implements GlObject {
         return openings;
     }
 
-    /** The static geometry on the GPU. */
+    /** Returns the static geometry on the GPU. */
     public SolidMesh solids() {
         if (solids == null) {
             solids = share(SolidMesh.class, new Same(scene.solids()), () -> new SolidMesh(gl, scene.solids()));
@@ -119,7 +121,7 @@ public final class SharedResources implements GlObject {
         return solids;
     }
 
-    /** Base colours: decoded from sRGB when sampled, except for output PLAIN. */
+    /** Returns base colours, decoded from sRGB when sampled, except for output PLAIN. */
     public PictureArrays colourPictures() {
         if (colourPictures == null) {
             PixelFormat format = request.output() == Output.PLAIN ? PixelFormat.RGBA8 : PixelFormat.SRGB8_ALPHA8;
@@ -128,7 +130,7 @@ public final class SharedResources implements GlObject {
         return colourPictures;
     }
 
-    /** Normal maps, alpha multiplying roughness. */
+    /** Returns normal maps; alpha multiplies roughness. */
     public PictureArrays normalPictures() {
         if (normalPictures == null) {
             normalPictures = pictures(scene.materials().normalArrays(), PixelFormat.RGBA8);
@@ -140,7 +142,7 @@ public final class SharedResources implements GlObject {
         return PictureArrays.of(gl, this, arrays, format, request.quality().anisotropy());
     }
 
-    /** What moves, on the GPU. */
+    /** Returns the dynamic objects on the GPU. */
     public DynamicMeshes dynamicObjects() {
         if (dynamicObjects == null) {
             DynamicObjects all = DynamicObjects.of(scene.level(), scene.materials(), request.figure());
@@ -150,7 +152,7 @@ public final class SharedResources implements GlObject {
         return dynamicObjects;
     }
 
-    /** Defines, numbers and textures of {@code surface-light.glsl}. */
+    /** Returns defines, numbers and textures of {@code surface-light.glsl}. */
     public SurfaceLight surfaceLight() {
         if (surfaceLight == null) {
             surfaceLight = own(new SurfaceLight(gl, scene, request, this));
@@ -160,9 +162,10 @@ public final class SharedResources implements GlObject {
     }
 
     /**
-     * A decoded asset. Two passes that are made one after the other share it; nothing keeps it from being freed after that.
+     * Returns a decoded asset. Passes that are built one after another share it; it can be garbage-collected
+     * afterwards.
      *
-     * @throws nephele.engine.asset.AssetException naming the picture that cannot be used
+     * @throws nephele.engine.asset.AssetException that names a picture that cannot be used
      */
     public Picture picture(String assetId) {
         WeakReference<Picture> known = decoded.get(assetId);
@@ -174,12 +177,12 @@ public final class SharedResources implements GlObject {
         return picture;
     }
 
-    /** Makes a target's texture known to the passes after this one; it stays the publisher's. */
+    /** Publishes a target's texture to the later passes; the publisher still owns it. */
     public void publish(Target target, Texture texture) {
         textures.put(target, texture);
     }
 
-    /** What an earlier pass has published. */
+    /** Returns the texture that an earlier pass has published. */
     public Texture texture(Target target) {
         Texture texture = textures.get(target);
         if (texture == null) {

@@ -11,7 +11,7 @@ import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
 
-/** The sun's part of {@code surface-light.glsl}, with the shadows of what never moves. */
+/** The sun's part of {@code surface-light.glsl}, with the shadows of static geometry. */
 final class SunLight {
     private final FrameRequest request;
     private final StaticShapes statics;
@@ -20,8 +20,8 @@ final class SunLight {
     private ShadowFrame frame;
 
     /**
-     * @param statics of the level
-     * @param anchor what positions in shaders are relative to
+     * @param statics the level's shapes
+     * @param anchor the origin of positions in shaders
      */
     SunLight(FrameRequest request, StaticShapes statics, Vec3 anchor) {
         this.request = request;
@@ -54,13 +54,13 @@ final class SunLight {
     private ShadowFrame fitted() {
         List<Vec3> corners = ShadowCasters.corners(statics, towardsSun);
         if (corners.isEmpty()) {
-            // The frame plan knows the level only, not that all its meshes are empty.
+            // The frame plan is made from the level alone, which does not tell that all meshes are empty.
             corners = List.of(anchor);
         }
         return ShadowFrame.fit(corners, towardsSun, anchor, request.quality().shadowTexels());
     }
 
-    /** Of the sun as it stands now; {@code null} without a sun that casts. */
+    /** Returns the projection for the current sun; {@code null} without a sun that casts shadows. */
     ShadowFrame frame() {
         return frame;
     }

@@ -20,7 +20,7 @@ import nephele.engine.scene.light.SkyIrradiance;
 
 /**
  * The light of a level for every shader that includes {@code surface-light.glsl}: its defines, numbers and textures.
- * Positions are relative to the {@link #anchor}, so none of it moves with the eye.
+ * Positions are relative to the {@link #anchor}, so they do not depend on the eye.
  */
 public final class SurfaceLight implements GlObject {
     private final Level level;
@@ -45,9 +45,9 @@ public final class SurfaceLight implements GlObject {
     }
 
     /**
-     * Brings the numbers to what the light outside is now. Nothing is derived for an environment that is already shown.
+     * Updates the numbers to the current environment, if it has changed.
      *
-     * @param now of the level's kind: where sun, sky or constant are none in the level, there are none
+     * @param now has a sun, sky or constant only if the level has
      */
     void follow(Environment now) {
         if (now == followed) {
@@ -75,22 +75,22 @@ public final class SurfaceLight implements GlObject {
                 .orElseGet(SkyIrradiance::black));
     }
 
-    /** World position that positions in light shaders are relative to. */
+    /** Returns the world position that is the origin of positions in light shaders. */
     public Vec3 anchor() {
         return scene.solids().isEmpty() ? Vec3.ZERO : scene.solids().origin();
     }
 
-    /** What the shadows of things need. */
+    /** Returns the shadows of dynamic objects. */
     public DynamicShadows dynamicObjectShade() {
         return dynamicObjectShade;
     }
 
-    /** The sun's map as the sun stands now; {@code null} without a sun that casts. */
+    /** Returns the map's projection for the current sun; {@code null} without a sun that casts shadows. */
     public ShadowFrame sunFrame() {
         return sun.frame();
     }
 
-    /** {@code null} without lamps. */
+    /** Returns {@code null} without punctual lights. */
     public PunctualLightTable lights() {
         return lights.table();
     }
@@ -99,12 +99,12 @@ public final class SurfaceLight implements GlObject {
         return maps.has(Target.SKY_VISIBILITY);
     }
 
-    /** Whether light differs from point to point of a face. */
+    /** Returns true if light varies over a face. */
     public boolean variesOverFaces() {
         return needsPositions() || hasSkyVisibility();
     }
 
-    /** Whether shaders need to know where on the level they are. */
+    /** Returns true if shaders need positions in the level. */
     public boolean needsPositions() {
         return sun.hasShadow() || lights.table() != null || dynamicObjectShade.sun();
     }
@@ -113,12 +113,15 @@ public final class SurfaceLight implements GlObject {
         return addForModels(defines).withIf(hasSkyVisibility(), "SKY_VISIBILITY");
     }
 
-    /** The same for models, whose share of the sky stands in their vertices. */
+    /** Adds the defines for models, whose sky visibility is a vertex attribute. */
     public Defines addForModels(Defines defines) {
         return addLights(defines).withIf(needsPositions(), "ANCHOR_POSITION").withIf(hasSkyVisibility(), "SKY_AMBIENT");
     }
 
-    /** The same for what moves: it has no place in the light map, so its share of the sky comes otherwise. */
+    /**
+     * Adds the defines for dynamic objects, which have no place in the light map; their sky visibility comes from
+     * probes.
+     */
     public Defines addForDynamicObjects(Defines defines) {
         return addLights(defines).with("ANCHOR_POSITION").withIf(LightRequirements.skyShines(level), "SKY_AMBIENT");
     }
@@ -128,7 +131,7 @@ public final class SurfaceLight implements GlObject {
                 .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
     }
 
-    /** Ties what a program compiled with {@link #addTo} reads to where it is bound. */
+    /** Binds the samplers and blocks of a program compiled with {@link #addTo} to their fixed places. */
     public void tie(Uniforms uniforms) {
         tieForModels(uniforms);
         if (hasSkyVisibility()) {
@@ -136,12 +139,12 @@ public final class SurfaceLight implements GlObject {
         }
     }
 
-    /** The same for {@link #addForModels}. */
+    /** Binds samplers and blocks as {@link #tie} does, for {@link #addForModels}. */
     public void tieForModels(Uniforms uniforms) {
         tieLights(uniforms, hasSkyVisibility());
     }
 
-    /** The same for {@link #addForDynamicObjects}. */
+    /** Binds samplers and blocks as {@link #tie} does, for {@link #addForDynamicObjects}. */
     public void tieForDynamicObjects(Uniforms uniforms) {
         tieLights(uniforms, LightRequirements.skyShines(level));
     }
@@ -156,9 +159,10 @@ public final class SurfaceLight implements GlObject {
     }
 
     /**
-     * Binds what a program needs that was made with {@link #addTo}, {@link #addForModels} or {@link #addForDynamicObjects}.
+     * Binds the textures of a program compiled with {@link #addTo}, {@link #addForModels} or {@link
+     * #addForDynamicObjects}.
      *
-     * @param reads of {@link LightMaps}, as the pass declares them
+     * @param reads those of {@link LightMaps} that the pass declares
      */
     public void bind(TargetReads reads) {
         reads.bind(shared);

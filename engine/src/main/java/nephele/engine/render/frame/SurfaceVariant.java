@@ -6,13 +6,17 @@ import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.scene.SolidBatch;
 
-/** Which code for materials a shader holds, of solids or of things. */
+/** The variant of the material code in a shader, for solids or dynamic objects. */
 public record SurfaceVariant(boolean lambert, boolean textured, boolean normalMapped) {
     public static SurfaceVariant of(SolidBatch.Kind kind) {
         return new SurfaceVariant(kind.lambert(), kind.isTextured(), kind.isNormalMapped());
     }
 
-    /** @param materialsPerBlock length of the array of materials */
+    /**
+     * Adds the defines.
+     *
+     * @param materialsPerBlock length of the array of materials
+     */
     public Defines addTo(Defines defines, int materialsPerBlock) {
         return defines.with("MATERIAL_COUNT", materialsPerBlock)
                 .with(lambert ? "LAMBERT" : "METALLIC_ROUGHNESS")
@@ -20,7 +24,7 @@ public record SurfaceVariant(boolean lambert, boolean textured, boolean normalMa
                 .withIf(normalMapped, "NORMAL_MAP");
     }
 
-    /** Sets what a program compiled with {@link #addTo} needs, for good. */
+    /** Binds the samplers and blocks of a program compiled with {@link #addTo} permanently. */
     public void set(Uniforms uniforms) {
         uniforms.block("Frame", FrameUniforms.BINDING);
         uniforms.block("Materials", MaterialBlocks.BINDING);

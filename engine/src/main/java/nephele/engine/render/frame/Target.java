@@ -2,25 +2,25 @@ package nephele.engine.render.frame;
 
 import nephele.engine.render.gl.shader.TextureUnit;
 
-/** What passes hand on to each other. */
+/** The targets by which passes depend on each other. */
 public enum Target {
-    /** What surfaces draw into: the linear picture for output HDR, else the final one. */
+    /** The target of surfaces: the linear picture for output HDR, else the final one. */
     SURFACE(null),
     /** The final 8-bit picture, display-referred. */
     PICTURE(null),
     SUN_SHADOW(TextureUnit.SUN_SHADOW),
     LIGHT_SHADOW(TextureUnit.LIGHT_SHADOW),
-    /** The sun's depth map of what moves. */
+    /** The sun's depth map of dynamic objects. */
     DYNAMIC_SUN_SHADOW(TextureUnit.DYNAMIC_SUN_SHADOW),
     DYNAMIC_LIGHT_SHADOW(TextureUnit.DYNAMIC_LIGHT_SHADOW),
     /** Light map of the static faces. */
     SKY_VISIBILITY(TextureUnit.SKY_VISIBILITY),
     /**
-     * Window depth 0–1 of the view that is drawn, as its opaque surfaces left it, at the same pixels; only for passes of
-     * {@link Stage#IN_VIEWS_AFTER_OPAQUE}.
+     * Window depth 0–1 of the current view after its opaque surfaces, at the same pixels; only for passes of {@link
+     * Stage#IN_VIEWS_AFTER_OPAQUE}.
      */
     VIEW_DEPTH(TextureUnit.VIEW_DEPTH),
-    /** The colours at those pixels, as surfaces store them. */
+    /** The colours at those pixels, in the form that surfaces store. */
     VIEW_COLOUR(TextureUnit.VIEW_COLOUR);
 
     private final TextureUnit unit;
@@ -29,7 +29,7 @@ public enum Target {
         this.unit = unit;
     }
 
-    /** Where it is bound to be read; {@code null} for what is drawn into. */
+    /** Returns the texture unit for reads; {@code null} for targets that are only drawn into. */
     public TextureUnit unit() {
         return unit;
     }

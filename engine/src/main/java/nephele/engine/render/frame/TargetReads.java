@@ -3,7 +3,7 @@ package nephele.engine.render.frame;
 import java.util.List;
 import java.util.Set;
 
-/** Targets that a pass reads: the same value is what it declares and what it binds. */
+/** The targets that a pass reads; the same value declares and binds them. */
 public record TargetReads(List<Target> targets) {
     public TargetReads {
         targets = List.copyOf(targets);
@@ -13,12 +13,12 @@ public record TargetReads(List<Target> targets) {
         return new TargetReads(List.of(targets));
     }
 
-    /** As {@link Pass#reads} tells. */
+    /** Returns the targets for {@link Pass#reads}. */
     public Set<Target> declared() {
         return Set.copyOf(targets);
     }
 
-    /** Binds what earlier passes have published, each to its unit. */
+    /** Binds the published textures, each to its unit. */
     public void bind(SharedResources shared) {
         for (int i = 0; i < targets.size(); i++) {
             Target target = targets.get(i);

@@ -2,16 +2,16 @@ package nephele.engine.render.frame;
 
 import nephele.engine.level.ToneCurve;
 
-/** The Java twin of {@code develop.glsl}, in double precision. */
+/** The Java twin of {@code tone-mapping.glsl}, in double precision. */
 public final class ToneMapping {
     private ToneMapping() {}
 
-    /** Linear radiance of one channel to its sRGB display value 0–1. */
+    /** Returns the sRGB display value 0–1 of one channel's linear radiance. */
     public static double develop(double radiance, double exposure, ToneCurve curve) {
         return encodeSrgb(toneCurve(Math.max(radiance * exposure, 0), curve));
     }
 
-    /** CLIP: min(x, 1). FILMIC: Narkowicz, "ACES Filmic Tone Mapping Curve", 2015. */
+    /** Returns the tone curve. CLIP: min(x, 1). FILMIC: Narkowicz, "ACES Filmic Tone Mapping Curve", 2015. */
     public static double toneCurve(double exposed, ToneCurve curve) {
         return switch (curve) {
             case CLIP -> Math.min(exposed, 1);
@@ -23,23 +23,25 @@ public final class ToneMapping {
         };
     }
 
-    /** IEC 61966-2-1. */
+    /** Encodes by IEC 61966-2-1. */
     public static double encodeSrgb(double linear) {
         return linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1 / 2.4) - 0.055;
     }
 
-    /** IEC 61966-2-1. */
+    /** Decodes by IEC 61966-2-1. */
     public static double decodeSrgb(double encoded) {
         return encoded <= 0.04045 ? encoded / 12.92 : Math.pow((encoded + 0.055) / 1.055, 2.4);
     }
 
-    /** Between −1/2 and 1/2 of an 8-bit code, the same for the same pixel; rows count from the bottom. */
+    /**
+     * Returns a value between −1/2 and 1/2 of an 8-bit code, always the same for a pixel; rows count from the bottom.
+     */
     public static double ditherOffset(int column, int row) {
         int fixedPoint = column * 0xC13FA9A9 + row * 0x91E10DA5;
         return ((fixedPoint >>> 24) + 0.5) / 256 - 0.5;
     }
 
-    /** The define that chooses the shader's curve. */
+    /** Returns the define that chooses the shader's curve. */
     public static String define(ToneCurve curve) {
         return "TONE_" + curve.name();
     }

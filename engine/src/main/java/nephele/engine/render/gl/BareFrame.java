@@ -9,9 +9,9 @@ import java.util.List;
 import org.lwjgl.BufferUtils;
 
 /**
- * One frame as hand-written OpenGL would draw it: recorded from what the engine submitted, then run as a flat list of
- * plain calls with no culling, no lists to build and one draw where the engine had many ranges. What the engine costs
- * beyond that is its overhead.
+ * One frame in hand-written OpenGL: recorded from the engine's calls, then repeated as a flat list of plain calls,
+ * without culling or lists to build, and with one draw in place of many ranges. The difference to the engine's cost is
+ * the engine's overhead.
  */
 public final class BareFrame implements AutoCloseable {
     private final List<Runnable> calls;
@@ -40,7 +40,7 @@ public final class BareFrame implements AutoCloseable {
                 List.copyOf(recorder.calls), List.copyOf(recorder.words), List.copyOf(recorder.handles), gl.state());
     }
 
-    /** Every change of state and every submission of the frame that was recorded, in order. */
+    /** Returns every change of state and every submission of the recorded frame as text, in order. */
     public List<String> words() {
         return words;
     }
@@ -57,7 +57,7 @@ public final class BareFrame implements AutoCloseable {
         handles.forEach(GlHandle::close);
     }
 
-    /** Turns each submission into the state changes before it and one call. */
+    /** Converts each submission into the preceding state changes and one call. */
     private static final class Recorder implements DrawListener {
         private final GlContext gl;
         private final List<Runnable> calls = new ArrayList<>();
@@ -107,7 +107,7 @@ public final class BareFrame implements AutoCloseable {
             calls.add(() -> glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, 4L * first, instances));
         }
 
-        /** Copies the ranges one after the other into the twin's own buffer. */
+        /** Copies index ranges one after the other into the recording's own buffer. */
         private static int gather(int from, int to, int[] firsts, int[] counts) {
             int total = 0;
             for (int count : counts) {

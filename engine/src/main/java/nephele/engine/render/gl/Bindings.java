@@ -5,7 +5,7 @@ import static org.lwjgl.opengl.GL41C.*;
 import java.util.Arrays;
 import nephele.engine.render.gl.shader.TextureUnit;
 
-/** Which object is bound where, and the viewport; calls OpenGL only for what differs. */
+/** The bound objects and the viewport; calls OpenGL only for differences. */
 final class Bindings {
     private final int[] textures = new int[TextureUnit.COUNT];
     private int activeUnit;
@@ -41,7 +41,7 @@ final class Bindings {
         }
     }
 
-    /** Binds for drawing and reading, with the viewport over all of it. */
+    /** Binds for drawing and reading, and sets the viewport to the whole size. */
     void framebuffer(int id, int width, int height) {
         if (framebuffer != id) {
             glBindFramebuffer(GL_FRAMEBUFFER, id);
@@ -54,7 +54,7 @@ final class Bindings {
         }
     }
 
-    /** After deletion OpenGL has unbound the name; a new object may get the same one. */
+    /** Removes a deleted object: OpenGL has unbound its name, and a new object may receive the same one. */
     void forget(GlKind kind, int id) {
         switch (kind) {
             case VERTEX_ARRAY -> vertexArray = vertexArray == id ? 0 : vertexArray;

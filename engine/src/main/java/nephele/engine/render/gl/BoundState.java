@@ -12,7 +12,7 @@ import java.util.Map;
 import nephele.engine.render.gl.shader.TextureUnit;
 import org.lwjgl.BufferUtils;
 
-/** Everything a draw call depends on, read back from OpenGL, as small steps that can be compared and repeated. */
+/** The state that a draw call depends on, read back from OpenGL, as steps that can be compared and repeated. */
 record BoundState(List<Step> steps) {
     static final BoundState NOTHING = new BoundState(List.of());
 
@@ -31,7 +31,7 @@ record BoundState(List<Step> steps) {
         GL_CLIP_DISTANCE0 + 2
     };
 
-    /** Equal keys and values need not be set again. */
+    /** A setting; equal keys and values need not be set again. */
     private record Step(String key, List<Number> value, Runnable set) {}
 
     static BoundState read() {
@@ -50,7 +50,7 @@ record BoundState(List<Step> steps) {
         return new BoundState(steps);
     }
 
-    /** Appends what must be called when {@code before} is what is set, and what that is, in words. */
+    /** Appends the calls that change the state {@code before} to this one, and their text. */
     void changesFrom(BoundState before, List<Runnable> calls, List<String> words) {
         Map<String, List<Number>> set = new HashMap<>();
         before.steps.forEach(step -> set.put(step.key, step.value));
@@ -62,7 +62,9 @@ record BoundState(List<Step> steps) {
         }
     }
 
-    /** What is set after {@code before}: other programs' uniforms and unbound buffers keep what they had. */
+    /**
+     * Returns the state after {@code before} and this: other programs' uniforms and unbound buffers keep their values.
+     */
     BoundState after(BoundState before) {
         Map<String, Step> set = new LinkedHashMap<>();
         before.steps.forEach(step -> set.put(step.key, step));
@@ -109,7 +111,7 @@ record BoundState(List<Step> steps) {
         add(steps, "colour mask", () -> glColorMask(colour, colour, colour, colour), colour ? 1 : 0);
         int culled = glGetInteger(GL_CULL_FACE_MODE);
         add(steps, "culled faces", () -> glCullFace(culled), culled);
-        // Drivers answer for front and back.
+        // Drivers return values for front and back.
         int[] fill = new int[2];
         glGetIntegerv(GL_POLYGON_MODE, fill);
         add(steps, "fill", () -> glPolygonMode(GL_FRONT_AND_BACK, fill[0]), fill[0]);
@@ -122,7 +124,7 @@ record BoundState(List<Step> steps) {
         add(steps, "blend function", blend, source, destination, alphaSource, alphaDestination);
     }
 
-    /** What openings of portals are drawn with besides. */
+    /** Reads the additional state with which openings are drawn. */
     private static void readOpenings(List<Step> steps) {
         int reference = glGetInteger(GL_STENCIL_REF);
         int whereDrawn = glGetInteger(GL_STENCIL_PASS_DEPTH_PASS);
@@ -200,7 +202,7 @@ record BoundState(List<Step> steps) {
             for (int element = 0; element < size.get(0); element++) {
                 String each = name.replaceFirst("\\[0]$", "[" + element + "]");
                 int location = glGetUniformLocation(program, each);
-                // Without one it is in a block.
+                // A uniform without location is in a block.
                 if (location >= 0) {
                     readUniform(steps, program, location, components(type.get(0)));
                 }
@@ -208,7 +210,7 @@ record BoundState(List<Step> steps) {
         }
     }
 
-    /** @param components 0 for a whole number */
+    /** @param components 0 for an integer */
     private static void readUniform(List<Step> steps, int program, int location, int components) {
         String key = "uniform " + program + " " + location;
         if (components == 0) {
@@ -223,7 +225,7 @@ record BoundState(List<Step> steps) {
         add(steps, key, () -> setFloats(program, location, v), value);
     }
 
-    /** Floats of a type; 0 for whole numbers, truth values and samplers. */
+    /** Returns the number of floats of a type; 0 for integers, booleans and samplers. */
     private static int components(int type) {
         return switch (type) {
             case GL_FLOAT -> 1;

@@ -6,7 +6,10 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import nephele.engine.render.gl.shader.TextureUnit;
 
-/** A list that shaders read by index: texels of four floats ({@code samplerBuffer}) or integers ({@code usamplerBuffer}). */
+/**
+ * An array that shaders read by index: texels of four floats ({@code samplerBuffer}) or integers ({@code
+ * usamplerBuffer}).
+ */
 public final class BufferTexture implements GlObject {
     private static final int FLOATS_PER_TEXEL = 4;
 
@@ -23,7 +26,11 @@ public final class BufferTexture implements GlObject {
         glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
     }
 
-    /** @param values four to a texel */
+    /**
+     * Creates a texture of floats.
+     *
+     * @param values four for each texel
+     */
     public static BufferTexture ofFloats(GlContext gl, String name, float[] values) {
         BufferTexture created = new BufferTexture(gl, name);
         created.requireRoom(values.length / FLOATS_PER_TEXEL);
@@ -32,7 +39,11 @@ public final class BufferTexture implements GlObject {
         return created;
     }
 
-    /** @param values one to a texel, not negative */
+    /**
+     * Creates a texture of integers.
+     *
+     * @param values one for each texel, not negative
+     */
     public static BufferTexture ofIntegers(GlContext gl, String name, int[] values) {
         BufferTexture created = new BufferTexture(gl, name);
         created.requireRoom(values.length);
@@ -41,7 +52,7 @@ public final class BufferTexture implements GlObject {
         return created;
     }
 
-    /** Floats to be replaced again and again, four to a texel. */
+    /** Creates a texture of floats that is replaced often, four for each texel. */
     public static BufferTexture changing(GlContext gl, String name) {
         BufferTexture created = new BufferTexture(gl, name);
         glBufferData(GL_TEXTURE_BUFFER, 16, GL_STREAM_DRAW);
@@ -49,7 +60,7 @@ public final class BufferTexture implements GlObject {
         return created;
     }
 
-    /** Integers to be replaced again and again, one to a texel. */
+    /** Creates a texture of integers that is replaced often, one for each texel. */
     public static BufferTexture changingIntegers(GlContext gl, String name) {
         BufferTexture created = new BufferTexture(gl, name);
         glBufferData(GL_TEXTURE_BUFFER, 4, GL_STREAM_DRAW);
@@ -57,27 +68,29 @@ public final class BufferTexture implements GlObject {
         return created;
     }
 
-    /** Replaces everything by integers: the old storage stays with the draws that still read it. */
+    /** Replaces the whole content by integers; draws that still read the old storage keep it. */
     public void upload(IntBuffer values) {
         requireRoom(values.remaining());
         glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
         glBufferData(GL_TEXTURE_BUFFER, values, GL_STREAM_DRAW);
     }
 
-    /** Replaces everything: the old storage stays with the draws that still read it. */
+    /** Replaces the whole content; draws that still read the old storage keep it. */
     public void upload(FloatBuffer values) {
         requireRoom(values.remaining() / FLOATS_PER_TEXEL);
         glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
         glBufferData(GL_TEXTURE_BUFFER, values, GL_STREAM_DRAW);
     }
 
-    /** Replaces a part: texels from {@code first} on, four floats each. It must lie within what was uploaded last. */
+    /** Replaces texels from {@code first} on, four floats each, within the size of the last upload. */
     public void uploadFrom(int first, FloatBuffer values) {
         glBindBuffer(GL_TEXTURE_BUFFER, buffer.id());
         glBufferSubData(GL_TEXTURE_BUFFER, (long) FLOATS_PER_TEXEL * Float.BYTES * first, values);
     }
 
-    /** OpenGL promises 65 536 texels; most machines have thousands of times as many. */
+    /**
+     * Throws if the texels exceed the limit: OpenGL guarantees 65,536; most machines have thousands of times as many.
+     */
     private void requireRoom(int texels) {
         if (texels > gl.limits().maxBufferTexels()) {
             throw new GlUnavailableException(name + " take " + texels + " texels; this machine's OpenGL holds "

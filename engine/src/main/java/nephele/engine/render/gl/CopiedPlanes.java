@@ -2,7 +2,7 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-/** What is copied of each pixel from one target to another. */
+/** The components of each pixel that are copied between targets. */
 public enum CopiedPlanes {
     COLOUR(GL_COLOR_BUFFER_BIT),
     DEPTH(GL_DEPTH_BUFFER_BIT),

@@ -5,9 +5,9 @@ import static org.lwjgl.opengl.KHRDebug.*;
 
 import org.lwjgl.opengl.GLDebugMessageCallback;
 
-/** Passes the driver's serious messages on to standard error, where the driver has them. */
+/** Forwards the driver's serious messages to standard error, if the driver has them. */
 final class DebugMessages implements AutoCloseable {
-    /** Set to hear the driver: hearing costs start-up time and synchronises every call. */
+    /** Property that enables the messages; they cost start-up time and synchronise every call. */
     private static final String PROPERTY = "nephele.gl.debug";
 
     private final GLDebugMessageCallback callback;

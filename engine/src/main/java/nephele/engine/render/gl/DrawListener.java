@@ -1,28 +1,28 @@
 package nephele.engine.render.gl;
 
-/** Hears of everything that is submitted, for recording; see {@link BareFrame}. */
+/** Called for every submission, for recordings; see {@link BareFrame}. */
 interface DrawListener {
-    /** The bound framebuffer is about to be cleared; {@code colour} is {@code null} when only depth is. */
+    /** Called before the bound framebuffer is cleared; {@code colour} is {@code null} if only depth is. */
     void cleared(float[] colour);
 
-    /** Indexed triangles are about to be drawn with what is bound. */
+    /** Called before indexed triangles are drawn with the bound state. */
     void drawn(int[] firsts, int[] counts);
 
-    /** The content of a buffer of vertices has been replaced. */
+    /** Called after the content of a vertex buffer has been replaced. */
     void uploaded(int buffer, float[] values);
 
-    /** Triangles without indices are about to be drawn with what is bound. */
+    /** Called before triangles without indices are drawn with the bound state. */
     void drawnUnindexed(int first, int count);
 
-    /** Lines are about to be drawn with what is bound, two vertices each. */
+    /** Called before lines are drawn with the bound state, two vertices each. */
     void drawnLines(int count);
 
-    /** Indexed triangles are about to be drawn several times over with what is bound. */
+    /** Called before instanced indexed triangles are drawn with the bound state. */
     void drawnInstanced(int first, int count, int instances);
 
-    /** The full-screen triangle is about to be drawn with what is bound. */
+    /** Called before the full-screen triangle is drawn with the bound state. */
     void drawnFullScreen();
 
-    /** Pixels of framebuffer {@code from} are about to be copied to the bound one, of the same size. */
+    /** Called before pixels of framebuffer {@code from} are copied to the bound one, of the same size. */
     void copied(int from, int to, int width, int height, CopiedPlanes copied);
 }

@@ -3,21 +3,21 @@ package nephele.engine.render.gl;
 import static org.lwjgl.opengl.GL41C.*;
 
 /**
- * What is switched on, and by its {@link Bindings} what is bound; calls OpenGL only for what differs. Also counts what
- * a frame submits.
+ * The fixed-function state and, in {@link Bindings}, the bound objects; calls OpenGL only for differences. Also counts
+ * the submissions of a frame.
  */
 public final class DrawState {
     /** Depth test and write, and whether colour is written. */
     public enum Depth {
         OFF(GL_LESS, false, true),
         LESS_AND_WRITE(GL_LESS, true, true),
-        /** Lays down depth for later passes and keeps the colour. */
+        /** Writes depth for later passes and leaves the colour unchanged. */
         LESS_AND_WRITE_ONLY_DEPTH(GL_LESS, true, false),
-        /** Passes at equal depth, writes no depth: what lies at the far plane. */
+        /** Passes at equal depth and writes no depth; for surfaces at the far plane. */
         LESS_OR_EQUAL(GL_LEQUAL, false, true),
-        /** Where this very surface is the nearest. */
+        /** Passes if this very surface is the nearest. */
         EQUAL(GL_EQUAL, false, true),
-        /** As {@link #EQUAL}, keeping depth and colour: only the stencil hears of it. */
+        /** As {@link #EQUAL}, but depth and colour stay unchanged; only the stencil is written. */
         EQUAL_ONLY_STENCIL(GL_EQUAL, false, false),
         ALWAYS_AND_WRITE(GL_ALWAYS, true, true),
         ALWAYS_AND_WRITE_ONLY_DEPTH(GL_ALWAYS, true, false);
@@ -33,15 +33,15 @@ public final class DrawState {
         }
     }
 
-    /** Which pixels are drawn to by the number in their stencil, and what becomes of it. */
+    /** The stencil test and operation. */
     public enum Stencil {
-        /** All, and it stays. */
+        /** All pixels pass; the stencil stays. */
         OFF(GL_KEEP),
-        /** Those that hold the reference. */
+        /** Pixels that hold the reference pass. */
         EQUAL(GL_KEEP),
-        /** Those that hold the reference; one more where depth passes too. */
+        /** Pixels that hold the reference pass; the value is incremented where depth passes too. */
         EQUAL_COUNT_UP(GL_INCR),
-        /** Those that hold the reference; one less where depth passes too. */
+        /** Pixels that hold the reference pass; the value is decremented where depth passes too. */
         EQUAL_COUNT_DOWN(GL_DECR);
 
         private final int whereDrawn;
@@ -51,40 +51,46 @@ public final class DrawState {
         }
     }
 
-    /** How a polygon's depth comes about. */
+    /** The source of a polygon's depth. */
     public enum DepthOf {
         SURFACE,
-        /** Of an opening in a wall: before the wall by the least that tells them apart, never cut by near and far. */
+        /**
+         * The depth of an opening in a wall: in front of the wall by the least resolvable step, never clipped by near
+         * and far.
+         */
         OPENING,
-        /** As {@link #OPENING} of a whole face: before it by what snapping the corners of both to the pixel grid can do. */
+        /**
+         * As {@link #OPENING} for a whole face: in front of it by the error from snapping the corners of both to the
+         * pixel grid.
+         */
         WHOLE_FACE,
-        /** Farthest, wherever it lies. */
+        /** The greatest depth, independent of position. */
         FARTHEST
     }
 
-    /** How a fragment joins what is there. */
+    /** The blending of a fragment with the target. */
     public enum Blend {
         REPLACE,
         /** Source alpha over destination; the destination keeps its alpha. */
         OVER,
-        /** Source and destination; the destination keeps its alpha. */
+        /** Adds source to destination; the destination keeps its alpha. */
         ADD,
-        /** Source, whose colours hold its alpha already, over destination, alpha too: layers that are laid over later. */
+        /** Source with premultiplied alpha over destination, alpha included; for layers that are composited later. */
         PREMULTIPLIED_OVER
     }
 
-    /** Which faces are dropped. */
+    /** The culled faces. */
     public enum Cull {
         NONE,
         BACK,
-        /** As {@link #BACK} of what a mirror has turned inside out. */
+        /** As {@link #BACK}, in a mirrored view. */
         FRONT
     }
 
-    /** How the corners of a triangle that faces the eye follow one another in the picture. */
+    /** The winding of a triangle that faces the eye. */
     public enum FrontFace {
         COUNTER_CLOCKWISE(GL_CCW),
-        /** In a view that is mirrored. */
+        /** For a mirrored view. */
         CLOCKWISE(GL_CW);
 
         private final int mode;
@@ -94,10 +100,10 @@ public final class DrawState {
         }
     }
 
-    /** What is drawn of a triangle. */
+    /** The drawn part of a triangle. */
     public enum Fill {
         WHOLE(GL_FILL),
-        /** Its three edges, a pixel wide; which faces are dropped is as ever. */
+        /** Its three edges, a pixel wide; face culling is unchanged. */
         EDGES(GL_LINE);
 
         private final int mode;
@@ -107,7 +113,7 @@ public final class DrawState {
         }
     }
 
-    /** The view's plane and a straddling thing's two. */
+    /** Number of clip distances: one for the view's plane and two for a dynamic object at a portal. */
     static final int MOST_CLIP_DISTANCES = 3;
 
     private final Bindings bindings = new Bindings();
@@ -125,12 +131,16 @@ public final class DrawState {
     private long triangles;
     private DrawListener listener;
 
-    /** Sets the fixed-function switches, without clip distances. */
+    /** Sets depth, blending and culling, without clip distances. */
     public void set(Depth newDepth, Blend newBlend, Cull newCull) {
         set(newDepth, newBlend, newCull, 0);
     }
 
-    /** @param newClipDistances so many elements of {@code gl_ClipDistance}, from the first on, cut what is drawn */
+    /**
+     * Sets depth, blending, culling and clip distances.
+     *
+     * @param newClipDistances the number of elements of {@code gl_ClipDistance} that clip, from the first on
+     */
     public void set(Depth newDepth, Blend newBlend, Cull newCull, int newClipDistances) {
         if (depth != newDepth) {
             setDepth(newDepth);
@@ -157,7 +167,7 @@ public final class DrawState {
         clipDistances = count;
     }
 
-    /** Stays until it is set again, whatever is drawn. */
+    /** Sets the stencil; stays until the next call. */
     public void stencil(Stencil newStencil, int reference) {
         if (stencil == newStencil && (stencilReference == reference || newStencil == Stencil.OFF)) {
             return;
@@ -173,7 +183,7 @@ public final class DrawState {
         stencilReference = reference;
     }
 
-    /** Stays until it is set again. */
+    /** Sets the source of depth; stays until the next call. */
     public void depthOf(DepthOf newDepthOf) {
         if (depthOf == newDepthOf) {
             return;
@@ -182,15 +192,16 @@ public final class DrawState {
         boolean isOpening = newDepthOf == DepthOf.OPENING || newDepthOf == DepthOf.WHOLE_FACE;
         toggle(GL_POLYGON_OFFSET_FILL, isOpening);
         if (isOpening) {
-            // One pixel's slope and four steps of the buffer: more than two rasterisations of one plane differ by.
-            // Along a whole face that slope would reach before its frame; corners lie on the grid to 1/256 pixel.
+            // One pixel's slope and four steps of the buffer exceed the difference of any two rasterisations of one
+            // plane. Along a whole face, that slope would reach in front of its frame; corners are on the grid to 1/256
+            // pixel.
             glPolygonOffset(newDepthOf == DepthOf.OPENING ? -1 : -1f / 32, -4);
         }
         glDepthRange(newDepthOf == DepthOf.FARTHEST ? 1 : 0, 1);
         depthOf = newDepthOf;
     }
 
-    /** Stays until it is set again. */
+    /** Sets the fill mode; stays until the next call. */
     public void fill(Fill newFill) {
         if (fill != newFill) {
             glPolygonMode(GL_FRONT_AND_BACK, newFill.mode);
@@ -198,7 +209,7 @@ public final class DrawState {
         }
     }
 
-    /** Stays until it is set again. */
+    /** Sets the winding; stays until the next call. */
     public void frontFace(FrontFace newFrontFace) {
         if (frontFace != newFrontFace) {
             glFrontFace(newFrontFace.mode);
@@ -206,7 +217,7 @@ public final class DrawState {
         }
     }
 
-    /** Nothing outside of these pixels is drawn, cleared or copied to until {@link #noScissor}. */
+    /** Limits drawing, clearing and copying to these pixels until {@link #noScissor}. */
     public void scissor(int x, int y, int width, int height) {
         scissor.keepTo(x, y, width, height);
     }
@@ -247,14 +258,14 @@ public final class DrawState {
         return bindings;
     }
 
-    /** A clear obeys the depth mask: call before clearing depth. */
+    /** Enables the depth mask, which a clear of depth obeys; call before such a clear. */
     void allowDepthClear() {
         if (depth != Depth.LESS_AND_WRITE) {
             setDepth(Depth.LESS_AND_WRITE);
         }
     }
 
-    /** Call when foreign code (another toolkit, the bare twin) has used the context. */
+    /** Discards the cached state; call after foreign code (another toolkit, the bare twin) has used the context. */
     public void assumeNothing() {
         bindings.assumeNothing();
         scissor.assumeNothing();
@@ -268,12 +279,12 @@ public final class DrawState {
         frontFace = null;
     }
 
-    /** {@code null} to stop listening. */
+    /** Sets the listener; {@code null} to stop. */
     void listen(DrawListener newListener) {
         listener = newListener;
     }
 
-    /** {@code null} outside of recordings. */
+    /** Returns {@code null} outside of recordings. */
     DrawListener listener() {
         return listener;
     }
@@ -283,7 +294,7 @@ public final class DrawState {
         triangles += drawnTriangles;
     }
 
-    /** Draw calls since {@link #resetCounts}; one multi-draw counts as one. */
+    /** Returns the number of draw calls since {@link #resetCounts}; one multi-draw counts as one. */
     public long draws() {
         return draws;
     }

@@ -2,7 +2,7 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-/** Three vertices without buffers that cover the viewport; the vertex shader makes them from {@code gl_VertexID}. */
+/** Three vertices without buffers that cover the viewport; the vertex shader computes them from {@code gl_VertexID}. */
 public final class FullScreenTriangle implements GlObject {
     private final GlContext gl;
     private final GlHandle vertexArray;

@@ -6,7 +6,7 @@ import nephele.engine.render.gl.shader.GlException;
 import nephele.engine.render.gl.shader.LinkedPrograms;
 import org.lwjgl.opengl.GL;
 
-/** One OpenGL context, current on the thread that made it; every other object of this package takes it first. */
+/** One OpenGL context, current on the thread that made it; the first argument of every other object of this package. */
 public final class GlContext implements AutoCloseable {
     private final Runnable destroy;
     private final GpuLimits limits;
@@ -23,7 +23,7 @@ public final class GlContext implements AutoCloseable {
         setForAll();
     }
 
-    /** What is the same for everything that is drawn. */
+    /** Sets the state that is the same for all drawing. */
     private static void setForAll() {
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -34,9 +34,9 @@ public final class GlContext implements AutoCloseable {
     }
 
     /**
-     * A context without any window system. It has no default framebuffer: draw to a {@link RenderTarget}.
+     * Creates a context without a window system. It has no default framebuffer: draw to a {@link RenderTarget}.
      *
-     * @throws GlUnavailableException where EGL or OpenGL 4.1 is missing
+     * @throws GlUnavailableException if EGL or OpenGL 4.1 is missing
      */
     public static GlContext offscreen() {
         OffscreenContext egl = OffscreenContext.makeCurrent();
@@ -48,8 +48,8 @@ public final class GlContext implements AutoCloseable {
     }
 
     /**
-     * Loads the libraries that {@link #offscreen} needs by making a context and throwing it away: on another thread it
-     * costs nothing while the level is read. Nothing fails here; the real context will say what is missing.
+     * Loads the libraries that {@link #offscreen} needs by creating and destroying a context; run on another thread,
+     * this costs no time while the level is read. Never fails; the real context reports what is missing.
      */
     public static void preloadOffscreen() {
         try {
@@ -60,10 +60,9 @@ public final class GlContext implements AutoCloseable {
     }
 
     /**
-     * Adopts the context that somebody else, a window or another toolkit, has made current, and will destroy after this is
-     * closed.
+     * Adopts the current context of a window or another toolkit, which destroys it after this object is closed.
      *
-     * @throws IllegalStateException where no context is current
+     * @throws IllegalStateException if no context is current
      */
     public static GlContext ofCurrent() {
         GL.createCapabilities(true);
@@ -72,7 +71,7 @@ public final class GlContext implements AutoCloseable {
         return adopted;
     }
 
-    /** Takes an adopted context up again: from here on nothing that somebody else may have set is relied upon. */
+    /** Resumes use of an adopted context; assumes nothing about state that foreign code may have set. */
     public void resume() {
         setForAll();
         state.assumeNothing();
@@ -90,7 +89,7 @@ public final class GlContext implements AutoCloseable {
         return state;
     }
 
-    /** What several renderers of this context may share. */
+    /** Returns the objects that several renderers of this context can share. */
     public SharedObjects shared() {
         return shared;
     }
@@ -103,12 +102,17 @@ public final class GlContext implements AutoCloseable {
         return state.bindings();
     }
 
-    /** Waits until everything submitted is drawn: the end of a timed frame. */
+    /** Waits until all submitted work is complete: the end of a timed frame. */
     public void finish() {
         glFinish();
     }
 
-    /** @throws nephele.engine.render.gl.shader.GlException naming {@code doing} when OpenGL has recorded an error since the last call */
+    /**
+     * Throws if OpenGL has recorded an error since the last call.
+     *
+     * @param doing the activity, for the message
+     * @throws nephele.engine.render.gl.shader.GlException that names {@code doing}
+     */
     public void requireNoError(String doing) {
         int error = glGetError();
         if (error != GL_NO_ERROR) {

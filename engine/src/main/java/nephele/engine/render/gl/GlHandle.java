@@ -3,7 +3,7 @@ package nephele.engine.render.gl;
 import java.util.function.IntConsumer;
 import nephele.engine.render.gl.shader.GlException;
 
-/** One OpenGL name with its one owner; closing twice is a mistake of the owner and throws. */
+/** One OpenGL name with one owner; closing twice is an error of the owner and throws. */
 final class GlHandle implements AutoCloseable {
     private final GlContext gl;
     private final GlKind kind;

@@ -1,6 +1,6 @@
 package nephele.engine.render.gl;
 
-/** Kinds of OpenGL objects that are counted. Programs are not: they belong to the context. */
+/** Kinds of OpenGL objects that are counted. Programs are not counted: they belong to the context. */
 public enum GlKind {
     BUFFER,
     VERTEX_ARRAY,

@@ -1,6 +1,6 @@
 package nephele.engine.render.gl;
 
-/** What holds OpenGL objects until it is closed, once, by its one owner. */
+/** An owner of OpenGL objects, which its own owner closes exactly once. */
 public interface GlObject extends AutoCloseable {
     @Override
     void close();

@@ -6,9 +6,9 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
 
 /**
- * A linked program as one user of it sees it. Equal sources are linked once for a context and shared, so a program holds
- * nothing of a level: whoever draws with it sets every uniform before, but for samplers and blocks, which are tied to
- * their places by name.
+ * A linked program with the uniforms of one user. Equal sources are linked once in a context and shared, so a program
+ * holds no data of a level: every draw sets all uniforms first, except samplers and blocks, which are bound to fixed
+ * places by name.
  *
  * @param <U> its uniforms, a record made from {@link nephele.engine.render.gl.shader.Uniforms}
  */
@@ -17,7 +17,12 @@ public final class GlProgram<U> {
     private final int id;
     private final U uniforms;
 
-    /** @throws nephele.engine.render.gl.shader.GlException with file and line where the sources do not compile, or naming the missing uniform */
+    /**
+     * Links the program or takes the linked one.
+     *
+     * @throws nephele.engine.render.gl.shader.GlException with file and line if the sources do not compile, or with the
+     * name of a missing uniform
+     */
     public GlProgram(GlContext gl, ShaderSource vertex, ShaderSource fragment, Function<Uniforms, U> uniforms) {
         this.gl = gl;
         id = gl.programs().linked(vertex, fragment);

@@ -6,9 +6,9 @@ import org.lwjgl.opengl.GL;
 import org.lwjgl.opengl.GLCapabilities;
 
 /**
- * What this context can do beyond the 4.1 floor, asked once.
+ * Capabilities of this context beyond the 4.1 floor, queried once.
  *
- * @param maxAnisotropy 1 where anisotropic filtering is absent
+ * @param maxAnisotropy 1 without anisotropic filtering
  * @param software true on CPU rasterisers, where GPU timer queries do not measure the work
  */
 public record GpuLimits(
@@ -24,7 +24,11 @@ public record GpuLimits(
         boolean software) {
     private static final int MAX_TEXTURE_MAX_ANISOTROPY = 0x84FF;
 
-    /** @throws GlUnavailableException when the current context is below 4.1 */
+    /**
+     * Queries the current context.
+     *
+     * @throws GlUnavailableException if it is below 4.1
+     */
     static GpuLimits ofCurrent() {
         GLCapabilities can = GL.getCapabilities();
         String version = glGetString(GL_VERSION);

@@ -13,7 +13,9 @@ public final class GpuMesh implements GlObject {
     private final GlHandle indices;
 
     /**
-     * @param vertexBytes direct, laid out as {@code format} says
+     * Creates a mesh.
+     *
+     * @param vertexBytes direct, in the layout of {@code format}
      * @param triangles direct
      */
     public GpuMesh(GlContext gl, String name, VertexFormat format, ByteBuffer vertexBytes, IntBuffer triangles) {
@@ -29,13 +31,13 @@ public final class GpuMesh implements GlObject {
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, triangles, GL_STATIC_DRAW);
     }
 
-    /** Replaces a part of the vertices, from a byte on. */
+    /** Replaces a part of the vertices, from a byte offset on. */
     public void replaceVertices(long firstByte, ByteBuffer vertexBytes) {
         glBindBuffer(GL_ARRAY_BUFFER, vertices.id());
         glBufferSubData(GL_ARRAY_BUFFER, firstByte, vertexBytes);
     }
 
-    /** Draws {@code count} indices from the {@code first}. */
+    /** Draws {@code count} indices from {@code first} on. */
     public void draw(int first, int count) {
         gl.bindings().vertexArray(vertexArray.id());
         if (gl.state().listener() != null) {
@@ -45,7 +47,7 @@ public final class GpuMesh implements GlObject {
         gl.state().drawn(1, count / 3);
     }
 
-    /** Draws {@code instances} times {@code count} indices from the {@code first}. */
+    /** Draws {@code instances} instances of {@code count} indices from {@code first} on. */
     public void drawInstanced(int first, int count, int instances) {
         gl.bindings().vertexArray(vertexArray.id());
         if (gl.state().listener() != null) {

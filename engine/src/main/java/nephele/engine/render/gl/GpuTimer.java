@@ -2,7 +2,7 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-/** Time the GPU spent between start and stop; on CPU rasterisers it means nothing ({@link GpuLimits#software}). */
+/** Measures GPU time between start and stop; meaningless on CPU rasterisers ({@link GpuLimits#software}). */
 public final class GpuTimer implements GlObject {
     private final GlHandle query;
 
@@ -18,7 +18,7 @@ public final class GpuTimer implements GlObject {
         glEndQuery(GL_TIME_ELAPSED);
     }
 
-    /** Waits for the answer of the last start and stop. */
+    /** Waits for the result of the last start and stop, and returns it. */
     public long nanoseconds() {
         return glGetQueryObjecti64(query.id(), GL_QUERY_RESULT);
     }

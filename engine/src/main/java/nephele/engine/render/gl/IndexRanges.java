@@ -6,7 +6,7 @@ import java.nio.IntBuffer;
 import org.lwjgl.PointerBuffer;
 import org.lwjgl.system.MemoryUtil;
 
-/** Index ranges for one multi-draw, in native memory that is kept from frame to frame. */
+/** Index ranges for one multi-draw, in native memory that is reused from frame to frame. */
 public final class IndexRanges implements GlObject {
     private final IntBuffer counts;
     private final PointerBuffer offsets;

@@ -10,6 +10,8 @@ public final class LineMesh implements GlObject {
     private final int count;
 
     /**
+     * Creates lines.
+     *
      * @param format of floats only
      * @param values two vertices for each line
      */

@@ -3,7 +3,7 @@ package nephele.engine.render.gl;
 import java.util.EnumMap;
 import java.util.Map;
 
-/** How many objects of each kind exist in one context: closing a level must bring every count back. */
+/** The number of objects of each kind in one context; closing a level must restore every count. */
 public final class LiveObjects {
     private final int[] counts = new int[GlKind.values().length];
 
@@ -15,7 +15,7 @@ public final class LiveObjects {
         counts[kind.ordinal()]--;
     }
 
-    /** A copy, for comparing before and after. */
+    /** Returns a copy of the counts, to compare before and after. */
     public Map<GlKind, Integer> counts() {
         Map<GlKind, Integer> copy = new EnumMap<>(GlKind.class);
         for (GlKind kind : GlKind.values()) {

@@ -42,7 +42,7 @@ record OffscreenContext(long display, long context) {
 
     private static long openDisplay(MemoryStack stack) {
         long getPlatformDisplay = getPlatformDisplay();
-        // LWJGL's own wrapper refuses the default display, whose handle is 0.
+        // LWJGL's own wrapper rejects the default display, whose handle is 0.
         long display = JNI.callPPP(PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, 0L, getPlatformDisplay);
         IntBuffer version = stack.mallocInt(2);
         if (display == EGL_NO_DISPLAY || !eglInitialize(display, version.slice(0, 1), version.slice(1, 1))) {
@@ -74,7 +74,7 @@ record OffscreenContext(long display, long context) {
         return config.get(0);
     }
 
-    /** The display stays initialised: EGL shares it between all contexts of the process. */
+    /** Destroys the context. The display stays initialised: EGL shares it between all contexts of the process. */
     void destroy() {
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display, context);

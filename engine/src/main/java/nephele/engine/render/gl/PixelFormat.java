@@ -2,9 +2,9 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-/** How a texel is stored, and how its pixels are handed over. */
+/** The storage format of a texel, and the format of its transfer. */
 public enum PixelFormat {
-    /** Colour in sRGB, decoded to linear when sampled; alpha linear. */
+    /** Colour in sRGB, decoded to linear when sampled; alpha is linear. */
     SRGB8_ALPHA8(GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE),
     RGBA8(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE),
     R8(GL_R8, GL_RED, GL_UNSIGNED_BYTE),
@@ -12,7 +12,7 @@ public enum PixelFormat {
     RGBA16F(GL_RGBA16F, GL_RGBA, GL_FLOAT),
     RGBA32F(GL_RGBA32F, GL_RGBA, GL_FLOAT),
     DEPTH24(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT),
-    /** Depth, and eight bits that count how many openings a pixel is seen through. */
+    /** Depth, and eight bits of stencil that count the openings through which a pixel is seen. */
     DEPTH24_STENCIL8(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8),
     DEPTH32F(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT);
 

@@ -6,7 +6,7 @@ import java.nio.FloatBuffer;
 import java.util.Arrays;
 import org.lwjgl.system.MemoryUtil;
 
-/** Triangles whose vertices change every frame: replaced as a whole, then drawn run by run. */
+/** Triangles whose vertices change every frame: uploaded as a whole, then drawn in runs. */
 public final class PolygonStream implements GlObject {
     private final GlContext gl;
     private final GlHandle vertexArray;
@@ -38,7 +38,7 @@ public final class PolygonStream implements GlObject {
         }
     }
 
-    /** Draws {@code count} vertices from the {@code first}, three a triangle. */
+    /** Draws {@code count} vertices from {@code first} on, three for each triangle. */
     public void draw(int first, int count) {
         gl.bindings().vertexArray(vertexArray.id());
         if (gl.state().listener() != null) {

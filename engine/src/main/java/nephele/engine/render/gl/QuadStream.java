@@ -6,7 +6,7 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import org.lwjgl.system.MemoryUtil;
 
-/** Quads that change now and then: four vertices of float4s each, replaced as a whole. */
+/** Quads that change occasionally: four vertices of float4s each, replaced as a whole. */
 public final class QuadStream implements GlObject {
     private static final int[] TWO_TRIANGLES = {0, 1, 2, 2, 3, 0};
 

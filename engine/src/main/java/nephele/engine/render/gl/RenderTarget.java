@@ -8,13 +8,13 @@ import java.util.List;
 import nephele.engine.render.gl.shader.GlException;
 import org.lwjgl.BufferUtils;
 
-/** Where a pass draws: an offscreen picture with its own textures, one layer of a texture, or the window. */
+/** The target of a pass: an offscreen picture with its own textures, one layer of a texture, or the window. */
 public final class RenderTarget implements GlObject {
     private final GlContext gl;
     private final GlHandle framebuffer;
     private final Texture colour;
     private final Texture depth;
-    /** What is drawn into but never looked up. */
+    /** Attachments that are drawn into but never sampled. */
     private final List<GlHandle> renderbuffers;
 
     private final PixelFormat format;
@@ -32,17 +32,17 @@ public final class RenderTarget implements GlObject {
         this.height = height;
     }
 
-    /** What a target draws into and owns; {@code format} is that of its colours. */
+    /** The attachments that a target owns; {@code format} is that of its colours. */
     private record Attachments(PixelFormat format, Texture colour, Texture depth, List<GlHandle> renderbuffers) {}
 
-    /** Colour texture of the given format, 24 bits of depth and 8 of stencil. */
+    /** Creates a target with a colour texture of the given format, 24 bits of depth and 8 of stencil. */
     public static RenderTarget picture(GlContext gl, String name, PixelFormat format, int width, int height) {
         return picture(gl, name, format, width, height, Sampling.NEAREST_CLAMP);
     }
 
     /**
-     * A picture with a part of this target's pixels along each side, rounded up: for what is drawn coarsely and laid over
-     * the full picture, looked up between its texels.
+     * Creates a picture with a fraction of this target's pixels along each side, rounded up, for layers that are drawn
+     * at low resolution and composited with linear filtering.
      *
      * @param divisor 2 for half, 4 for a quarter of the pixels along a side
      */
@@ -52,7 +52,7 @@ public final class RenderTarget implements GlObject {
         return picture(gl, name, itsFormat, itsWidth, itsHeight, Sampling.LINEAR_CLAMP);
     }
 
-    /** As {@link #picture(GlContext, String, PixelFormat, int, int)}, to be looked up in some other way. */
+    /** Creates a target as {@link #picture(GlContext, String, PixelFormat, int, int)} does, with other sampling. */
     public static RenderTarget picture(
             GlContext gl, String name, PixelFormat format, int width, int height, Sampling sampling) {
         Texture colour =
@@ -70,9 +70,9 @@ public final class RenderTarget implements GlObject {
     }
 
     /**
-     * Depth that can be looked up, to be {@link #copyTo copied} into.
+     * Creates a target whose depth can be sampled, as destination of {@link #copyTo copies}.
      *
-     * @param format of colours beside it; {@code null} for none
+     * @param format format of its colours; {@code null} for none
      */
     public static RenderTarget readable(GlContext gl, String name, PixelFormat format, int width, int height) {
         Texture colour = format == null ? null : flat(gl, name, format, width, height);
@@ -96,9 +96,9 @@ public final class RenderTarget implements GlObject {
     }
 
     /**
-     * Colour, depth and stencil with several samples a pixel, to be drawn into and then {@link #copyTo copied}.
+     * Creates a target of colour, depth and stencil with several samples a pixel, as source of {@link #copyTo copies}.
      *
-     * @return {@code null} where this OpenGL cannot draw into such a target
+     * @return {@code null} if this OpenGL cannot draw into such a target
      */
     public static RenderTarget multisampled(GlContext gl, PixelFormat format, int width, int height, int samples) {
         GlHandle colour = newSamples(gl, format, width, height, samples);
@@ -124,7 +124,7 @@ public final class RenderTarget implements GlObject {
         return handle;
     }
 
-    /** Depth only, into one layer of a depth array that stays the caller's. */
+    /** Creates a target of depth only: one layer of a depth array, which stays the caller's. */
     public static RenderTarget depthLayer(GlContext gl, String name, Texture depthArray, int layer) {
         GlHandle framebuffer = bindLayer(gl, name, depthArray, GL_DEPTH_ATTACHMENT, layer);
         glDrawBuffer(GL_NONE);
@@ -132,7 +132,7 @@ public final class RenderTarget implements GlObject {
         return ofLayer(gl, name, framebuffer, null, depthArray.extent());
     }
 
-    /** Colours only, into one layer of an array or one slice of a volume that stays the caller's. */
+    /** Creates a target of colours only: one layer of an array or one slice of a volume, which stays the caller's. */
     public static RenderTarget colourLayer(GlContext gl, String name, Texture layers, int layer) {
         GlHandle framebuffer = bindLayer(gl, name, layers, GL_COLOR_ATTACHMENT0, layer);
         return ofLayer(gl, name, framebuffer, layers.format(), layers.extent());
@@ -155,7 +155,7 @@ public final class RenderTarget implements GlObject {
         return complete(name, new RenderTarget(gl, framebuffer, attached, extent.width(), extent.height()));
     }
 
-    /** The window's own framebuffer, 8 bits a channel with depth. */
+    /** Returns the window's own framebuffer, 8 bits a channel with depth. */
     public static RenderTarget window(GlContext gl, int width, int height) {
         Attachments attached = new Attachments(PixelFormat.RGBA8, null, null, List.of());
         return new RenderTarget(gl, null, attached, width, height);
@@ -165,7 +165,7 @@ public final class RenderTarget implements GlObject {
         return new GlHandle(gl, GlKind.FRAMEBUFFER, name, glGenFramebuffers(), id -> glDeleteFramebuffers(id));
     }
 
-    /** The bound target itself; one that cannot be drawn into is closed before this fails. */
+    /** Returns the bound target; closes it and throws if it is incomplete. */
     private static RenderTarget complete(String name, RenderTarget target) {
         int status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
         if (status != GL_FRAMEBUFFER_COMPLETE) {
@@ -183,44 +183,50 @@ public final class RenderTarget implements GlObject {
         return height;
     }
 
-    /** What was drawn, for a later pass to sample; {@code null} for the window, samples and depth alone. */
+    /**
+     * Returns the colours for a later pass to sample; {@code null} for the window, multisampled targets and depth
+     * alone.
+     */
     public Texture colour() {
         return colour;
     }
 
-    /** Depth to sample; {@code null} for all but {@link #readable} targets. */
+    /** Returns the depth to sample; {@code null} except for {@link #readable} targets. */
     public Texture depth() {
         return depth;
     }
 
-    /** Of the colours: of the window the nearest to what the system chose, {@code null} for depth alone. */
+    /**
+     * Returns the format of the colours: for the window the nearest to the system's choice, {@code null} for depth
+     * alone.
+     */
     public PixelFormat format() {
         return format;
     }
 
-    /** Whether this is the window's own framebuffer, whose depth nothing can be copied from. */
+    /** Returns true for the window's own framebuffer, whose depth cannot be copied. */
     public boolean isWindow() {
         return framebuffer == null;
     }
 
-    /** All drawing goes here from now on. */
+    /** Directs all further drawing here. */
     public void bind() {
         gl.bindings().framebuffer(framebuffer == null ? 0 : framebuffer.id(), width, height);
     }
 
-    /** Binds, sets every colour to the given one, every depth to the farthest and every stencil to 0. */
+    /** Binds, and sets every colour to the given one, every depth to the farthest and every stencil to 0. */
     public void clear(float red, float green, float blue) {
         gl.state().noScissor();
         clearWithinScissor(red, green, blue);
     }
 
-    /** As {@link #clear}, to black of alpha 0: for layers that are laid over something later. */
+    /** Clears as {@link #clear} does, to black with alpha 0, for layers that are composited later. */
     public void clearTransparent() {
         gl.state().noScissor();
         clearWithinScissor(new float[4]);
     }
 
-    /** As {@link #clear}, only where the scissor lets through. */
+    /** Clears as {@link #clear} does, within the scissor. */
     public void clearWithinScissor(float red, float green, float blue) {
         clearWithinScissor(new float[] {red, green, blue, 1});
     }
@@ -246,15 +252,15 @@ public final class RenderTarget implements GlObject {
         glClear(GL_DEPTH_BUFFER_BIT);
     }
 
-    /** Copies the colours, as {@link #copyTo(RenderTarget, CopiedPlanes)}. */
+    /** Copies the colours as {@link #copyTo(RenderTarget, CopiedPlanes)} does. */
     public void copyTo(RenderTarget target) {
         copyTo(target, CopiedPlanes.COLOUR);
     }
 
     /**
-     * Copies to a target of the same size, within the scissor, and binds that. The samples of a pixel become one: the
-     * average of their colours, the depth of one. Colours of samples only to a target of the same format, depth never
-     * from or to a window: its own formats are not known.
+     * Copies to a target of the same size, within the scissor, and binds it. The samples of a pixel become one: the
+     * average of their colours, the depth of one of them. Multisampled colours can be copied only to a target of the
+     * same format, and depth never from or to a window, whose formats are unknown.
      */
     public void copyTo(RenderTarget target, CopiedPlanes copied) {
         target.bind();
@@ -266,14 +272,14 @@ public final class RenderTarget implements GlObject {
         copyPixels(from, to, width, height, copied);
     }
 
-    /** Leaves {@code to} bound for reading too, as {@link #bind} does. */
+    /** Copies, and leaves {@code to} bound for reading too, as {@link #bind} does. */
     static void copyPixels(int from, int to, int width, int height, CopiedPlanes copied) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
         glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, copied.buffers, GL_NEAREST);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, to);
     }
 
-    /** RGBA bytes, the bottom row first. */
+    /** Returns RGBA bytes, the bottom row first. */
     public ByteBuffer readBytes() {
         ByteBuffer bytes = BufferUtils.createByteBuffer(4 * width * height);
         bind();
@@ -281,7 +287,7 @@ public final class RenderTarget implements GlObject {
         return bytes;
     }
 
-    /** Linear RGB floats, the bottom row first. */
+    /** Returns linear RGB floats, the bottom row first. */
     public float[] readFloats() {
         float[] rgb = new float[3 * width * height];
         bind();
@@ -289,7 +295,7 @@ public final class RenderTarget implements GlObject {
         return rgb;
     }
 
-    /** Window depth 0–1, the bottom row first. */
+    /** Returns window depth 0–1, the bottom row first. */
     public float[] readDepth() {
         FloatBuffer depths = BufferUtils.createFloatBuffer(width * height);
         bind();

@@ -2,15 +2,15 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-/** How a texture is read between and beyond its texels. */
+/** Filtering and wrapping of a texture. */
 public enum Sampling {
     /** Trilinear, anisotropic where present, repeating. */
     MIPMAPPED_REPEAT(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT),
-    /** Without smaller images, repeating along every axis: tiles of noise. */
+    /** Linear without mipmaps, repeating along every axis; for tiles of noise. */
     LINEAR_REPEAT(GL_LINEAR, GL_LINEAR, GL_REPEAT),
     LINEAR_CLAMP(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE),
     NEAREST_CLAMP(GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE),
-    /** Compares with a reference depth and filters the four answers: {@code sampler2DArrayShadow}. */
+    /** Compares with a reference depth and filters the four results: {@code sampler2DArrayShadow}. */
     SHADOW_COMPARE(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
 
     final int minify;

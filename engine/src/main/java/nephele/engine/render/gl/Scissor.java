@@ -2,9 +2,9 @@ package nephele.engine.render.gl;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-/** The rectangle of pixels outside of which nothing changes; calls OpenGL only for what differs. */
+/** The scissor rectangle; calls OpenGL only for differences. */
 final class Scissor {
-    /** Whether the test is on; {@code null} when that is not known. */
+    /** True if the test is on; {@code null} if unknown. */
     private Boolean on = false;
 
     private int x;

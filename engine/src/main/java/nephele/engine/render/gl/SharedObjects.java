@@ -6,14 +6,14 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * Objects of a context by the immutable values that they are made from. A value that is there is shared; the last holder
- * that lets go closes it. So an edited level's renderer takes over what did not change, and several renderers of one
- * scene have its geometry and pictures once.
+ * Objects of a context, keyed by the immutable values that they are made from. Equal values share an object; the last
+ * holder closes it. So the renderer of an edited level reuses unchanged objects, and several renderers of one scene
+ * share its geometry and pictures.
  */
 public final class SharedObjects {
     private final Map<Key, Held> held = new HashMap<>();
 
-    /** A value that equals only itself: for what is too large to be compared and never made twice. */
+    /** A value that equals only itself, for data too large to compare and never created twice. */
     public record Same(Object value) {
         @Override
         public boolean equals(Object other) {
@@ -40,9 +40,9 @@ public final class SharedObjects {
     }
 
     /**
-     * One holder's part in an object.
+     * One holder's share in an object.
      *
-     * @param <T> its kind
+     * @param <T> the kind of object
      */
     public final class Share<T> implements GlObject {
         private final Key key;
@@ -67,7 +67,7 @@ public final class SharedObjects {
      * Takes a share.
      *
      * @param madeFrom equal values share an object of the same kind
-     * @param make called where nobody holds one
+     * @param make called if no share exists
      */
     public <T> Share<T> share(Class<T> kind, Object madeFrom, Supplier<T> make, Consumer<T> close) {
         Key key = new Key(kind, madeFrom);

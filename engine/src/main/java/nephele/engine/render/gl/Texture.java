@@ -9,7 +9,7 @@ import nephele.engine.render.gl.shader.TextureUnit;
 public final class Texture implements GlObject {
     private static final int TEXTURE_MAX_ANISOTROPY = 0x84FE;
 
-    /** How its images are addressed. */
+    /** The addressing of a texture's images. */
     public enum Shape {
         FLAT(GL_TEXTURE_2D),
         ARRAY(GL_TEXTURE_2D_ARRAY),
@@ -24,7 +24,7 @@ public final class Texture implements GlObject {
         }
     }
 
-    /** Texels of one layer, and how many layers or slices there are. */
+    /** The texels of one layer, and the number of layers or slices. */
     public record Extent(int width, int height, int layers) {
         public static Extent flat(int width, int height) {
             return new Extent(width, height, 1);
@@ -41,7 +41,7 @@ public final class Texture implements GlObject {
     private final Extent extent;
     private final Sampling sampling;
 
-    /** Allocates without content. */
+    /** Allocates storage without content. */
     public Texture(GlContext gl, String name, Shape shape, PixelFormat format, Extent extent, Sampling sampling) {
         requireFits(gl.limits(), name, shape, extent);
         this.gl = gl;
@@ -117,19 +117,19 @@ public final class Texture implements GlObject {
         }
     }
 
-    /** 1, or as many as lead to a single texel by halves. */
+    /** Returns 1, or the number of mipmap levels down to a single texel. */
     private int levels() {
         int side = Math.max(extent.width, extent.height);
         int largest = shape == Shape.VOLUME ? Math.max(side, extent.layers) : side;
         return sampling.isMipmapped() ? 32 - Integer.numberOfLeadingZeros(largest) : 1;
     }
 
-    /** Replaces one layer, slice or cube face; rows as stored, the first at t = 0. {@code texels} is direct. */
+    /** Replaces one layer, slice or cube face; the first row is at t = 0. {@code texels} is a direct buffer. */
     public void upload(int layer, ByteBuffer texels) {
         upload(layer, new Region(0, 0, extent.width, extent.height), texels);
     }
 
-    /** Replaces a part of one layer, slice or cube face; {@code texels} are the part's rows, one after another. */
+    /** Replaces a part of one layer, slice or cube face; {@code texels} holds the part's rows, one after another. */
     public void upload(int layer, Region part, ByteBuffer texels) {
         bind(TextureUnit.UPLOAD);
         if (hasLayers()) {
@@ -155,13 +155,15 @@ public final class Texture implements GlObject {
         return shape == Shape.ARRAY || shape == Shape.VOLUME;
     }
 
-    /** Has the driver make the smaller images of a mipmapped flat texture or volume from the largest. */
+    /** Generates the mipmap levels of a flat texture or volume from the largest. */
     public void generateLevels() {
         bind(TextureUnit.UPLOAD);
         glGenerateMipmap(shape.target);
     }
 
-    /** Replaces a smaller image of one layer of an array; level 1 has half the sides, rounded down but never to 0. */
+    /**
+     * Replaces a mipmap level of one layer of an array; level 1 has half the side lengths, rounded down, at least 1.
+     */
     public void uploadLevel(int level, int layer, ByteBuffer texels) {
         bind(TextureUnit.UPLOAD);
         int width = Math.max(extent.width >> level, 1);
@@ -169,7 +171,7 @@ public final class Texture implements GlObject {
         glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, layer, width, height, 1, format.pixels, format.type, texels);
     }
 
-    /** How many samples across a slanted surface may take, where the driver can. */
+    /** Sets the greatest number of samples across a slanted surface, if the driver supports it. */
     public void anisotropy(float most) {
         if (gl.limits().maxAnisotropy() > 1) {
             bind(TextureUnit.UPLOAD);

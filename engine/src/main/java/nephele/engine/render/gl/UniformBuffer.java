@@ -4,7 +4,7 @@ import static org.lwjgl.opengl.GL41C.*;
 
 import nephele.engine.render.gl.shader.GlException;
 
-/** A uniform block's storage, std140: the caller lays out floats in multiples of four. */
+/** The storage of a uniform block, std140; the caller provides floats in multiples of four. */
 public final class UniformBuffer implements GlObject {
     private final GlHandle handle;
     private final int floats;

@@ -4,18 +4,21 @@ import static org.lwjgl.opengl.GL41C.*;
 
 import java.util.List;
 
-/** How a vertex lies in its buffer: attribute i of the list is shader location i. */
+/** The layout of a vertex in its buffer: attribute i of the list is shader location i. */
 public record VertexFormat(List<Attribute> attributes) {
-    /** One attribute's components in memory; each fills a multiple of four bytes. */
+    /** The components of one attribute in memory; each fills a multiple of four bytes. */
     public enum Attribute {
         FLOAT2(2, GL_FLOAT, 8),
         FLOAT3(3, GL_FLOAT, 12),
         FLOAT4(4, GL_FLOAT, 16),
-        /** Four signed 16-bit integers read as floats of that value: before 4.2, normalised ones have no zero. */
+        /**
+         * Four signed 16-bit integers, read as floats of the same value: before OpenGL 4.2, normalised ones have no
+         * zero.
+         */
         INT16X4(4, GL_SHORT, 8),
-        /** Two of them. */
+        /** Two signed 16-bit integers, read as floats of the same value. */
         INT16X2(2, GL_SHORT, 4),
-        /** Four bytes read as 0…1. */
+        /** Four bytes, read as 0…1. */
         UNORM8X4(4, GL_UNSIGNED_BYTE, 4),
         /** Two unsigned 16-bit integers, read as integers. */
         UINT16X2(2, GL_UNSIGNED_SHORT, 4);
@@ -43,7 +46,7 @@ public record VertexFormat(List<Attribute> attributes) {
         return attributes.stream().mapToInt(Attribute::bytes).sum();
     }
 
-    /** Into the bound vertex array, reading the bound array buffer. */
+    /** Describes the bound array buffer to the bound vertex array. */
     void describe() {
         int stride = strideBytes();
         long offset = 0;

@@ -19,8 +19,8 @@ import nephele.engine.scene.light.SkyProbes;
 import org.lwjgl.BufferUtils;
 
 /**
- * What moves, on the GPU: the shapes once, the instances whenever one has moved. Shaders read it by {@code
- * thing-position.glsl} and {@code thing-instance.glsl}.
+ * The dynamic objects on the GPU: shapes are uploaded once, instances whenever one has moved. Shaders read them through
+ * {@code dynamic-position.glsl} and {@code dynamic-instance.glsl}.
  */
 public final class DynamicMeshes implements GlObject {
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
@@ -53,7 +53,7 @@ public final class DynamicMeshes implements GlObject {
     }
 
     /**
-     * Brings the instances to {@code frameState}; does nothing when they are there already.
+     * Updates the instances to {@code frameState}, if they differ.
      *
      * @return a number that changes with every change
      */
@@ -70,7 +70,7 @@ public final class DynamicMeshes implements GlObject {
         return now;
     }
 
-    /** What a program that includes {@code thing-position.glsl} is told for each run of instances. */
+    /** The uniforms of a program that includes {@code dynamic-position.glsl}, for each run of instances. */
     public record RunUniforms(Whole firstInstance, Whole partsPerDynamicObject) {
         public static RunUniforms of(Uniforms uniforms) {
             uniforms.sampler("dynamicInstances", TextureUnit.DYNAMIC_INSTANCES);
@@ -82,7 +82,7 @@ public final class DynamicMeshes implements GlObject {
         instances.bind(TextureUnit.DYNAMIC_INSTANCES);
     }
 
-    /** Draws one run with the program that is set and its uniforms. */
+    /** Draws one run with the current program and its uniforms. */
     public void draw(VisibleInstances visible, int run, RunUniforms uniforms) {
         int parts = dynamicObjects.groups().get(visible.group(run)).parts();
         uniforms.firstInstance().set(visible.first(run));

@@ -13,14 +13,15 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** The uniform block {@code Frame} of {@code frame.glsl}: what every shader knows of the view. */
+/** The uniform block {@code Frame} of {@code frame.glsl}: the numbers of a view that every shader uses. */
 public final class FrameUniforms implements GlObject {
     /** Binding point of the block; passes use others. */
     public static final int BINDING = 0;
 
     /**
-     * A portal is drawn a little before its wall, so it wins pixels whose ground lies as little before it: in the view
-     * beyond that ground is this little behind the exit, and would be missing.
+     * Distance by which a nested view's clip plane lies behind the exit. A portal is drawn slightly in front of its
+     * wall and so covers pixels of ground equally close to the wall; in the nested view, that ground is this far behind
+     * the exit and must not be clipped.
      */
     private static final double CLIP_SLACK_METRES = 5e-4;
 
@@ -32,7 +33,7 @@ public final class FrameUniforms implements GlObject {
     private final Matrix4d matrix = new Matrix4d();
     private final Vector3d direction = new Vector3d();
 
-    /** @param environment does not change from frame to frame */
+    /** @param environment stays the same in all frames */
     public FrameUniforms(GlContext gl, Environment environment) {
         state = gl.state();
         buffer = new UniformBuffer(gl, "frame uniforms", FLOATS);
@@ -43,7 +44,7 @@ public final class FrameUniforms implements GlObject {
     }
 
     /**
-     * Makes what is drawn from now on be seen by {@code view}: its numbers, and which way round it sees triangles.
+     * Sets the view of the following draws: its numbers, and the winding of triangles in it.
      *
      * @param exposure factor on radiance before the tone curve
      */
@@ -62,7 +63,7 @@ public final class FrameUniforms implements GlObject {
     }
 
     private void putClip(View view) {
-        // Mesa's llvmpipe 22.3 may go on cutting by a distance that was just switched off: cut nothing then.
+        // Mesa's llvmpipe 22.3 may continue to clip by a distance that was just disabled; a zero plane clips nothing.
         Plane clip = view.clip();
         put(32, clip == null ? direction.zero() : direction.set(clip.nx(), clip.ny(), clip.nz()));
         double inFront = clip == null ? 1 : clip.signedDistance(view.eyeX(), view.eyeY(), view.eyeZ());

@@ -9,7 +9,7 @@ import nephele.engine.scene.light.LightGrid;
 import nephele.engine.scene.light.ShadowFrame;
 import nephele.engine.scene.light.SkyIrradiance;
 
-/** The uniform block {@code Light} of {@code light.glsl}: a level's light in numbers. */
+/** The uniform block {@code Light} of {@code light.glsl}: the light of a level. */
 public final class LightBlock implements GlObject {
     public static final int BINDING = 4;
 
@@ -44,7 +44,7 @@ public final class LightBlock implements GlObject {
         frame.up().put(values, SUN_MAP + 20, (float) texelDepth / 2);
     }
 
-    /** @param anchor what positions in shaders are relative to */
+    /** @param anchor the origin of positions in shaders */
     public void lightGrid(LightGrid grid, Vec3 anchor) {
         Vec3 cell = grid.cellMetres();
         grid.min().minus(anchor).put(values, LIGHT_GRID, 0);
@@ -59,7 +59,7 @@ public final class LightBlock implements GlObject {
         }
     }
 
-    /** Hands what was set to the shaders. */
+    /** Uploads the values that were set. */
     public void upload() {
         buffer.upload(values);
     }

@@ -9,7 +9,7 @@ import nephele.engine.render.gl.UniformBuffer;
 import nephele.engine.scene.SceneMaterials.Surface;
 import nephele.engine.scene.SolidGeometry;
 
-/** The numbers of the materials in uniform blocks, as {@code materials.glsl} reads them. */
+/** The parameters of the materials in uniform blocks, in the layout of {@code materials.glsl}. */
 public final class MaterialBlocks implements GlObject {
     public static final int BINDING = 1;
 
@@ -19,7 +19,8 @@ public final class MaterialBlocks implements GlObject {
     private final int materialsPerBlock;
 
     public MaterialBlocks(GlContext gl, List<Surface> surfaces) {
-        // A power of two: it is a constant of the shaders, and few more materials shall not ask for other programs.
+        // A power of two: the size is a constant in the shaders, and a few more materials should not need other
+        // programs.
         int least = Integer.highestOneBit(2 * surfaces.size() - 1);
         materialsPerBlock = Math.min(least, SolidGeometry.MATERIALS_PER_BLOCK);
         for (int first = 0; first < surfaces.size(); first += materialsPerBlock) {

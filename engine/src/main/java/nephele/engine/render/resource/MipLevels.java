@@ -6,16 +6,17 @@ import nephele.engine.asset.Picture;
 import nephele.engine.level.appearance.ColourDecoding;
 
 /**
- * The smaller images of a texture: each the area mean of the picture in linear light, rounded once. A driver may take
- * each level from the rounded one before; llvmpipe's lost 0.2 % of the light a level, and gained 1 % in dark metal.
+ * The mipmap levels of a texture: each is the area mean of the picture in linear light, rounded once. A driver may
+ * compute each level from the rounded one before; llvmpipe's lost 0.2 % of the light a level, and gained 1 % in dark
+ * metal.
  */
 public final class MipLevels {
     private static final int GUESSES = 1024;
 
     private final float[] linear = new float[256];
-    /** Where one code ends and the next begins, in linear light. */
+    /** The limits between codes, in linear light. */
     private final double[] limits = new double[255];
-    /** The code of k / GUESSES: no value above that has a lower one. */
+    /** The code of k / GUESSES, a lower bound for values above it. */
     private final int[] guesses = new int[GUESSES + 1];
 
     /** A picture in linear light, row by row. */
@@ -41,7 +42,7 @@ public final class MipLevels {
     }
 
     /**
-     * RGBA of level 1, 2 … down to a single texel.
+     * Returns RGBA of level 1, 2 … down to a single texel.
      *
      * @param picture 8-bit RGBA; alpha is linear
      */
@@ -83,7 +84,7 @@ public final class MipLevels {
         return (byte) code;
     }
 
-    /** An odd count of rows or columns gives texels that are a little more than two long. */
+    /** Halves a level; with an odd number of rows or columns, a texel covers a little more than two. */
     private static float[] halved(Rows from, int width, int height) {
         int columns = Math.max(width / 2, 1);
         int rows = Math.max(height / 2, 1);
@@ -120,7 +121,7 @@ public final class MipLevels {
         }
     }
 
-    /** The usual case, which every start of the game waits for. */
+    /** The common case of even widths, which determines the start time of the game. */
     private static void addPairs(float[] line, float weight, float[] to, int at) {
         for (int x = 0, pair = at; x < line.length; x += 8, pair += 4) {
             to[pair] += weight * (line[x] + line[x + 4]);

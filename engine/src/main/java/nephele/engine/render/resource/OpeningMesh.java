@@ -17,9 +17,9 @@ import nephele.engine.scene.ViewNode;
 import nephele.engine.scene.ViewTree;
 
 /**
- * The openings of all views of a frame on the GPU; shader locations 0 clip position, 1 where to look the opening's
- * picture up, homogeneous. What is nearer than the near plane lies in it, as triangles of its own: interpolating depth
- * from beyond the near plane to the far end of an opening would lose it to rounding.
+ * The openings of all views of a frame on the GPU; shader locations 0 clip position, 1 homogeneous lookup position of
+ * the opening's picture. The part nearer than the near plane is moved into that plane, as separate triangles:
+ * interpolation of depth from before the near plane to the far end of an opening would be lost to rounding.
  */
 public final class OpeningMesh implements GlObject {
     private static final int FLOATS_PER_VERTEX = 7;
@@ -35,7 +35,7 @@ public final class OpeningMesh implements GlObject {
         stream = new PolygonStream(gl, "openings", VertexFormat.of(Attribute.FLOAT4, Attribute.FLOAT3));
     }
 
-    /** Replaces what was there by the openings of {@code tree}; terminal ones look up where {@code history} says. */
+    /** Replaces the content by the openings of {@code tree}; terminal ones look up the picture of {@code history}. */
     public void upload(ViewTree tree, ViewHistory history) {
         floats = 0;
         for (int i = 1; i < tree.views().size(); i++) {
@@ -95,12 +95,12 @@ public final class OpeningMesh implements GlObject {
         values[floats++] = (float) reprojection.w(x, y, w);
     }
 
-    /** How its depth comes about: a mirror is a whole face, a portal lies somewhere in one. */
+    /** Returns the source of depth: a mirror is a whole face, a portal is a part of one. */
     public static DepthOf depthOf(ViewNode node) {
         return node.opening().portal() == Opening.NO_PORTAL ? DepthOf.WHOLE_FACE : DepthOf.OPENING;
     }
 
-    /** Draws one opening with the program that is set. */
+    /** Draws one opening with the current program. */
     public void draw(ViewNode node) {
         int first = firsts[node.number()];
         int count = firsts[node.number() + 1] - first;

@@ -15,8 +15,8 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.VisibleSet;
 
 /**
- * {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates, 3 light map
- * or, of models, smooth normal and sky visibility.
+ * {@link SolidGeometry} on the GPU; shader locations 0 position, 1 normal and material, 2 texture coordinates, 3 light
+ * map or, for models, smooth normal and sky visibility.
  */
 public final class SolidMesh implements GlObject {
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT3, Attribute.INT16X4, Attribute.FLOAT2);
@@ -40,7 +40,7 @@ public final class SolidMesh implements GlObject {
         geometry.batches().forEach(batch -> ranges.add(new IndexRanges(mostRanges)));
     }
 
-    /** {@code null} where there is nothing. */
+    /** Returns {@code null} for no triangles. */
     private static GpuMesh mesh(GlContext gl, String name, VertexFormat format, SolidGeometry.Triangles triangles) {
         return triangles.isEmpty() ? null : new GpuMesh(gl, name, format, triangles.vertices(), triangles.indices());
     }
@@ -49,7 +49,7 @@ public final class SolidMesh implements GlObject {
         return geometry.batches();
     }
 
-    /** Draws what {@code visible} holds of one batch, with the program and uniforms that are set. */
+    /** Draws the visible ranges of one batch with the current program and uniforms. */
     public void draw(int batch, VisibleSet visible) {
         IndexRanges batchRanges = ranges.get(batch);
         batchRanges.set(visible.firsts(batch), visible.lengths(batch), visible.size(batch));
@@ -57,7 +57,7 @@ public final class SolidMesh implements GlObject {
     }
 
     /**
-     * Writes a view's eye in a batch's cell as two floats a component whose sum is exact to 1e-12 of the cell:
+     * Writes a view's eye relative to a batch's cell as two floats a component whose sum is exact to 1e-12 of the cell:
      * high x, y, z, low x, y, z.
      */
     public static void eyeInCell(View view, Vec3 cellOrigin, float[] highAndLow) {

@@ -2,7 +2,7 @@ package nephele.engine.render.timing;
 
 import nephele.engine.render.gl.GlContext;
 
-/** Waits for each step to be drawn before the next one begins. */
+/** Times each step by waiting for its completion before the next one begins. */
 final class FinishTimer implements StepTimer {
     private final GlContext gl;
     private final StepMeans means;

@@ -3,7 +3,7 @@ package nephele.engine.render.timing;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GpuTimer;
 
-/** Asks the GPU, about one step a frame in turn: queries can't be nested. */
+/** Times one step of each frame in turn with GPU queries, because queries cannot be nested. */
 final class QueryTimer implements StepTimer {
     private final GpuTimer timer;
     private final StepMeans means;

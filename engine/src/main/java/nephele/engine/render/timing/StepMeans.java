@@ -21,7 +21,7 @@ final class StepMeans {
         times[step]++;
     }
 
-    /** 0 before the step was timed. */
+    /** Returns 0 before the step was timed. */
     double meanMs(int step) {
         return sumMs[step] / Math.max(1, times[step]);
     }

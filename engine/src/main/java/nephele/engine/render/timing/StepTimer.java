@@ -5,23 +5,23 @@ import nephele.engine.render.gl.GlContext;
 
 /** Times the steps of frames. */
 public interface StepTimer extends StepListener, AutoCloseable {
-    /** Call before each frame that is timed. */
+    /** Must be called before each timed frame. */
     void frameBegins();
 
-    /** The mean time of one step since the last {@link #reset}; 0 before it was timed. */
+    /** Returns the mean time of one step since the last {@link #reset}; 0 before it was timed. */
     double meanMs(int step);
 
     void reset();
 
-    /** Which clock it is, for whoever reads the figures. */
+    /** Returns the name of the clock, for readers of the figures. */
     String clock();
 
     @Override
     void close();
 
     /**
-     * Timer queries on hardware; waiting with {@code glFinish} after each step where OpenGL runs in software, because
-     * its timer queries are wrong there.
+     * Returns a timer that uses queries on hardware, and waits with {@code glFinish} after each step if OpenGL runs in
+     * software, where its timer queries are wrong.
      */
     static StepTimer of(GlContext gl, int steps) {
         return gl.limits().software() ? new FinishTimer(gl, steps) : new QueryTimer(gl, steps);

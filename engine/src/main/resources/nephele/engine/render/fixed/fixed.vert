@@ -8,11 +8,11 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 textureCoordinates;
 
 uniform usamplerBuffer visibleModels;
-uniform samplerBuffer places; // the three rows of world from model
+uniform samplerBuffer places; // the three rows of world-from-model
 uniform int firstVisible;
-uniform int firstPlace; // the model whose place is the first
+uniform int firstPlace; // index of the first model in places
 uniform vec3 eye;
-uniform mat4 clipFromRelative; // world directions from the eye
+uniform mat4 clipFromRelative; // from world directions relative to the eye
 
 #ifndef WIREFRAME
 out vec2 texturePoint;
@@ -28,7 +28,7 @@ out vec3 worldPoint;
 out vec3 worldNormal;
 #endif
 
-// By the cofactors: the inverse's transpose but for a factor, of which only the sign matters.
+// Transforms with the cofactor matrix: the transpose of the inverse up to a factor, of which only the sign matters.
 vec3 turnedNormal(vec3 row0, vec3 row1, vec3 row2) {
     vec3 n = vec3(dot(cross(row1, row2), normal), dot(cross(row2, row0), normal), dot(cross(row0, row1), normal));
     return unitOrNothing(dot(cross(row0, row1), row2) < 0.0 ? -n : n);

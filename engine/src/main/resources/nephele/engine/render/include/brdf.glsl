@@ -1,5 +1,6 @@
-// Metallic-roughness reflection: Lambert under GGX, height-correlated Smith, Schlick, energy returned after Turquin
-// (2019). Sources, fits and bounds: nephele.engine.level.appearance.Brdf, its twin; compared in LightTwinsGlTest.
+// Metallic-roughness reflection: Lambert under GGX, height-correlated Smith, Schlick, lost energy returned after
+// Turquin (2019). Sources, fits and bounds: nephele.engine.level.appearance.Brdf, its twin; compared in
+// LightTwinsGlTest.
 
 const float PI = 3.14159265;
 
@@ -12,7 +13,7 @@ struct Brdf {
     vec3 ambientSpecular;
 };
 
-// Reflectance of the lobe for f0 = 1 under equal light from everywhere, inverted.
+// Returns the inverse of the lobe's reflectance for f0 = 1 under equal light from all directions.
 float inverseDirectionalAlbedo(float r, float mu) {
     float c0 = 1.0504262 + mu * (-0.5534067 + mu * (0.2685067 + mu * (0.7763794 - 0.5312025 * mu)));
     float c1 = 0.2777692 + mu * (3.6072694 + mu * (-4.3980971 + 1.2423761 * mu));
@@ -21,7 +22,7 @@ float inverseDirectionalAlbedo(float r, float mu) {
     return max(c0 + r * (c1 + r * (c2 + r * (c3 - 0.4033368 * r))), 1.0);
 }
 
-// The part of that integral that Schlick's (1 - v.h)^5 weighs.
+// Returns the part of that integral that is weighted with Schlick's (1 - v.h)^5.
 float grazingAlbedo(float r, float mu) {
     float s = 1.0 - mu;
     float s3 = s * s * s;
@@ -47,14 +48,14 @@ Brdf brdfOf(vec3 baseColour, float roughness, float metallic, float nDotV) {
     return b;
 }
 
-// Reflected radiance per irradiance on a plane perpendicular to toLight; unit vectors.
+// Returns the reflected radiance per irradiance on a plane perpendicular to toLight; unit vectors.
 vec3 reflectedLight(Brdf b, vec3 normal, vec3 toEye, vec3 toLight) {
     float nDotL = max(dot(normal, toLight), 0.0);
     vec3 halfway = toLight + toEye;
     halfway *= inversesqrt(max(dot(halfway, halfway), 1e-8));
     float nDotH = clamp(dot(normal, halfway), 0.0, 1.0);
     float vDotH = clamp(dot(toEye, halfway), 0.0, 1.0);
-    // Lagrange's identity: 1 - (n.h)^2 without the cancellation at the lobe's peak.
+    // Lagrange's identity gives 1 - (n.h)^2 without the cancellation at the lobe's peak.
     vec3 sine = cross(normal, halfway);
     float d = max(dot(sine, sine) + nDotH * nDotH * b.alpha2, 1e-6);
     float distribution = b.alpha2 / (PI * d * d);

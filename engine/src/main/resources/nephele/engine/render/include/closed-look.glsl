@@ -1,4 +1,4 @@
-// What fills a portal through which nothing is seen: a slow whirl of the portal's colour, nowhere flat, nowhere black.
+// The surface of a portal without a view: a slow whirl of the portal's colour, nowhere uniform, nowhere black.
 
 float latticeNoise(vec2 p) {
     vec2 cell = floor(p);
@@ -15,7 +15,7 @@ mat2 turned(float radians) {
     return mat2(c, s, -s, c);
 }
 
-// Linear display values at a place in metres from the aperture's centre.
+// Returns linear display values at a place in metres from the aperture's centre.
 vec3 closedLook(vec2 place, float halfMetres, vec3 tint, float seconds) {
     float far = length(place) / halfMetres;
     float whole = 6.2831853 * seconds / 3600.0;

@@ -1,4 +1,5 @@
-// For what glows the same in every light: radiance that is developed to about these linear display values.
+// For surfaces that glow the same in every light: radiance whose tone-mapped value is about these linear display
+// values.
 #include "frame.glsl"
 
 vec3 radianceOf(vec3 displayed) {

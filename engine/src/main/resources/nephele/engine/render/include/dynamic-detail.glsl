@@ -1,17 +1,18 @@
-// What makes a bare body look made: rounded edges and a panel's groove, by shading alone. The silhouette stays exact.
+// Procedural details of surfaces without texture: rounded edges and a panel's groove, by shading alone. The silhouette
+// is unchanged.
 
-// x: how far a rounded edge reaches, y: where the groove lies, z: half its width; metres, by the smaller side.
+// Returns x: width of a rounded edge, y: position of the groove, z: half its width; metres, from the smaller side.
 vec3 detailSizes(float halfSide) {
     return vec3(min(0.10 * halfSide, 0.03), min(0.30 * halfSide, 0.12), min(0.022 * halfSide, 0.008));
 }
 
-// How deep in a groove a point is whose middle is `distance` away: 0 to 1, softer where a pixel covers more.
+// Returns the depth in a groove, 0 to 1, at a distance from its middle; softer if a pixel covers more.
 float grooveDepth(float distance, float halfWidth) {
     float soft = max(halfWidth * 0.5, fwidth(distance));
     return (1.0 - smoothstep(halfWidth - 0.5 * soft, halfWidth + soft, abs(distance))) * min(1.0, halfWidth / soft * 2.0);
 }
 
-// xyz: the normal in the part's frame, w: what the colour is multiplied by.
+// Returns xyz: the normal in the part's frame, w: a factor on the colour.
 vec4 detailOfBox(vec3 p, vec3 n, vec3 halfSides) {
     vec3 inFace = 1.0 - abs(n);
     vec3 sizes = detailSizes(min(halfSides.x, min(halfSides.y, halfSides.z)));
@@ -26,7 +27,7 @@ vec4 detailOfBox(vec3 p, vec3 n, vec3 halfSides) {
     return vec4(normal, worn * (1.0 - 0.55 * groove));
 }
 
-// Grooves around the axis: a ball has its equator, a capsule the joints of its ends.
+// Adds grooves around the axis: at a sphere's equator and at the joints of a capsule's ends.
 vec4 detailOfRound(vec3 p, vec3 n, vec4 size) {
     vec3 sizes = detailSizes(size.x);
     float height = abs(p.y) - size.w;

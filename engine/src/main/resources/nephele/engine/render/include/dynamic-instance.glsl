@@ -1,4 +1,4 @@
-// One rigid part of what moves; packed by nephele.engine.scene.dynamic object.DynamicCopies.
+// One rigid part of a dynamic object; packed by nephele.engine.scene.dynamic.DynamicInstances.
 
 uniform samplerBuffer dynamicInstances;
 
@@ -17,8 +17,8 @@ vec3 turnedBack(vec4 quaternion, vec3 v) {
     return turned(vec4(-quaternion.xyz, quaternion.w), v);
 }
 
-// The share of the sky that a face with this normal sees; axes weighed by the normal's squares (McTaggart 2004, "Half-Life
-// 2 / Valve Source Shading").
+// Returns the visible share of the sky for a face with this normal; the axes are weighted by the normal's squares
+// (McTaggart 2004, "Half-Life 2 / Valve Source Shading").
 float skySeen(int instance, vec3 n) {
     vec3 along = mix(instanceTexel(instance, 7).xyz, instanceTexel(instance, 6).xyz, step(0.0, n));
     return dot(n * n, along);

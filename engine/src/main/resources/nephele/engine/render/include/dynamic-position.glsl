@@ -1,7 +1,7 @@
-// Where a vertex of what moves is. Sets gl_ClipDistance[1] and [2] where a level may have portals.
+// The position of a dynamic object's vertex. Sets gl_ClipDistance[1] and [2] if a level may have portals.
 #include "dynamic-instance.glsl"
 
-layout(location = 0) in vec3 position; // of a shape of unit size
+layout(location = 0) in vec3 position; // on a shape of unit size
 layout(location = 1) in vec4 normalAndPart; // 64 part + material
 layout(location = 2) in vec2 textureCoordinates;
 
@@ -22,7 +22,7 @@ DynamicVertex dynamicVertex() {
     v.instance = firstInstance + partsPerDynamic * gl_InstanceID + part;
     vec4 size = instanceTexel(v.instance, 3);
     v.inPart = position * size.xyz;
-    // The halves of a capsule.
+    // Moves the halves of a capsule apart.
     v.inPart.y += textureCoordinates.y > 0.5 ? size.w : -size.w;
     v.fromCentre = turned(instanceTexel(v.instance, 0), v.inPart);
     v.centreHigh = instanceTexel(v.instance, 1).xyz;
@@ -37,7 +37,7 @@ float clippedByOwnPlane(DynamicVertex v, vec4 plane, vec3 eyeFromCentre, float m
 }
 #endif
 
-// Leaves what lies before the planes that cut a part; up to `margin` behind those that the eye is before.
+// Keeps the part in front of the planes that cut an object; up to `margin` behind planes with the eye in front.
 void clipToOwnPlanes(DynamicVertex v, vec3 eyeFromCentre, float margin) {
 #ifdef PORTALS
     gl_ClipDistance[1] = clippedByOwnPlane(v, instanceTexel(v.instance, 4), eyeFromCentre, margin);

@@ -1,12 +1,12 @@
-// Shadows of what moves, beside those of what never moves: depth maps that are drawn when something has moved.
-// Written by render.frame.DynamicShade. Needs shadow-filter.glsl.
+// Shadows of dynamic objects, in addition to those of static geometry: depth maps that are drawn when an object has
+// moved. Written by render.frame.DynamicShadows. Needs shadow-filter.glsl.
 
 layout(std140) uniform DynamicShade {
     mat4 dynamicMapFromAnchor; // metres from the anchor -> texture coordinates and depth, 0 to 1
     vec4 dynamicMapRight; // unit axis along the sun map's rows; w: texel side / depth range
     vec4 dynamicMapUp; // unit axis along its columns; w: half a texel side / depth range
-    vec4 dynamicMapUsed; // xy: texels that are in use, from the first on
-    vec4 dynamicLayers[128]; // four light layers each: 1 where something that moves is in it
+    vec4 dynamicMapUsed; // xy: number of used texels, from the first on
+    vec4 dynamicLayers[128]; // four light layers each: 1 if the layer contains a dynamic object
 };
 
 #ifdef DYNAMIC_SUN_SHADOW
@@ -31,7 +31,7 @@ float dynamicSunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
 #ifdef DYNAMIC_LIGHT_SHADOW
 uniform sampler2DArray dynamicLightMaps;
 
-// What a light's picture shows, the nearer of what never moves and what does.
+// Returns the depths of a light's picture: the nearer of static geometry and dynamic objects.
 vec4 nearerDepths(vec4 depths, vec3 coordinates) {
     int layer = int(coordinates.z);
     if (dynamicLayers[layer / 4][layer % 4] > 0.0) {

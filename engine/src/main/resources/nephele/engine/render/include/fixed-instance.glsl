@@ -1,7 +1,7 @@
-// What a model of an XML scene looks like, by its number.
+// The material of a model of an XML scene, by its number.
 #include "fixed-light.glsl"
 
-uniform samplerBuffer looks; // four texels a model
+uniform samplerBuffer looks; // four texels for each model
 
 FixedMaterial fixedMaterial(int model) {
     vec4 ambient = texelFetch(looks, 4 * model);

@@ -1,7 +1,7 @@
 // The light model of OpenGL 2.1, section 2.14.1, for white lights without attenuation, white global ambient light and a
 // viewer at infinity. In world directions. Java twin: FixedLight.
 
-uniform samplerBuffer fixedLights; // three texels a light
+uniform samplerBuffer fixedLights; // three texels for each light
 uniform vec3 towardsViewer; // unit
 uniform vec4 lightTerms; // 1 or 0 for ambient, diffuse, specular, emissive
 
@@ -13,7 +13,7 @@ struct FixedMaterial {
     vec3 specular;
     vec3 emissive;
     float shininess;
-    int firstLight; // the first of a chain; -1 for none
+    int firstLight; // the first light of a chain; -1 for none
 };
 
 vec3 unitOrNothing(vec3 v) {
@@ -21,18 +21,18 @@ vec3 unitOrNothing(vec3 v) {
     return square > 0.0 ? v * inversesqrt(square) : vec3(0.0);
 }
 
-// With 0 to the 0 as 1.
+// Defines pow(0, 0) as 1.
 float fixedPower(float base, float exponent) {
     return exponent == 0.0 ? 1.0 : base <= 0.0 ? 0.0 : pow(base, exponent);
 }
 
-// spot: unit direction and the cutoff's cosine, below -1 for all around.
+// spot: unit direction and the cutoff's cosine, below -1 for a light in all directions.
 float fixedSpotShare(vec3 towards, vec4 spot, float exponent) {
     float along = -dot(towards, spot.xyz);
     return spot.w < -1.0 ? 1.0 : along < spot.w ? 0.0 : fixedPower(along, exponent);
 }
 
-// place: where a light is and 1, or the direction towards it and 0.
+// place: position of a light and 1, or direction towards it and 0.
 vec3 fixedLightShare(FixedMaterial m, vec3 point, vec3 normal, vec4 place, vec4 spot, float exponent) {
     vec3 towards = unitOrNothing(place.xyz - place.w * point);
     float facing = dot(normal, towards);

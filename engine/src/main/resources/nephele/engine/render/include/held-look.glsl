@@ -1,8 +1,8 @@
-// How much of what is behind a held body hides it: faces little, edges nearly all, so that its shape still reads.
+// The opacity of a held body: faces are nearly transparent, edges nearly opaque, so that its shape stays legible.
 
-// FACE_OPACITY comes from render.pass.dynamic object.DynamicPass.HELD_FACE_OPACITY.
+// FACE_OPACITY is the define DynamicPass.HELD_FACE_OPACITY.
 const float EDGE_OPACITY = 0.9;
-// The line along an edge, by the smallest half side; and how far the face thickens towards it.
+// Width of the line along an edge, and of the face's gradient towards it, relative to the smallest half side.
 const float LINE_SHARE = 0.055;
 const float FADE_SHARE = 0.35;
 
@@ -19,7 +19,7 @@ float boxEdge(vec3 p, vec3 n, vec3 halfSides) {
     return max(lineAt(nearest, LINE_SHARE * smallest), 0.35 * fade * fade);
 }
 
-// Towards the outline, where a round shape turns away.
+// Rises towards the outline, where a round shape turns away.
 float roundEdge(float towardsEye) {
     return 1.0 - smoothstep(0.12, 0.5, towardsEye);
 }

@@ -1,5 +1,5 @@
-// Share of a light's light that arrives: layers of one depth texture, one for a narrow spot, six for the rest, drawn
-// once. Geometry: nephele.engine.scene.light.LightShadows. Needs punctual-lights.glsl and shadow-filter.glsl.
+// The share of a punctual light that arrives: layers of one depth texture, one for a narrow spot, six for others, drawn
+// once. Geometry: nephele.engine.scene.light.LightShadowLayers. Needs punctual-lights.glsl and shadow-filter.glsl.
 
 // Depth: distance along the picture's axis over the light's range; written by light-depth.glsl.
 uniform sampler2DArray lightShadowMaps;

@@ -1,4 +1,4 @@
-// The numbers of a level's light, as they are in this frame; written by render.frame.LightBlock.
+// The numbers of a level's light in this frame; written by render.resource.LightBlock.
 layout(std140) uniform Light {
     vec3 sunDirection; // towards the sun, unit
     vec3 sunIrradiance; // on a perpendicular plane

@@ -1,8 +1,8 @@
-// The materials of a batch; written by render.frame.MaterialBlocks.
+// The materials of a batch; written by render.resource.MaterialBlocks.
 struct Material {
     vec4 baseColourRoughness;
     vec4 emissionMetallic;
-    vec4 layers; // x: base colour, y: normal map, z: metres that one repeat covers
+    vec4 layers; // x: base colour, y: normal map, z: metres covered by one repeat
     vec4 spare;
 };
 

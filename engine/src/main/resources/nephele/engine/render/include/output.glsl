@@ -1,4 +1,4 @@
-// How a surface shader leaves its radiance: render.frame.Output decides.
+// The output of a surface shader's radiance, as render.frame.Output decides.
 #include "frame.glsl"
 #ifdef FOG
 #include "fog.glsl"
@@ -22,8 +22,8 @@ void writeRadiance(vec3 radiance) {
 #endif
 }
 
-// Radiance of a surface, with what lies between it and the eye. Behind an opening the eye is a virtual one, as far from the
-// surface as the whole way is long.
+// Writes the radiance of a surface, with the fog between it and the eye. Behind an opening the eye is a virtual one, at
+// the distance of the whole path.
 void writeRadiance(vec3 radiance, vec3 relativePosition) {
 #ifdef FOG
     writeRadiance(behindFog(radiance, fog, length(relativePosition)));

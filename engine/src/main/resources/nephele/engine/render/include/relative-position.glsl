@@ -1,10 +1,10 @@
-// Where a solid's vertex is seen. Invariant: the depth that is laid down first must be met to the last bit.
+// The position of a solid's vertex. Invariant, because the depth that the depth pass writes must match exactly.
 #include "frame.glsl"
 #include "view-clip.glsl"
 
 layout(location = 0) in vec3 position; // in its cell
 
-// The eye in the cell as two floats a component: the difference to a near vertex is exact.
+// The eye in the cell as two floats a component; the difference to a near vertex is exact.
 uniform vec3 eyeHigh;
 uniform vec3 eyeLow;
 

@@ -1,8 +1,9 @@
-// The baked fraction of the hemisphere over a static face that sees the sky; see nephele.engine.scene.SkyVisibility.
+// The baked fraction of the hemisphere over a static face that sees the sky; see
+// nephele.engine.scene.light.bake.SkyVisibility.
 
 uniform sampler2D skyVisibilityMap;
 
-// From sixteenths of a texel, as vertices carry them, to texture coordinates.
+// Converts sixteenths of a texel, as in vertices, to texture coordinates.
 vec2 lightMapCoordinates(vec2 sixteenths) {
     return sixteenths / (16.0 * vec2(textureSize(skyVisibilityMap, 0)));
 }

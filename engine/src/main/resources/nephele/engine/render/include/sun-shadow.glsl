@@ -1,5 +1,5 @@
-// Share of the sun that arrives: one parallel depth map over all casters, drawn when the sun moves.
-// Geometry: nephele.engine.scene.light.ShadowFrame. Needs shadow-filter.glsl and light.glsl.
+// The share of the sun that arrives: one parallel depth map of all casters, drawn when the sun moves. Geometry:
+// nephele.engine.scene.light.ShadowFrame. Needs shadow-filter.glsl and light.glsl.
 
 uniform sampler2DArray sunShadowMap;
 

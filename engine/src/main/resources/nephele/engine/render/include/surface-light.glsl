@@ -1,14 +1,15 @@
-// Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. What is compiled is what the level asks for:
-//   METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW, DYNAMIC_LIGHT_SHADOW, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static faces.
-// CURVED_RECEIVER: triangles that stand for a curve, whose planes no depth map resolves, are shaded as what moves is.
-// ANCHOR_POSITION goes with each of SUN_SHADOW, DYNAMIC_SUN_SHADOW and PUNCTUAL_LIGHTS.
+// Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. The level's light
+// decides what is compiled: METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
+// DYNAMIC_LIGHT_SHADOW, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static
+// faces. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
+// as dynamic objects are. ANCHOR_POSITION goes with each of SUN_SHADOW, DYNAMIC_SUN_SHADOW and PUNCTUAL_LIGHTS.
 
 struct Surface {
     vec3 baseColour;
-    vec3 normal;  // unit, bent by the normal map
+    vec3 normal;  // unit, with the normal map
     vec3 faceNormal;  // unit, of the geometry
 #ifdef MODEL
-    vec3 smoothNormal;  // unit, of the surface that the triangle stands for
+    vec3 smoothNormal;  // unit, of the curved surface
 #endif
 #ifdef METALLIC_ROUGHNESS
     float roughness;
@@ -55,7 +56,7 @@ const float PI = 3.14159265;
 #include "sky-visibility.glsl"
 #endif
 
-// The largest finite half float: lights may be arbitrarily near and strong, targets may not overflow.
+// The largest finite half float: lights may be arbitrarily near and strong, but targets must not overflow.
 const float MAX_RADIANCE = 65504.0;
 
 #ifdef METALLIC_ROUGHNESS
@@ -77,8 +78,8 @@ vec3 reflected(vec3 albedo, Surface s, vec3 toLight) {
 #endif
 
 #if defined(MODEL) && (defined(SUN) || defined(PUNCTUAL_LIGHTS))
-// Where a triangle turns away from the light the curve does not yet, and light would end along its edges: it fades
-// instead (Chiang, Li and Burley 2019, "Taming the Shadow Terminator"). Twin: level.appearance.Terminator.
+// Fades light where a triangle, but not yet its curved surface, faces away from it; otherwise light would end along the
+// triangle's edges (Chiang, Li and Burley 2019, "Taming the Shadow Terminator"). Twin: level.appearance.Terminator.
 float terminatorShare(Surface s, vec3 toLight) {
     float onCurve = dot(s.smoothNormal, toLight) * dot(s.faceNormal, s.smoothNormal);
     float g = onCurve > 0.0 ? min(dot(s.faceNormal, toLight) / onCurve, 1.0) : 1.0;
@@ -87,8 +88,8 @@ float terminatorShare(Surface s, vec3 toLight) {
 #endif
 
 #ifdef CURVED_RECEIVER
-// Under light that grazes it a triangle's plane, continued to the next texel's middle, comes out of the far side of what
-// shades it: a few hundredths of the light are given up to that.
+// Under grazing light, a triangle's plane extrapolated to the next texel's centre is behind its occluder; this gives up
+// a few hundredths of the light to hide that.
 float steepShare(float cosine) {
     return clamp(cosine * 40.0 - 1.0, 0.0, 1.0);
 }
@@ -147,8 +148,8 @@ vec3 allLights(REFLECTANCE r, Surface s) {
 }
 #endif
 
-// Light from all around. A rough stand-in mirrors the sky: its irradiance in the mirrored direction, which is right for
-// matt metal and too blurred for polished metal.
+// Ambient light. A rough approximation of reflection: the sky's irradiance in the mirrored direction, which is right
+// for matt metal and too blurred for polished metal.
 #if defined(AMBIENT_CONSTANT) || defined(SKY_AMBIENT)
 vec3 ambientLight(REFLECTANCE r, Surface s) {
 #ifdef AMBIENT_CONSTANT

@@ -1,7 +1,7 @@
-// Linear radiance to display values; the Java twin is render.frame.Development.
+// Linear radiance to display values; the Java twin is render.frame.ToneMapping.
 #include "frame.glsl"
 
-// CLIP: what exceeds 1 is lost. FILMIC: Narkowicz, "ACES Filmic Tone Mapping Curve", 2015.
+// CLIP: values above 1 are lost. FILMIC: Narkowicz, "ACES Filmic Tone Mapping Curve", 2015.
 vec3 toneCurve(vec3 exposed) {
 #ifdef TONE_FILMIC
     vec3 x = min(exposed, 1e4);
@@ -17,15 +17,15 @@ vec3 encodeSrgb(vec3 linear) {
     return mix(12.92 * linear, power, greaterThan(linear, vec3(0.0031308)));
 }
 
-// Between -1/2 and 1/2 exclusive: Roberts' R2 sequence ("The Unreasonable Effectiveness of Quasirandom Sequences",
-// 2018) over pixel coordinates in 32-bit fixed point; the same pixel always gets the same value.
+// Returns a value between -1/2 and 1/2 exclusive: Roberts' R2 sequence ("The Unreasonable Effectiveness of Quasirandom
+// Sequences", 2018) over pixel coordinates in 32-bit fixed point; always the same for a pixel.
 float ditherOffset() {
     uvec2 at = uvec2(gl_FragCoord.xy);
     uint fixedPoint = at.x * 3242174889u + at.y * 2447445413u;
     return (float(fixedPoint >> 24) + 0.5) / 256.0 - 0.5;
 }
 
-// Exposure, tone curve, sRGB and dither: once per pixel, here and nowhere else.
+// Applies exposure, tone curve, sRGB and dither, once per pixel; no other code does.
 vec3 develop(vec3 radiance) {
     vec3 encoded = encodeSrgb(toneCurve(max(radiance * development.x, 0.0)));
     return encoded + ditherOffset() / 255.0;

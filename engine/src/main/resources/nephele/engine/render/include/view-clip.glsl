@@ -1,4 +1,4 @@
-// Cuts what lies behind the portal that a view looks out of; only where a level may have portals.
+// Clips behind the opening through which a view looks; only if a level may have portals.
 #include "frame.glsl"
 
 void clipToView(vec3 relative) {

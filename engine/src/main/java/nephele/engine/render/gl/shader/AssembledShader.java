@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The text of a {@link ShaderSource}, which knows which line came from which file. */
+/** The assembled text of a {@link ShaderSource}, with the origin of each line. */
 final class AssembledShader {
     private static final String INCLUDE_FOLDER = "/nephele/engine/render/include/";
     private static final Pattern INCLUDE = Pattern.compile("\\s*#include\\s+\"([\\w./-]+)\"\\s*");
@@ -19,7 +19,11 @@ final class AssembledShader {
     private final Set<String> open = new HashSet<>();
     private final StringBuilder text = new StringBuilder();
 
-    /** @throws GlException naming a file that is missing, or that includes itself */
+    /**
+     * Assembles the text.
+     *
+     * @throws GlException that names a file that is missing or includes itself
+     */
     AssembledShader(ShaderSource source) {
         this.source = source;
         text.append("#version 410 core\n");
@@ -49,7 +53,10 @@ final class AssembledShader {
         }
     }
 
-    /** The compiler decides which of several inclusions counts: the first one may lie in a branch that is not taken. */
+    /**
+     * Appends an include behind a guard: only the compiler can decide which of several inclusions counts, because the
+     * first one may be in a branch that is not taken.
+     */
     private void appendOnce(String path, String includedFrom) {
         if (open.contains(path)) {
             throw new GlException(includedFrom + " includes " + path + ", which includes it in turn");
@@ -66,7 +73,7 @@ final class AssembledShader {
         return text.toString();
     }
 
-    /** A compiler's log with {@code file:line} in place of its string and line numbers. */
+    /** Returns a compiler's log with {@code file:line} in place of its string and line numbers. */
     String withFileNames(String log) {
         return PLACE.matcher(log).replaceAll(place -> {
             int file = Integer.parseInt(place.group(1));

@@ -5,7 +5,10 @@ import static org.lwjgl.opengl.GL41C.*;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The programs of a context by their sources. They live as long as the context: an edit or the next level compiles nothing twice. */
+/**
+ * The programs of a context, keyed by their sources. They live as long as the context, so an edit or the next level
+ * compiles nothing again.
+ */
 public final class LinkedPrograms {
     private final Map<Sources, Integer> linked = new HashMap<>();
 
@@ -15,7 +18,11 @@ public final class LinkedPrograms {
         return vertex.name() + "+" + fragment.name();
     }
 
-    /** @throws GlException with file and line where the sources do not compile */
+    /**
+     * Returns the program of these sources, which is linked on first use.
+     *
+     * @throws GlException with file and line if the sources do not compile
+     */
     public int linked(ShaderSource vertex, ShaderSource fragment) {
         Sources sources = new Sources(vertex, fragment);
         Integer known = linked.get(sources);

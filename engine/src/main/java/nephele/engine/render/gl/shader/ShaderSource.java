@@ -7,12 +7,11 @@ import java.util.Map;
 import java.util.function.UnaryOperator;
 
 /**
- * What a shader's GLSL is put together from: a file, its includes and defines. A value; nothing is read before it is
- * compiled.
+ * The parts of a shader's GLSL: a file, its includes and defines. A value; files are read when it is compiled.
  *
- * <p>{@code #include "name.glsl"} takes {@code nephele/engine/render/include/name.glsl}, each file once.
+ * <p>{@code #include "name.glsl"} inserts {@code nephele/engine/render/include/name.glsl}, each file once.
  *
- * @param read the text of a file by its path
+ * @param read returns the text of a file by its path
  */
 public record ShaderSource(String path, Map<String, String> defines, UnaryOperator<String> read) {
     private static final UnaryOperator<String> RESOURCES = ShaderSource::resource;
@@ -21,7 +20,11 @@ public record ShaderSource(String path, Map<String, String> defines, UnaryOperat
         defines = Map.copyOf(defines);
     }
 
-    /** @param resource absolute path of a resource, such as {@code /nephele/engine/render/pass/solid/solid.vert} */
+    /**
+     * Returns the source of a resource.
+     *
+     * @param resource absolute path, such as {@code /nephele/engine/render/pass/solid/solid.vert}
+     */
     public static ShaderSource load(String resource, Map<String, String> defines) {
         return new ShaderSource(resource, defines, RESOURCES);
     }

@@ -1,13 +1,13 @@
 package nephele.engine.render.gl.shader;
 
 /**
- * Which texture unit holds what: the one table of them. OpenGL 4.1 promises a program {@value #COUNT}. Units with one
- * number are of draws that never read both.
+ * The assignment of texture units. OpenGL 4.1 guarantees {@value #COUNT} for a program. Units with the same number
+ * belong to draws that never read both.
  */
 public enum TextureUnit {
-    /** Base colours of materials, or the only picture of a pass: sky faces, letters, a picture to be developed. */
+    /** Base colours of materials, or the only picture of a pass: sky faces, letters, a picture to be tone-mapped. */
     COLOURS(0),
-    /** An image that is being allocated or replaced; draws bind their own afterwards. */
+    /** An image during allocation or replacement; draws bind their own afterwards. */
     UPLOAD(0),
     NORMALS(1),
     SUN_SHADOW(2),
@@ -21,7 +21,7 @@ public enum TextureUnit {
     VIEW_DEPTH(12),
     VIEW_COLOUR(13),
 
-    /** From here on of XML scenes, whose draws use none of the units above. */
+    /** The following units are for XML scenes, whose draws use none of the units above. */
     SCENE_VISIBLE(0),
     SCENE_PLACES(1),
     SCENE_LOOKS(2),

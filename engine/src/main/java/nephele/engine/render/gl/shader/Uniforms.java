@@ -2,7 +2,7 @@ package nephele.engine.render.gl.shader;
 
 import static org.lwjgl.opengl.GL41C.*;
 
-/** Looks uniforms up by name while a program is made; a name the program does not use throws. */
+/** Looks up uniforms by name while a program is created; throws for a name that the program does not use. */
 public final class Uniforms {
     private final int program;
     private final String programName;
@@ -67,12 +67,12 @@ public final class Uniforms {
         return new Matrix4(program, location(name));
     }
 
-    /** Ties a sampler to a texture unit for good. */
+    /** Binds a sampler to a texture unit permanently. */
     public void sampler(String name, TextureUnit unit) {
         glProgramUniform1i(program, location(name), unit.number());
     }
 
-    /** Ties a uniform block to a binding point for good. */
+    /** Binds a uniform block to a binding point permanently. */
     public void block(String name, int bindingPoint) {
         int index = glGetUniformBlockIndex(program, name);
         if (index == GL_INVALID_INDEX) {

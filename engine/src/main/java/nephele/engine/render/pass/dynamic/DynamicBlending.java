@@ -1,8 +1,8 @@
 package nephele.engine.render.pass.dynamic;
 
-/** How things join what is behind them. */
+/** The blending of dynamic objects with the surfaces behind them. */
 enum DynamicBlending {
     SOLID,
-    /** Lets through what is behind, but for edges: {@code held-look.glsl}. */
+    /** Transparent except at edges: {@code held-look.glsl}. */
     SEE_THROUGH
 }

@@ -24,12 +24,12 @@ import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.dynamic.DynamicGroup;
 import nephele.engine.scene.dynamic.VisibleInstances;
 
-/** Draws runs of instances: a program for each group of them, all of one look. */
+/** Draws runs of instances: one program for each group, all with the same blending. */
 final class DynamicDraw {
-    /** The view's plane and two of a thing's own. */
+    /** The view's plane and two of the object's own. */
     private static final int CLIP_DISTANCES = 3;
 
-    /** Openings are drawn a pixel's slope nearer than they are. */
+    /** Slope in pixels by which openings are drawn nearer than their surface. */
     private static final double SEAM_PIXELS = 1.5;
 
     private final GlContext gl;
@@ -61,7 +61,10 @@ final class DynamicDraw {
         meshes.dynamicObjects().groups().forEach(group -> programOfGroup.add(programFor(group, context)));
     }
 
-    /** {@code null} for what is never drawn so: nobody holds a figure, the only thing of several parts. */
+    /**
+     * Returns {@code null} for groups that are never drawn so: the character, the only group of several parts, cannot
+     * be held.
+     */
     private GlProgram<DynamicUniforms> programFor(DynamicGroup group, LoadContext context) {
         if (look == DynamicBlending.SEE_THROUGH && group.parts() > 1) {
             return null;

@@ -16,16 +16,17 @@ import nephele.engine.scene.dynamic.HeldBodyVisibility;
 import nephele.engine.scene.dynamic.VisibleInstances;
 
 /**
- * What moves: one call for each run of things that look alike and are seen. What the player holds before the own eyes
- * has a pass of its own, because it is see-through, over all else that the view shows. Bodies are convex, so one layer of
- * front faces covers each pixel and no order matters. Its shadow and every other sight of it stay solid.
+ * Draws dynamic objects: one call for each run of visible objects of one group. In the player's own first-person view,
+ * the held body has a separate pass, because it is transparent and drawn over the rest of the view. Bodies are convex,
+ * so one layer of front faces covers each pixel and no sorting is needed. The body's shadow and its other images stay
+ * solid.
  */
 public final class DynamicPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("dynamic", Stage.IN_VIEWS, DynamicPass::requiredBy);
     public static final RenderFeature HELD =
             new RenderFeature("dynamic.held", Stage.IN_VIEWS_AFTER_OPAQUE, DynamicPass::heldRequiredBy);
 
-    /** The share of what is behind that the middle of a held face hides: a define of {@code held-look.glsl}. */
+    /** The opacity of the middle of a held face; a define of {@code held-look.glsl}. */
     public static final double HELD_FACE_OPACITY = 0.3;
 
     private final DynamicBlending look;
@@ -52,7 +53,7 @@ public final class DynamicPass implements Pass {
         return required(because, DynamicBlending.SOLID, request);
     }
 
-    /** A player's hands, where there is something for them to hold. */
+    /** Requires the pass for held bodies in a level with bodies and a player. */
     private static List<Required> heldRequiredBy(FrameRequest request) {
         return request.mayShowCharacter() && request.hasBodies()
                 ? required("player: a body that is held", DynamicBlending.SEE_THROUGH, request)

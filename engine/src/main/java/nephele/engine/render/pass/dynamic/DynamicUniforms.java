@@ -6,10 +6,10 @@ import nephele.engine.render.gl.shader.Uniforms.Vector3;
 import nephele.engine.render.resource.DynamicMeshes.RunUniforms;
 
 /**
- * What changes from view to view and from run to run.
+ * The uniforms that change from view to view and from run to run.
  *
- * @param seamPerMetre only where the level may have portals
- * @param clarity only of what is see-through
+ * @param seamPerMetre present if the level may have portals
+ * @param clarity present for transparent objects
  */
 record DynamicUniforms(
         Vector3 eyeHigh, Vector3 eyeLow, Optional<Scalar> seamPerMetre, Optional<Scalar> clarity, RunUniforms run) {

@@ -14,8 +14,8 @@ import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.ViewTree;
 
 /**
- * Which code a group's shader holds; equal variants share a program. What has no texture is given details – except in
- * output PLAIN, which shows values as stored.
+ * The code of a group's shader; equal variants share a program. Surfaces without texture receive procedural details,
+ * except in output PLAIN, which shows values as stored.
  */
 record DynamicVariant(SurfaceVariant surface, boolean detailed, DynamicBlending look) {
     private static final String FOLDER = "/nephele/engine/render/pass/dynamic/";

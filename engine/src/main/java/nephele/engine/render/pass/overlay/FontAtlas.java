@@ -5,19 +5,19 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * The letters as one signed distance field: 128 on the edge of the pen's line, rising inside, one step a
- * 1/{@link #STEPS_PER_TEXEL} texel. Distance to a polyline is exact, so the field needs no search.
- * One distance field serves every size (Green 2007, "Improved Alpha-Tested Magnification").
+ * The letters as one signed distance field: 128 on the edge of the pen's line, rising inside, one step for 1/{@link
+ * #STEPS_PER_TEXEL} texel. The distance to a polyline is computed exactly, without a search. One field serves every
+ * size (Green 2007, "Improved Alpha-Tested Magnification").
  */
 final class FontAtlas {
     static final int WIDTH_TEXELS = 768;
     static final double TEXELS_PER_EM = 56;
     static final int STEPS_PER_TEXEL = 24;
 
-    /** Free texels around a letter: the field's reach, so that neighbours never mix. */
+    /** Free texels around a letter: the range of the field, so that adjacent letters never mix. */
     static final int MARGIN_TEXELS = 6;
 
-    /** One texel that is inside everywhere: what panels are filled with. */
+    /** Side of a block of texels that are fully inside; fills panels. */
     static final int SOLID_TEXELS = 4;
 
     private static final double LOWEST_HUNDREDTHS = -26;
@@ -27,7 +27,7 @@ final class FontAtlas {
     private byte[] texels;
     private int height;
 
-    /** Where a letter lies in the atlas, and how far it moves the pen; origin = the pen at the baseline. */
+    /** The place of a letter in the atlas, and the advance of the pen; the origin is the pen on the baseline. */
     record Cell(int x, int y, int width, int height, double advanceEm) {}
 
     private FontAtlas() {}
@@ -53,13 +53,13 @@ final class FontAtlas {
         return texels;
     }
 
-    /** The letter's cell, or the question mark's for letters that the font lacks. */
+    /** Returns the letter's cell, or the question mark's for letters that the font lacks. */
     Cell cell(int codePoint) {
         var cell = cells.get(codePoint);
         return cell != null ? cell : cells.get((int) '?');
     }
 
-    /** Texels from a cell's bottom edge up to the baseline. */
+    /** Returns the texels from a cell's bottom edge to the baseline. */
     static double baselineTexels() {
         return MARGIN_TEXELS - LOWEST_HUNDREDTHS / 100 * TEXELS_PER_EM;
     }
@@ -83,7 +83,7 @@ final class FontAtlas {
         height = y + cellHeight;
     }
 
-    /** The pen's first position lies one pen width right of the margin, on the baseline. */
+    /** Returns the texels from a cell's left edge to the pen's first position, one pen width right of the margin. */
     static double originTexels() {
         return MARGIN_TEXELS + StrokeFont.PEN_HUNDREDTHS / 100 * TEXELS_PER_EM;
     }

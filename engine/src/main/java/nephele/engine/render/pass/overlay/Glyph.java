@@ -7,10 +7,13 @@ import java.util.List;
  * A letter as the path of a pen, in hundredths of an em above the baseline.
  *
  * @param widthHundredths from the leftmost to the rightmost pen position, without the pen's own width
- * @param strokes each a row of points x0, y0, x1, y1 …
+ * @param strokes rows of points x0, y0, x1, y1 …
  */
 record Glyph(int codePoint, double widthHundredths, List<double[]> strokes) {
-    /** The letter with another one's strokes on its middle, lifted; as wide as the wider of both. */
+    /**
+     * Returns this letter with the strokes of another one centred on it, raised by {@code lift}; as wide as the wider
+     * of both.
+     */
     Glyph with(Glyph mark, int newCodePoint, double lift) {
         double width = Math.max(widthHundredths, mark.widthHundredths);
         var all = new ArrayList<double[]>();

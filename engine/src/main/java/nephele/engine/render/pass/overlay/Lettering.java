@@ -1,10 +1,10 @@
 package nephele.engine.render.pass.overlay;
 
-/** The letters ready for use, baked at the first text: a game without an overlay has none. */
+/** The font atlas, created at the first text, so that a game without an overlay has none. */
 public final class Lettering {
     private FontAtlas atlas;
 
-    /** How far a letter moves the pen. */
+    /** Returns the advance of a letter. */
     double advanceEm(int codePoint) {
         return codePoint == ' ' ? StrokeFont.SPACE_EM : cell(codePoint).advanceEm();
     }

@@ -3,8 +3,8 @@ package nephele.engine.render.pass.overlay;
 import java.util.Arrays;
 
 /**
- * What lies over the picture, as quads. Lengths are points from the upper left corner; a point is one pixel at scale 1
- * and two at scale 2. Fill it only when the content changes: the pass uploads it only then.
+ * The overlay of a picture, as quads. Lengths are points from the upper left corner; a point is one pixel at scale 1
+ * and two at scale 2. Fill it only when the content changes, because the pass then uploads it.
  */
 public final class OverlayCanvas {
     /** x, y in pixels, u, v in atlas texels, red, green, blue, alpha. */
@@ -33,7 +33,7 @@ public final class OverlayCanvas {
         return length == 0;
     }
 
-    /** A filled rectangle. */
+    /** Adds a filled rectangle. */
     public void rectangle(double x, double y, double width, double height, OverlayColour colour) {
         double solid = FontAtlas.SOLID_TEXELS / 2.0;
         corner(x * scale, y * scale, solid, solid, colour);
@@ -43,10 +43,10 @@ public final class OverlayCanvas {
     }
 
     /**
-     * One line of text; its baseline is rounded to a whole pixel, which keeps it crisp.
+     * Adds one line of text; its baseline is rounded to a whole pixel, which keeps it sharp.
      *
      * @param em size of the letters in points; capitals are 0.7 em high
-     * @return where the next letter would begin
+     * @return x of the next letter
      */
     public double text(double x, double baseline, double em, OverlayColour colour, String line) {
         double texelPixels = em * scale / FontAtlas.TEXELS_PER_EM;
@@ -62,7 +62,7 @@ public final class OverlayCanvas {
         return pen / scale;
     }
 
-    /** How wide a line of text is in points. */
+    /** Returns the width of a line of text in points. */
     public double width(double em, String line) {
         return line.codePoints().mapToDouble(lettering::advanceEm).sum() * em;
     }
@@ -79,7 +79,7 @@ public final class OverlayCanvas {
         return length / (FLOATS_PER_VERTEX * VERTICES_PER_QUAD);
     }
 
-    /** Rises with every {@link #begin}. */
+    /** Returns a number that rises with every {@link #begin}. */
     long version() {
         return version;
     }

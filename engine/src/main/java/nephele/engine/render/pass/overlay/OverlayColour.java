@@ -2,7 +2,11 @@ package nephele.engine.render.pass.overlay;
 
 /** A display colour of the overlay, sRGB values from 0 to 1, alpha not premultiplied. */
 public record OverlayColour(float red, float green, float blue, float alpha) {
-    /** @param rgb 0xRRGGBB as stored in a display */
+    /**
+     * Returns an opaque colour.
+     *
+     * @param rgb 0xRRGGBB as stored in a display
+     */
     public static OverlayColour opaque(int rgb) {
         return new OverlayColour((rgb >> 16 & 255) / 255f, (rgb >> 8 & 255) / 255f, (rgb & 255) / 255f, 1);
     }

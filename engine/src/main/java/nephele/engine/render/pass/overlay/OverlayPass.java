@@ -20,8 +20,8 @@ import nephele.engine.render.gl.shader.Uniforms;
 import org.lwjgl.system.MemoryUtil;
 
 /**
- * Draws a canvas over a finished picture with one call. No level requires it: whoever shows an overlay does. Program,
- * texture and buffers are made when the first canvas that isn't empty is drawn.
+ * Draws a canvas over a finished picture with one call. No level requires it: the program that shows an overlay creates
+ * it. Program, texture and buffers are created when the first non-empty canvas is drawn.
  */
 public final class OverlayPass implements AutoCloseable {
     private static final String FOLDER = "/nephele/engine/render/pass/overlay/";
@@ -40,7 +40,7 @@ public final class OverlayPass implements AutoCloseable {
         this.lettering = lettering;
     }
 
-    /** An empty canvas costs nothing. */
+    /** Draws nothing for an empty canvas. */
     public void draw(OverlayCanvas canvas, RenderTarget picture) {
         if (canvas.isEmpty()) {
             return;
@@ -61,7 +61,7 @@ public final class OverlayPass implements AutoCloseable {
         quads.draw();
     }
 
-    /** Whether anything was built yet. */
+    /** Returns true if the resources exist. */
     boolean isBuilt() {
         return program != null;
     }

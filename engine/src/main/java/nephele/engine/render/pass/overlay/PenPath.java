@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** Collects the strokes of one letter: lines, and arcs flattened to lines far below a pixel. */
+/** Collects the strokes of one letter: lines, and arcs divided into chords far shorter than a pixel. */
 final class PenPath {
     private static final double DEGREES_PER_CHORD = 12;
 
@@ -12,7 +12,7 @@ final class PenPath {
     private double[] points = new double[256];
     private int length;
 
-    /** Follows the command at {@code words[at]}; returns how many words it took. */
+    /** Executes the command at {@code words[at]}; returns the number of words that it took. */
     int follow(String[] words, int at) {
         switch (words[at]) {
             case "M":

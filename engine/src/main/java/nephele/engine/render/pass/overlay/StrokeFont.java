@@ -6,9 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** The letters of {@code strokes.txt}, which says how they are written. */
+/** The letters of {@code strokes.txt}, which documents their notation. */
 final class StrokeFont {
-    /** Width of the pen and the free space between two letters' pens, in hundredths of an em. */
+    /** Width of the pen and the free space between the pens of two letters, in hundredths of an em. */
     static final double PEN_HUNDREDTHS = 8.5;
 
     static final double SPACING_HUNDREDTHS = 19.5;
@@ -43,7 +43,7 @@ final class StrokeFont {
         return glyphs.values();
     }
 
-    /** The letter, or null. */
+    /** Returns the letter, or null. */
     Glyph glyph(int codePoint) {
         return glyphs.get(codePoint);
     }

@@ -1,2 +1,2 @@
-/** Text, panels and the crosshair over the picture: a stroke font made here, its distance field and one draw. */
+/** Text, panels and the crosshair over the picture: a generated stroke font, its distance field and one draw. */
 package nephele.engine.render.pass.overlay;

@@ -15,8 +15,8 @@ import nephele.engine.scene.ViewNode;
 import org.joml.Vector3dc;
 
 /**
- * Adds the fog that lies before a tinted mirror to what is seen in it. A surface's radiance is tinted with all fog before
- * it, so what the tint took from the fog on this side is given back, in linear light.
+ * Adds the fog in front of a tinted mirror to its reflection. A surface's radiance is tinted together with all fog in
+ * front of it; this adds what the tint removed from the fog on this side, in linear light.
  */
 final class MirrorFog {
     private final GlContext gl;
@@ -29,7 +29,7 @@ final class MirrorFog {
         program = OpeningPrograms.fog(context);
     }
 
-    /** {@code null} where no fog lies before mirrors, or where the output holds no linear light to add to. */
+    /** Returns {@code null} if no fog is in front of mirrors, or if the output has no linear light to add to. */
     static MirrorFog of(LoadContext context) {
         boolean isFoggy =
                 FogTransmittance.of(context.scene().level().environment()).isPresent();
@@ -40,7 +40,7 @@ final class MirrorFog {
                 : null;
     }
 
-    /** Draws over an opening that has been filled, where its own depth is the nearest. */
+    /** Draws over a filled opening whose own depth is the nearest. */
     void draw(ViewNode child) {
         Vec3 kept = child.opening().tint();
         if (kept.x() == 1 && kept.y() == 1 && kept.z() == 1) {

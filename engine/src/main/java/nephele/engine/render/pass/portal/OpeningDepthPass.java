@@ -16,7 +16,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.ViewNode;
 
-/** Lays down the depth of openings before anything else: the wall that they lie in is not drawn, nor what it hides. */
+/** Writes the depth of openings first, so that neither their wall nor what is behind it is drawn there. */
 public final class OpeningDepthPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
             "portal.depth",

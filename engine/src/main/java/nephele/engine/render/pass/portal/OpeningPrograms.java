@@ -10,23 +10,23 @@ import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameUniforms;
 
-/** Programs that place openings alike, to the last bit of their depth. */
+/** Programs that place openings at exactly the same depth. */
 final class OpeningPrograms {
     private static final String FOLDER = "/nephele/engine/render/pass/portal/";
 
     private OpeningPrograms() {}
 
-    /** Depth and stencil only. */
+    /** Returns a program that writes only depth and stencil. */
     static GlProgram<Object> nothing(LoadContext context) {
         return program(context, "nothing.frag", uniforms -> uniforms);
     }
 
-    /** One colour. */
+    /** Returns a program of one colour. */
     static GlProgram<Uniforms.Vector4> colour(LoadContext context) {
         return program(context, "colour.frag", uniforms -> uniforms.vector4("colour"));
     }
 
-    /** A picture, looked up. */
+    /** Returns a program that looks up a picture. */
     static GlProgram<Object> picture(LoadContext context) {
         return program(context, "picture.frag", uniforms -> {
             uniforms.sampler("shown", TextureUnit.COLOURS);
@@ -34,7 +34,7 @@ final class OpeningPrograms {
         });
     }
 
-    /** The fog between the eye and openings, times what they keep back. */
+    /** Returns a program for the fog between the eye and openings, times the part of light that they absorb. */
     static GlProgram<Uniforms.Vector3> fog(LoadContext context) {
         return program(context, "mirror-fog.frag", uniforms -> {
             uniforms.block("Frame", FrameUniforms.BINDING);

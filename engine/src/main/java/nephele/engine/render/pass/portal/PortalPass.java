@@ -27,9 +27,9 @@ import nephele.engine.render.resource.OpeningMesh;
 import nephele.engine.scene.ViewNode;
 
 /**
- * Draws what is seen through each opening of a view, and through the openings in there. The stencil of a pixel holds how
- * many openings it is seen through: an opening counts up where it is the nearest surface, what is behind it is drawn
- * where the number is right, and it counts down again, leaving its own depth for what is drawn after it.
+ * Draws the content of each opening of a view, and of the openings in it. The stencil of a pixel holds the number of
+ * openings in front of it: an opening increments it where it is the nearest surface, the nested view is drawn where the
+ * number matches, and the opening decrements it again and leaves its own depth for later draws.
  */
 public final class PortalPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature(
@@ -45,9 +45,9 @@ public final class PortalPass implements Pass {
     private final GlProgram<?> picture;
     private final OpeningMesh openings;
     private final FrameEnvironment surroundings;
-    /** {@code null} where nothing is to be added. */
+    /** {@code null} if nothing is to be added. */
     private final MirrorFog fog;
-    /** Whether something is drawn wherever nothing else is, so that the clear colour never shows. */
+    /** True if the sky covers every pixel, so that the clear colour is never visible. */
     private final boolean skyCovers;
 
     private PortalPass(LoadContext context) {
@@ -77,7 +77,7 @@ public final class PortalPass implements Pass {
                 case PICTURE -> {
                     frame.nested().picture(child).bind(TextureUnit.COLOURS);
                     cover(frame, child, picture);
-                    // The picture before shows the fog as well.
+                    // The previous picture contains the fog already.
                     if (!child.isTerminal()) {
                         addFog(child);
                     }

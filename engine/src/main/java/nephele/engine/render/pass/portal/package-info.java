@@ -1,2 +1,2 @@
-/** Fills the openings of portals with what is seen through them. */
+/** Fills the openings of portals with the views through them. */
 package nephele.engine.render.pass.portal;

@@ -8,11 +8,14 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
 
-/** The membrane in openings as {@link nephele.engine.render.resource.OpeningMesh} holds them, however near the eye is. */
+/**
+ * Draws the membrane in openings with the vertices of {@link nephele.engine.render.resource.OpeningMesh}, for every
+ * distance of the eye.
+ */
 final class OpeningMembrane {
     private static final String FOLDER = "/nephele/engine/render/pass/rim/";
 
-    /** What is behind shows through. */
+    /** The background is visible through it. */
     private static final double OPACITY = 0.5;
 
     private record Places(
@@ -39,7 +42,7 @@ final class OpeningMembrane {
                         uniforms.vector4("pattern")));
     }
 
-    /** From now on an opening that is drawn looks like this. */
+    /** Sets the appearance of the openings that are drawn next. */
     void use(RimLook look) {
         program.use();
         Places places = program.uniforms();

@@ -11,12 +11,12 @@ import nephele.engine.scene.Opening;
 import nephele.engine.scene.PortalPreview;
 import nephele.engine.scene.View;
 
-/** One rim as a view sees it; one object, filled again for each. */
+/** The appearance of one rim in a view; one object, filled again for each. */
 final class RimLook {
-    /** What moves by time repeats after this, so that floats stay exact enough for as long as anybody plays. */
+    /** Period of animations, so that floats stay exact enough in play of any length. */
     private static final double REPEAT_SECONDS = 3600;
 
-    /** The third pattern is for portals that nobody shot. */
+    /** The third pattern is for portals that were not shot. */
     private static final int OF_LEVEL = 2;
 
     private static final Vec3 SILVER = new Vec3(0.3, 0.33, 0.36);
@@ -31,11 +31,11 @@ final class RimLook {
     Basis frame;
     Vec3 tint;
     double openness;
-    /** Below 1 for what is not there yet. */
+    /** Below 1 while the portal appears. */
     double opacity;
 
     double seconds;
-    /** 0 and 1 for the shots, 2 for those of the level. */
+    /** 0 and 1 for the shots, 2 for portals of the level. */
     int kind;
 
     int cells;
@@ -66,7 +66,7 @@ final class RimLook {
         isOpen = true;
     }
 
-    /** A mirror as it looks where nothing is reflected in it. */
+    /** Sets the appearance of a mirror without reflection. */
     void of(Opening mirror, double now, View newView) {
         view = newView;
         portal = null;
@@ -101,7 +101,10 @@ final class RimLook {
         return huesOfPairs.get(pair);
     }
 
-    /** Whether the view may see any of it: from in front, before its own plane, in the picture and larger than a pixel. */
+    /**
+     * Returns true if the view may see a part of it: from in front, before the view's clip plane, in the picture and
+     * larger than a pixel.
+     */
     boolean isIn(int pictureHeight) {
         double reach = Math.hypot(
                         portal.aperture().widthMetres() / 2, portal.aperture().heightMetres() / 2)

@@ -19,8 +19,9 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.scene.FrameState;
 
 /**
- * Rims around portals, in every view and before the openings are filled: a ring that stands before a neighbour's opening
- * stays, its glow, which writes no depth, never lies over one. A portal that leads nowhere gets a membrane over its wall.
+ * Draws rims around portals, in every view and before the openings are filled, so that a ring in front of a
+ * neighbouring opening stays visible, while its glow, which writes no depth, never covers one. A portal without a
+ * partner receives a membrane over its wall.
  */
 public final class RimPass implements Pass {
     public static final RenderFeature FEATURE =

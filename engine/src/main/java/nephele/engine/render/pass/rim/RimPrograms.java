@@ -8,7 +8,7 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
 
-/** The programs of a rim's parts; all take the same uniforms. */
+/** The programs of a rim's parts; all have the same uniforms. */
 final class RimPrograms {
     private static final String FOLDER = "/nephele/engine/render/pass/rim/";
 
@@ -45,7 +45,7 @@ final class RimPrograms {
         return membrane;
     }
 
-    /** Where one portal is and how it looks. */
+    /** The uniforms for the pose and appearance of one portal. */
     static final class Placing {
         private final Uniforms.Vector4 centre;
         private final Uniforms.Vector3 right;

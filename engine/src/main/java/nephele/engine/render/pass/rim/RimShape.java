@@ -11,21 +11,21 @@ import nephele.engine.render.gl.VertexFormat.Attribute;
 import org.lwjgl.system.MemoryUtil;
 
 /**
- * The rim of one aperture on the GPU, in the portal's own axes: a band with a raised profile along its edge, a flat band
- * for the glow around it, and the aperture's own area.
+ * The rim of one aperture on the GPU, in the portal's own axes: a band with a raised profile along its edge, a flat
+ * band for the glow around it, and the aperture's own area.
  */
 final class RimShape implements AutoCloseable {
-    /** How far a rim's glow reaches outside the aperture. */
+    /** Width of the glow outside the aperture. */
     static final double REACH_METRES = 0.23;
 
-    /** Pairs: metres outside the aperture's edge, metres before the wall. */
+    /** Pairs: metres outside the aperture's edge, metres in front of the wall. */
     private static final double[] RING = {
         0, 0, 0.004, 0.026, 0.016, 0.040, 0.024, 0.043, 0.076, 0.043, 0.088, 0.036, 0.096, 0.020, 0.1, 0
     };
 
     private static final double[] GLOW = {0.1, 0.002, REACH_METRES, 0.002};
     private static final double MEMBRANE_METRES = 0.003;
-    /** A corner is cut off no farther out than this many times the band's width. */
+    /** Greatest length of a mitre at a corner, in widths of the band. */
     private static final double LONGEST_MITRE = 1.6;
 
     private static final double CELL_METRES = 0.21;
@@ -62,7 +62,7 @@ final class RimShape implements AutoCloseable {
         }
     }
 
-    /** Metres along the edge up to each corner, and all around. */
+    /** Returns the length along the edge up to each corner, and the whole length. */
     private static double[] way(Aperture aperture) {
         int corners = aperture.corners();
         double[] way = new double[corners + 1];
@@ -94,7 +94,7 @@ final class RimShape implements AutoCloseable {
         }
     }
 
-    /** A corner, and the way outwards that keeps both edges' bands as wide as they are. */
+    /** Writes a corner and its outward direction, scaled so that the bands of both edges keep their width. */
     private static void edge(Aperture aperture, int corner, ByteBuffer bytes) {
         int before = (corner + aperture.corners() - 1) % aperture.corners();
         double x = aperture.edgeNormalX(corner) + aperture.edgeNormalX(before);
@@ -119,7 +119,7 @@ final class RimShape implements AutoCloseable {
         bytes.putFloat((float) x).putFloat((float) y).putFloat((float) z).putFloat((float) w);
     }
 
-    /** Whether it fits another portal's aperture. */
+    /** Returns true if it fits another portal's aperture. */
     boolean isOf(Aperture other) {
         return aperture == other
                 || aperture.shape() == other.shape()
@@ -127,7 +127,7 @@ final class RimShape implements AutoCloseable {
                         && aperture.heightMetres() == other.heightMetres();
     }
 
-    /** Repeats of a pattern around it, an even number. */
+    /** Returns the number of repeats of a pattern around it, an even number. */
     int cells() {
         return cells;
     }

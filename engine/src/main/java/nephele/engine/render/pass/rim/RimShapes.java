@@ -6,7 +6,7 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 
-/** One shape for each kind of aperture, made when the first portal of its kind is drawn. */
+/** One shape for each kind of aperture, created when the first portal of its kind is drawn. */
 final class RimShapes implements GlObject {
     private final GlContext gl;
     private final List<RimShape> shapes = new ArrayList<>();

@@ -20,8 +20,9 @@ import nephele.engine.scene.Opening;
 import nephele.engine.scene.ViewNode;
 
 /**
- * A membrane over each opening that the frame's views do not reach and no picture before fills, as in the first frame:
- * the sky behind shows through, but nowhere is one colour. Not a decoration: with rims or without, the opening is there.
+ * Draws a membrane over each opening that the frame's views do not reach and no previous picture fills, as in the first
+ * frame. The sky behind is visible through it, so that it nowhere shows a single colour. It is no decoration: the
+ * opening exists with or without rims.
  */
 public final class UnfilledPass implements Pass {
     public static final RenderFeature FEATURE =

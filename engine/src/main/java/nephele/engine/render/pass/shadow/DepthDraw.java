@@ -19,7 +19,7 @@ import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.VisibleSet;
 import org.joml.Matrix4d;
 
-/** Draws the depth of all solids under a projection; both sides of every face, so that no crack stays open. */
+/** Draws the depth of all solids under a projection; both sides of every face, to close cracks. */
 final class DepthDraw {
     private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
 
@@ -39,7 +39,7 @@ final class DepthDraw {
         visible = new VisibleSet(context.scene().solids());
     }
 
-    /** The layers of one kind that all renderers of an opened level draw into. */
+    /** Returns the layers of one kind that all renderers of an opened level share. */
     static DepthLayers layers(LoadContext context, String name) {
         record OfLevel(Same level, String name, Quality quality) {}
         return context.share(
@@ -48,16 +48,16 @@ final class DepthDraw {
                 () -> new DepthLayers(context.gl(), name));
     }
 
-    /** A sun's picture. @param clipFromAnchor clip space from metres relative to {@code anchor} */
+    /** Draws a sun's picture. @param clipFromAnchor clip space from metres relative to {@code anchor} */
     void drawAll(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor) {
         visible.selectAll();
         draw(target, clipFromAnchor, anchor, 0);
     }
 
     /**
-     * A lamp's picture.
+     * Draws a punctual light's picture.
      *
-     * @param depthPerMetre 1 / the lamp's range
+     * @param depthPerMetre 1 / the light's range
      */
     void drawInFrustum(RenderTarget target, Matrix4d clipFromAnchor, Vec3 anchor, double depthPerMetre) {
         visible.find(Frustum.of(clipFromAnchor, anchor));

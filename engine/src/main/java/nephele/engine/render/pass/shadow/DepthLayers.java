@@ -10,8 +10,8 @@ import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 
 /**
- * Depth pictures that are the layers of one texture, and what they show. The renderers of one opened level share them, so
- * an edit draws again only what it changed.
+ * Depth pictures in the layers of one texture, and their contents. The renderers of one opened level share them, so an
+ * edit redraws only what it changed.
  */
 final class DepthLayers implements GlObject {
     private final GlContext gl;
@@ -33,9 +33,9 @@ final class DepthLayers implements GlObject {
     }
 
     /**
-     * The texture; a layer is drawn again if it shows anything else.
+     * Returns the texture; redraws each layer whose content differs.
      *
-     * @param contents a value for each layer: where it is equal, so is the picture
+     * @param contents a value for each layer; equal values mean equal pictures
      */
     Texture showing(List<?> contents, Texture.Extent size, LayerDrawing drawing) {
         fit(size);

@@ -17,7 +17,10 @@ import nephele.engine.scene.ViewTree;
 import nephele.engine.scene.dynamic.VisibleInstances;
 import org.joml.Matrix4d;
 
-/** Draws the depth of what moves under a projection; both sides of every face, since halves are open. */
+/**
+ * Draws the depth of dynamic objects under a projection; both sides of every face, since objects cut at portals are
+ * open.
+ */
 final class DynamicDepthDraw {
     private static final String FOLDER = "/nephele/engine/render/pass/shadow/";
 
@@ -44,15 +47,15 @@ final class DynamicDepthDraw {
                         RunUniforms.of(uniforms)));
     }
 
-    /** A sun's picture, whose depth is linear as it is. */
+    /** Draws a sun's picture, whose depth is already linear. */
     void drawParallel(VisibleInstances visible, Matrix4d clipFromAnchor) {
         draw(visible, clipFromAnchor, 0);
     }
 
     /**
-     * Into the bound target, after its depth was cleared.
+     * Draws into the bound target, whose depth was cleared.
      *
-     * @param depthPerMetre 1 / a lamp's range
+     * @param depthPerMetre 1 / a light's range
      */
     void draw(VisibleInstances visible, Matrix4d clipFromAnchor, double depthPerMetre) {
         gl.state().set(Depth.LESS_AND_WRITE, Blend.REPLACE, Cull.NONE, clipDistances);

@@ -18,12 +18,14 @@ import nephele.engine.scene.dynamic.VisibleInstances;
 import nephele.engine.scene.light.LightShadowLayers;
 import org.joml.Matrix4d;
 
-/** The lamps' depth pictures of what moves: the same layers and projections as those of what never moves. */
+/**
+ * The punctual lights' depth pictures of dynamic objects, with the layers and projections of those of static geometry.
+ */
 final class DynamicLightShadow {
     /** @param clipFromAnchor the layer's projection */
     private record Layer(Matrix4d clipFromAnchor, Frustum frustum, PunctualLight light) {}
 
-    /** What the pictures show: the things of one renderer as they once stood. */
+    /** The content of the pictures: the dynamic objects of one renderer in one state. */
     private record Content(Same dynamicObjects, long state) {}
 
     private final SharedResources shared;
@@ -55,9 +57,9 @@ final class DynamicLightShadow {
     }
 
     /**
-     * Draws the pictures again where they show something else.
+     * Redraws the pictures if their content differs.
      *
-     * @param state of the things: another number where any has moved
+     * @param state of the dynamic objects: another number if any has moved
      */
     void follow(long state) {
         if (contents.isEmpty() || contents.get(0).state != state) {

@@ -14,7 +14,10 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.resource.DynamicMeshes;
 
-/** Depth maps of what moves, for the sun and for lamps; drawn again when something has moved or the eye has gone far. */
+/**
+ * Draws depth maps of dynamic objects for the sun and punctual lights, again when an object has moved or the eye has
+ * moved far.
+ */
 public final class DynamicShadowPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("shadow.dynamic", Stage.ONCE_A_FRAME, DynamicShadowPass::requiredBy);
@@ -23,7 +26,7 @@ public final class DynamicShadowPass implements Pass {
     private final DynamicMeshes meshes;
     private final DynamicDepthDraw depth;
     private final DynamicShadows shade;
-    /** {@code null} where no sun casts; {@link #lights} likewise. */
+    /** {@code null} without a sun that casts shadows; {@link #lights} likewise. */
     private final DynamicSunShadow sun;
 
     private final DynamicLightShadow lights;

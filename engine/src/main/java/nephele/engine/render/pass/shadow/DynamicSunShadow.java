@@ -16,9 +16,9 @@ import nephele.engine.scene.dynamic.DynamicSunProjection;
 import nephele.engine.scene.dynamic.VisibleInstances;
 import org.joml.Matrix4d;
 
-/** The sun's depth map of what moves. */
+/** The sun's depth map of dynamic objects. */
 final class DynamicSunShadow {
-    /** So many times finer than the static map's side the own map's side is. */
+    /** Ratio of the static map's side length in metres to this map's. */
     private static final int SMALLER = 4;
 
     private final GlContext gl;
@@ -51,10 +51,9 @@ final class DynamicSunShadow {
     }
 
     /**
-     * Draws the map again where it shows something else: other things, a sun that stood elsewhere, or what an eye far away
-     * saw.
+     * Redraws the map if its content differs: other objects, another sun, or a far eye position.
      *
-     * @return whether it did
+     * @return true if it was redrawn
      */
     boolean follow(DynamicDepthDraw depth, FrameContext frame, boolean haveMoved) {
         Vec3 towardsSun = frame.frameState().environment().sun().directionTowardsSun();

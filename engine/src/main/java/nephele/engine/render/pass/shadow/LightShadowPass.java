@@ -21,7 +21,10 @@ import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.LightShadowLayers;
 import nephele.engine.scene.light.PunctualLightTable;
 
-/** The lamps' depth pictures: layers of one texture, drawn again when their lamp, or a solid near it, is another. */
+/**
+ * Draws the punctual lights' depth pictures, layers of one texture, again when their light, or a solid near it, has
+ * changed.
+ */
 public final class LightShadowPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("shadow.lights", Stage.ONCE_A_FRAME, LightShadowPass::requiredBy);
@@ -35,7 +38,7 @@ public final class LightShadowPass implements Pass {
     private final List<Content> contents;
     private final Texture.Extent extent;
 
-    /** What a picture follows from. */
+    /** The data on which a picture depends. */
     private record Content(PunctualLight light, int axis, Same shade, Vec3 anchor) {}
 
     private LightShadowPass(LoadContext context) {

@@ -20,7 +20,7 @@ import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.bake.SkyVisibility;
 
-/** Hands the baked light map of the static faces to the surfaces. */
+/** Publishes the baked light map of the static faces to the surfaces. */
 public final class SkyVisibilityPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("sky-visibility", Stage.ONCE_A_FRAME, SkyVisibilityPass::requiredBy);
@@ -57,7 +57,7 @@ public final class SkyVisibilityPass implements Pass {
         return Set.of(Target.SKY_VISIBILITY);
     }
 
-    /** Nothing moves: what was published stays. */
+    /** Nothing changes: the published texture stays. */
     @Override
     public void draw(FrameContext frame) {}
 }

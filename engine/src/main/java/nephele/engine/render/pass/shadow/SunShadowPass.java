@@ -17,7 +17,9 @@ import nephele.engine.render.gl.Texture;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.ShadowFrame;
 
-/** The sun's depth map over all solids that can shade another; drawn again when the sun or a solid has moved. */
+/**
+ * Draws the sun's depth map of all solids that can cast a shadow on another, again when the sun or a solid has changed.
+ */
 public final class SunShadowPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("shadow.sun", Stage.ONCE_A_FRAME, SunShadowPass::requiredBy);
@@ -28,7 +30,7 @@ public final class SunShadowPass implements Pass {
     private final DepthLayers map;
     private final Same solids;
 
-    /** What a map follows from. */
+    /** The data on which a map depends. */
     private record Content(Same solids, ShadowFrame frame) {}
 
     private SunShadowPass(LoadContext context) {

@@ -1,2 +1,2 @@
-/** Draws what light does not reach into depth maps, once for a static level, and hands the sky visibility over. */
+/** Draws the shadow maps, once for static geometry, and publishes the sky visibility. */
 package nephele.engine.render.pass.shadow;

@@ -10,7 +10,11 @@ public final class GradientSky {
 
     private GradientSky() {}
 
-    /** @param sineOfAltitude −1 straight down, 1 straight up */
+    /**
+     * Returns the radiance.
+     *
+     * @param sineOfAltitude −1 straight down, 1 straight up
+     */
     public static Vec3 radiance(Sky.Gradient sky, double sineOfAltitude) {
         Vec3 end = sineOfAltitude > 0 ? sky.zenith() : sky.ground();
         double t = Math.abs(sineOfAltitude);

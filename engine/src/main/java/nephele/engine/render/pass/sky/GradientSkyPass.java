@@ -17,7 +17,7 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 
-/** Zenith, horizon and ground blended by altitude, where no solid has been drawn. Nothing is seen of it through fog. */
+/** Draws a gradient of zenith, horizon and ground by altitude where no solid has been drawn. Fog hides it. */
 public final class GradientSkyPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("sky.gradient", Stage.IN_VIEWS, Role.SKY, GradientSkyPass::requiredBy);

@@ -2,7 +2,7 @@ package nephele.engine.render.pass.sky;
 
 import org.joml.Vector3d;
 
-/** Where each texel of a skybox lies around the eye. */
+/** The directions of a skybox's texels. */
 final class SkyboxCube {
     /** For each face: outward direction, direction of growing s (right), direction of growing t (down the picture). */
     private static final double[][][] AXES = {
@@ -16,7 +16,9 @@ final class SkyboxCube {
 
     private SkyboxCube() {}
 
-    /** Point of the cube of half side 1 at picture coordinates s, t in −1…1; beyond ±1 on the neighbouring face. */
+    /**
+     * Returns the point of the cube of half side 1 at picture coordinates s, t in −1…1; beyond ±1 on the adjacent face.
+     */
     static Vector3d point(int face, double s, double t) {
         double[][] a = AXES[face];
         return new Vector3d(
@@ -25,7 +27,7 @@ final class SkyboxCube {
                 a[0][2] + s * a[1][2] + t * a[2][2]);
     }
 
-    /** The face that a direction meets. */
+    /** Returns the face that a direction hits. */
     static int faceOf(Vector3d direction) {
         int best = 0;
         for (int face = 1; face < 6; face++) {
@@ -36,7 +38,7 @@ final class SkyboxCube {
         return best;
     }
 
-    /** Picture coordinate (axis 1: s, 2: t) in −1…1 of a direction on its face. */
+    /** Returns the picture coordinate (axis 1: s, 2: t) in −1…1 of a direction on its face. */
     static double coordinate(Vector3d direction, int face, int axis) {
         return along(direction, face, axis) / along(direction, face, 0);
     }

@@ -9,8 +9,8 @@ import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.appearance.SkyboxSizes;
 
 /**
- * Six square pictures in the order +x −x +y −y +z −z, each as an eye in the middle sees it: sides with world up upwards,
- * +y with its bottom edge at −z, −y with its top edge at −z. A cross is four columns by three rows: −x −z +x +z in the
+ * Six square pictures in the order +x −x +y −y +z −z, each as seen from the centre: sides with world up upwards, +y
+ * with its bottom edge at −z, −y with its top edge at −z. A cross has four columns and three rows: −x −z +x +z in the
  * middle row, +y above −z, −y below it.
  */
 record SkyboxLayers(int side, List<Picture> pictures) {

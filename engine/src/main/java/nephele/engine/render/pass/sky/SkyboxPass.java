@@ -33,7 +33,7 @@ import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.resource.FrameUniforms;
 import org.joml.Vector3d;
 
-/** Six pictures around the eye, where no solid has been drawn. Nothing is seen of them through fog. */
+/** Draws six pictures around the eye where no solid has been drawn. Fog hides them. */
 public final class SkyboxPass implements Pass {
     public static final RenderFeature FEATURE =
             new RenderFeature("sky.skybox", Stage.IN_VIEWS, Role.SKY, SkyboxPass::requiredBy);
@@ -48,7 +48,7 @@ public final class SkyboxPass implements Pass {
 
     private record MadeFrom(Same level, Sky sky, Output output) {}
 
-    /** Six pictures and what they are drawn on. */
+    /** Six pictures and the mesh that shows them. */
     private record Cube(Texture faces, GpuMesh mesh) implements GlObject {
         static Cube of(LoadContext context, Sky.Skybox sky) {
             SkyboxLayers pictures = SkyboxLayers.of(sky, context.shared()::picture);
@@ -108,7 +108,7 @@ public final class SkyboxPass implements Pass {
         return new GpuMesh(gl, "skybox", format, vertices.flip(), indices.flip());
     }
 
-    /** −1 and 1 to the texture coordinates of a layer's picture without its border. */
+    /** Converts −1 and 1 to the texture coordinates of a layer's picture without its border. */
     private static float insideBorder(int corner, int side) {
         return corner < 0 ? 1f / (side + 2) : (side + 1f) / (side + 2);
     }

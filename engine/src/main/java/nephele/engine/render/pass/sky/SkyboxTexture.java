@@ -12,7 +12,7 @@ import org.lwjgl.system.MemoryUtil;
 
 /**
  * The faces as layers, each with a border of one texel from its neighbours: bilinear samples cross the cube's edges
- * without a seam, at the price of a flat texture (cube textures cost llvmpipe more).
+ * without a seam. A flat texture is used because cube textures cost llvmpipe more.
  */
 final class SkyboxTexture {
     private SkyboxTexture() {}

@@ -14,7 +14,9 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.resource.FrameUniforms;
 import nephele.engine.render.resource.SolidMesh;
 
-/** Lays down the depth of all solids, so that costly light is computed once a pixel and not for what is covered. */
+/**
+ * Writes the depth of all solids first, so that costly light is computed once a pixel and never for hidden surfaces.
+ */
 final class DepthFirst {
     private static final String FOLDER = "/nephele/engine/render/pass/solid/";
 

@@ -29,7 +29,7 @@ import nephele.engine.render.resource.SolidMesh;
 import nephele.engine.scene.SolidBatch;
 import nephele.engine.scene.light.LightRequirements;
 
-/** Solids and models: one multi-draw for each batch. */
+/** Draws solids and models: one multi-draw for each batch. */
 public final class SolidPass implements Pass {
     public static final RenderFeature FEATURE = new RenderFeature("solid", Stage.IN_VIEWS, SolidPass::requiredBy);
 
@@ -43,7 +43,7 @@ public final class SolidPass implements Pass {
     private final PictureArrays colours;
     private final PictureArrays normals;
     private final SurfaceLight light;
-    /** {@code null} where light is alike all over a face, so that it costs next to nothing. */
+    /** {@code null} if light is constant over each face and costs little. */
     private final DepthFirst depthFirst;
 
     private SolidPass(LoadContext context, TargetReads reads) {

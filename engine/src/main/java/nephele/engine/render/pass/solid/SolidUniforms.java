@@ -4,7 +4,7 @@ import java.util.Optional;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
 
-/** What changes from batch to batch. */
+/** The uniforms that change from batch to batch. */
 record SolidUniforms(Vector3 eyeHigh, Vector3 eyeLow, Optional<Vector3> cellFromAnchor) {
     void eye(float[] highAndLow) {
         eyeHigh.set(highAndLow[0], highAndLow[1], highAndLow[2]);

@@ -13,9 +13,9 @@ import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.scene.SolidBatch;
 
 /**
- * Which code a batch's shader holds; equal variants share a program.
+ * The code of a batch's shader; equal variants share a program.
  *
- * @param emission whether any material shines
+ * @param emission true if any material emits light
  */
 record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emission) {
     private static final String FOLDER = "/nephele/engine/render/pass/solid/";
@@ -42,7 +42,7 @@ record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emissi
                 uniforms -> uniforms(uniforms, light));
     }
 
-    /** Where light cannot differ from one point of a face to the next. */
+    /** Returns true if light cannot vary over a face. */
     private boolean isLitPerFace(SurfaceLight light) {
         return !form.isModel() && surface.lambert() && !surface.normalMapped() && !light.variesOverFaces();
     }

@@ -1,2 +1,2 @@
-/** Draws the level's solids: Lambert or metallic-roughness surfaces under sun, lamps and ambient light. */
+/** Draws the level's solids: Lambertian or metallic-roughness surfaces under sun, punctual lights and ambient light. */
 package nephele.engine.render.pass.solid;

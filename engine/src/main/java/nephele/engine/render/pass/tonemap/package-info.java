@@ -1,2 +1,2 @@
-/** Develops the linear picture of output HDR into the final 8-bit one. */
+/** Tone-maps the linear picture of output HDR into the final 8-bit one. */
 package nephele.engine.render.pass.tonemap;

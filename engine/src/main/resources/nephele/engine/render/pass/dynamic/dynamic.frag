@@ -34,8 +34,9 @@ in vec2 onSurface;
 #if defined(TEXTURED) || defined(NORMAL_MAP)
 const float TURN = 6.28318531;
 
-// As the oracle has it (reference.BodySurfaces): t grows downwards. A box has the texture's middle in the middle of each face; a round shape a whole number of repeats around it, and its
-// equator or the middle of its side half-way up. As on solids t falls upwards. Twin: reference.BodySurfaces.
+// As in the reference path tracer (reference.BodySurfaces, the twin): t grows downwards. A box has the texture's middle
+// in the middle of each face; a round shape has a whole number of repeats around it, with its equator or the middle of
+// its side half-way up. As on solids, t falls upwards.
 vec2 textureAt(int kind, vec3 n, vec4 size, float textureMetres) {
     if (kind == 0) {
         vec3 across = textureAcross(n);

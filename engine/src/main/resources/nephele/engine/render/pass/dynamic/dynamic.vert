@@ -24,7 +24,7 @@ void main() {
     relativePosition = (v.centreHigh - eyeHigh) + (v.centreLow - eyeLow) + v.fromCentre;
     gl_Position = clipFromRelative * vec4(relativePosition, 1.0);
 #ifdef PORTALS
-    // An opening wins over what lies up to a pixel before it, so there the half beyond has to go on.
+    // An opening covers surfaces up to a pixel in front of it, so the other half must continue that far.
     float margin = seamPerMetre * gl_Position.w;
     clipToView(relativePosition);
     gl_ClipDistance[0] += margin;

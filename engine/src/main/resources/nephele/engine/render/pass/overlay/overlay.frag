@@ -1,4 +1,4 @@
-// Coverage from a signed distance field: one screen pixel wide, whatever the size of the letters.
+// Coverage from a signed distance field: one screen pixel wide for every size of letters.
 uniform sampler2D letters;
 
 in vec2 texel;

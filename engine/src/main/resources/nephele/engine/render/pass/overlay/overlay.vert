@@ -2,7 +2,7 @@
 layout(location = 0) in vec4 pixelAndTexel;
 layout(location = 1) in vec4 colour;
 
-uniform vec4 pictureSize; // pixels; z and w are not used
+uniform vec4 pictureSize; // pixels; z and w are unused
 
 out vec2 texel;
 out vec4 tint;

@@ -1,8 +1,9 @@
-// Fog before a mirror, which the mirror does not tint: what is seen in it was multiplied by the tint, all fog included.
+// Fog in front of a mirror, which the mirror does not tint: its reflection was multiplied by the tint, all fog
+// included.
 #include "frame.glsl"
 #include "fog.glsl"
 
-uniform vec3 keptBack; // share of radiance that the mirror keeps back, times the tint of the view that shows it
+uniform vec3 keptBack; // share of radiance that the mirror absorbs, times the tint of the view that shows it
 
 in vec3 picturePosition; // of the opening in this view: across and up in the picture times metres, metres
 

@@ -1,4 +1,4 @@
-// A corner of an opening, placed by render.frame.OpeningMesh.
+// A corner of an opening, placed by render.resource.OpeningMesh.
 layout(location = 0) in vec4 clipPosition;
 layout(location = 1) in vec3 lookUp;
 

@@ -1,4 +1,4 @@
-// Light that a rim throws on the wall beside it.
+// Light of a rim on the wall beside it.
 #include "output.glsl"
 #include "displayed.glsl"
 

@@ -1,5 +1,5 @@
-// A portal's opening as render.frame.OpeningMesh places it: depth as where openings are laid down, to the bit, and however
-// near the eye is.
+// A portal's opening as render.resource.OpeningMesh places it: the same depth as in the opening's depth pass, at every
+// distance of the eye.
 #include "frame.glsl"
 
 layout(location = 0) in vec4 clipPosition;

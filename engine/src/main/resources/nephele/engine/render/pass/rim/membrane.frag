@@ -1,4 +1,4 @@
-// Over the wall within the rim of a portal that leads nowhere yet, and over the sky in an open one whose view nothing fills.
+// Covers the wall within the rim of a portal without a partner, and the sky in an open one whose view is not drawn.
 #include "output.glsl"
 #include "displayed.glsl"
 #include "closed-look.glsl"

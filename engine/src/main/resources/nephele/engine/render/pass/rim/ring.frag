@@ -1,4 +1,4 @@
-// The rim itself: a dark housing with a luminous strip whose pattern tells the two shots apart without colour.
+// The rim: a dark housing with a luminous strip whose pattern distinguishes the two shots without colour.
 #include "output.glsl"
 #include "displayed.glsl"
 
@@ -13,13 +13,13 @@ const float STRIP_START = 0.020;
 const float STRIP_WIDTH = 0.060;
 const float CHEVRONS_PER_SECOND = 0.75;
 
-// 1 where x is below the edge, softened over a pixel.
+// Returns 1 if x is below the edge, smoothed over a pixel.
 float below(float x, float edge) {
     float soft = max(fwidth(x), 1e-4);
     return 1.0 - smoothstep(edge - soft, edge + soft, x);
 }
 
-// Arrowheads that run around: the first shot.
+// Arrowheads that move around the rim: the first shot.
 float chevrons(float cell, float across) {
     float lean = cell - pattern.z * CHEVRONS_PER_SECOND + abs(across - 0.5) * 1.1;
     float saw = abs(fract(lean) - 0.5) * 2.0;
@@ -27,14 +27,14 @@ float chevrons(float cell, float across) {
     return mix(1.0 - smoothstep(0.42 - soft, 0.58 + soft, saw), 0.5, smoothstep(0.5, 1.0, soft));
 }
 
-// Two quiet lines: the second shot.
+// Two static lines: the second shot.
 float doubleLine(float cell, float across) {
     float fromLine = abs(abs(across - 0.5) - 0.31);
     float breath = 0.86 + 0.14 * sin(6.2831853 * (cell * 2.0 / pattern.y - pattern.z * 0.25));
     return below(fromLine, 0.12) * breath;
 }
 
-// One line with studs: fixed in the level.
+// One line with studs: a portal of the level.
 float studs(float cell, float across) {
     float stud = length(vec2((fract(cell) - 0.5) * 3.2, across - 0.5));
     float line = below(abs(across - 0.5), 0.09);

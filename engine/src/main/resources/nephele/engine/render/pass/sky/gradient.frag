@@ -6,7 +6,7 @@ uniform vec3 zenith;
 uniform vec3 horizon;
 uniform vec3 ground;
 
-// By the sine of the altitude; the Java twin is render.pass.sky.GradientSky.
+// A gradient over the sine of the altitude; the Java twin is render.pass.sky.GradientSky.
 void main() {
     float sine = direction.y * inversesqrt(dot(direction, direction));
     writeRadiance(mix(horizon, sine > 0.0 ? zenith : ground, abs(sine)));

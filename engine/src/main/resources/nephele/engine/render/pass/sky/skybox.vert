@@ -1,6 +1,6 @@
 #include "frame.glsl"
 
-layout(location = 0) in vec3 corner; // of the cube around the eye
+layout(location = 0) in vec3 corner; // on the cube around the eye
 layout(location = 1) in vec3 texel; // s, t, face
 
 out vec2 st;
@@ -9,6 +9,6 @@ flat out float face;
 void main() {
     st = texel.xy;
     face = texel.z;
-    // On the far plane: w as depth.
+    // Puts the vertex on the far plane, with w as depth.
     gl_Position = (clipFromRelative * vec4(corner, 0.0)).xyww;
 }

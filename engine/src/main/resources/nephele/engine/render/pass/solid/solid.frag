@@ -43,20 +43,20 @@ flat in vec3 emission;
 
 #ifdef NORMAL_MAP
 #ifdef MODEL
-// A direction laid along the surface; where there is none, another one.
+// Returns a direction projected onto the surface; another one if it has no projection.
 vec3 along(vec3 direction, vec3 n, vec3 otherwise) {
     vec3 tangent = direction - n * dot(n, direction);
     float square = dot(tangent, tangent);
     return square > 0.0 ? tangent * inversesqrt(square) : otherwise;
 }
 
-// As the mesh has it: where its texture coordinates grow (Schueler 2013, "Normal Mapping without Precomputed Tangents").
-// Twin: nephele.engine.level.placed.MeshTexture.
+// Uses the mesh's mapping, where its texture coordinates grow (Schueler 2013, "Normal Mapping without Precomputed
+// Tangents"). Twin: nephele.engine.level.placed.TriangleTangents.
 vec3 meshMappedNormal(vec3 texel, vec3 n) {
     vec3 right = cross(dFdy(relativePosition), faceNormal);
     vec3 above = cross(faceNormal, dFdx(relativePosition));
 #ifdef MIRRORS
-    // The picture's x and y follow one another the other way round about the normal.
+    // In a mirrored view the picture's x and y have the opposite orientation about the normal.
     right *= viewForward.w;
     above *= viewForward.w;
 #endif

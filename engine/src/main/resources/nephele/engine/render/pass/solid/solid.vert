@@ -1,6 +1,6 @@
 #include "relative-position.glsl"
 #include "materials.glsl"
-// Each file is taken in once, so the one that both branches need comes first.
+// Each file is included once, so the one that both branches need comes first.
 #ifdef SKY_VISIBILITY
 #include "sky-visibility.glsl"
 #endif
@@ -59,7 +59,7 @@ void main() {
     emission = material.emissionMetallic.rgb;
 #endif
 #ifdef FLAT_LIGHT
-    // A flat face under parallel light is lit alike everywhere: once per corner is exact.
+    // A flat face under parallel light has the same light everywhere, so once per corner is exact.
     reflectedPerAlbedo = surfaceRadiance(Surface(material.baseColourRoughness.rgb, normal, normal));
 #else
     faceNormal = normal;
