@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import nephele.engine.asset.SamplePictures;
 
-/** Files that are no JSON, not the JSON of a level, or too much of it. */
+/** Inputs that are no JSON, not the JSON of a level, or too large. */
 final class BadDocuments {
     private static final String GOOD = wrap("\"name\": \"n\"");
 
@@ -111,7 +111,7 @@ final class BadDocuments {
                 .getBytes(StandardCharsets.UTF_8));
     }
 
-    /** These bytes in the middle of a text. */
+    /** Returns a document with these bytes in the middle of a text. */
     private static byte[] splice(byte[] bytes) {
         byte[] all = GOOD.getBytes(StandardCharsets.UTF_8);
         System.arraycopy(bytes, 0, all, GOOD.indexOf("nephele"), bytes.length);

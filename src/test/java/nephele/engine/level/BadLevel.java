@@ -6,16 +6,16 @@ import java.util.function.Supplier;
 /**
  * One kind of bad input.
  *
- * @param path where the message must point
- * @param words what it must contain
+ * @param path the path that the message must name
+ * @param words text that it must contain
  */
 public record BadLevel(String name, String path, String words, Supplier<byte[]> content) {
-    /** A whole file. */
+    /** Returns a whole file. */
     static BadLevel file(String name, String path, String words, String text) {
         return new BadLevel(name, path, words, () -> text.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** A level with these sections. */
+    /** Returns a level with these sections. */
     static BadLevel level(String path, String words, String sections) {
         return file(path + " " + words, path, words, wrap(sections));
     }
@@ -24,7 +24,7 @@ public record BadLevel(String name, String path, String words, Supplier<byte[]> 
         return "{\"format\": \"nephele-level\", \"version\": 1, " + sections + "}";
     }
 
-    /** {@code element}, separated by commas. */
+    /** Returns copies of {@code element}, separated by commas. */
     static String repeated(String element, int count) {
         StringBuilder text = new StringBuilder(count * (element.length() + 1)).append(element);
         for (int i = 1; i < count; i++) {

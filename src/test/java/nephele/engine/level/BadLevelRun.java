@@ -14,7 +14,7 @@ import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.rule.LevelRules;
 
-/** What {@code check} does with each bad level; also a process of its own, to bound its memory. */
+/** The answers of {@code check} to each bad level; also run as a process of its own, to limit its memory. */
 final class BadLevelRun {
     private BadLevelRun() {}
 
@@ -25,7 +25,7 @@ final class BadLevelRun {
         return all;
     }
 
-    /** The assets that some levels name. */
+    /** Writes the assets that some levels name. */
     static void prepare(Path folder) throws IOException {
         byte[] good = SamplePictures.png(4, 4, 8, 2, 1);
         Path inside = Files.createDirectories(folder.resolve("levels"));
@@ -54,7 +54,7 @@ final class BadLevelRun {
         Files.write(inside.resolve("wide.tga"), SamplePictures.tga(2, 65535, 65535, 24, new byte[9]));
     }
 
-    /** The lines that {@code check} prints; the file is called after nothing in particular. */
+    /** Returns the lines that {@code check} prints. */
     static List<String> lines(Path folder, BadLevel bad) throws IOException {
         Path file = folder.resolve("levels/bad.json");
         byte[] content = bad.content().get();
@@ -74,7 +74,7 @@ final class BadLevelRun {
                 .toList();
     }
 
-    /** What is wrong with the answer to {@code bad}, or {@code null}. */
+    /** Returns the error in the answer to {@code bad}, or {@code null}. */
     static String objection(Path folder, BadLevel bad) throws IOException {
         List<String> lines = lines(folder, bad);
         if (lines.isEmpty()) {
@@ -88,7 +88,7 @@ final class BadLevelRun {
     }
 
     /**
-     * Prints what is wrong, so nothing; without an argument the CPU time of each kind, in its first run, for
+     * Prints wrong answers, normally nothing; without an argument, the CPU time of each kind in its first run, for
      * {@code docs/performance.md}.
      *
      * @param arguments the folder that was prepared

@@ -59,7 +59,7 @@ class BadLevelsTest {
         }
     }
 
-    /** A flipped bit gives another level or a refusal; nothing else escapes. */
+    /** A flipped bit gives another level or a refusal; no other exception escapes. */
     @Test
     void everyFlippedBitIsReadOrRefused() {
         byte[] whole = LevelJsonTest.PUFF.getBytes(StandardCharsets.UTF_8);

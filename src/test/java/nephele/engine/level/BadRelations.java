@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * Values that are fine alone and wrong together, geometry that encloses nothing, and assets that are none. A rotation
+ * Values that are valid alone and contradict each other, geometry that encloses nothing, and invalid assets. A rotation
  * in a file is an axis and an angle; one without an axis is refused.
  */
 final class BadRelations {
@@ -246,7 +246,7 @@ final class BadRelations {
                 + (parent == null ? "" : "\"parent\": \"" + parent + "\", ") + "\"transform\": [" + step + "]}";
     }
 
-    /** Ten thousand models, each below the next one, the last below the first. */
+    /** Returns ten thousand models, each a child of the next, the last a child of the first. */
     private static String chain() {
         return IntStream.range(0, 10_000)
                 .mapToObj(i -> model("m" + i, "m" + (i + 1) % 10_000, ""))

@@ -101,7 +101,7 @@ final class BadValues {
 
     private BadValues() {}
 
-    /** An id that holds an escaped character. */
+    /** Returns a document with an id that contains an escaped character. */
     private static BadLevel id(String escaped, String words) {
         BadLevel bad = level("materials[0].id", words, "\"materials\": [{\"id\": \"a" + escaped + "b\"}]");
         return new BadLevel("id with " + words, bad.path(), words, bad.content());
@@ -124,7 +124,7 @@ final class BadValues {
                         + "\": " + value + "}]");
     }
 
-    /** @param path the key, perhaps with a place inside its value */
+    /** @param path the key, optionally with a place inside its value */
     private static BadLevel box(String path, String value, String words) {
         String key = path.replaceFirst("[.\\[].*", "");
         String centre = key.equals("centre") ? "" : "\"centre\": [0, 0, 0], ";

@@ -6,13 +6,13 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import nephele.engine.level.json.FileOperations;
 
-/** The real file system up to operation {@code k}, which goes wrong in one of several ways. */
+/** The real file system up to operation {@code k}, which fails in one of several ways. */
 public final class FaultyFiles implements FileOperations {
-    /** What happens at the operation. */
+    /** The failure at the operation. */
     public enum Fault {
-        /** It is refused and changes nothing. */
+        /** The operation is refused and changes nothing. */
         REFUSED,
-        /** A write gets half through, then the disk is full; other operations are refused. */
+        /** A write stops half-way, then the disk is full; other operations are refused. */
         DISK_FULL,
         /** The process ends before it. */
         KILLED_BEFORE,
@@ -22,7 +22,7 @@ public final class FaultyFiles implements FileOperations {
         KILLED_AFTER
     }
 
-    /** Stands for the end of the process: nothing may catch it and go on. */
+    /** Represents the end of the process: no code may catch it and continue. */
     public static final class Killed extends Error {
         private static final long serialVersionUID = 1;
     }
@@ -37,7 +37,7 @@ public final class FaultyFiles implements FileOperations {
         this.at = at;
     }
 
-    /** How many operations were asked for. */
+    /** Returns the number of operations so far. */
     public int operations() {
         return done;
     }

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Levels just within what files may hold, and just beyond it. */
+/** Levels at the limits of a file are accepted, and levels just beyond are refused. */
 class LevelBoundsTest {
     private static final String SPOT = "{\"id\": \"s%d\", \"kind\": \"spot\", \"position\": [0, 9, 0], "
             + "\"direction\": [0, -1, 0], \"radiantIntensity\": [1, 1, 1]}";
@@ -86,7 +86,7 @@ class LevelBoundsTest {
         assertEquals(1, shared, twice::toString);
     }
 
-    /** The first fifty of sixty unknown keys are told, none of them taken for a known one that comes later. */
+    /** The first fifty of sixty unknown keys are reported, and none is mistaken for a known one. */
     @Test
     void everyUnknownKeyIsToldHoweverManyThereAre() {
         String unknown =

@@ -57,7 +57,7 @@ class LevelRoundTripTest {
         }
     }
 
-    /** The order of keys and the layout are part of the format: a diff shows what an author changed and nothing else. */
+    /** The order of keys and the layout are part of the format: a diff shows only the author's changes. */
     @Test
     void theLayoutIsCanonical() {
         String text =

@@ -11,7 +11,7 @@ import java.util.SplittableRandom;
 import java.util.TreeMap;
 import nephele.engine.math.Vec3;
 
-/** Levels that fill every component of every record with anything that its range allows. */
+/** Random levels that fill every component of every record with any value of its range. */
 final class RandomLevels {
     private static final String[] TEXTS = {"", "x", "Grüße, 霧 \"quoted\" \\ / 🌥", "'; -- <b>&amp;", " spaced "};
     private final SplittableRandom random;
@@ -95,7 +95,7 @@ final class RandomLevels {
         return table;
     }
 
-    /** Any bits, the range's ends, zeros of both signs, subnormals, and numbers as people write them. */
+    /** Returns any bits, the ends of the range, zeros of both signs, subnormals, and numbers with few decimals. */
     private double number(Written written) {
         double value =
                 switch (random.nextInt(6)) {

@@ -13,7 +13,10 @@ public final class RoomLevel {
     private PlayerStart start = new PlayerStart(Vec3.ZERO, 0, 0);
     private PortalGun gun;
 
-    /** A hall of 16 m by 16 m, 6 m high, all of it portalable: z = −8 is the wall ahead, x = −8 the one to the left. */
+    /**
+     * Returns a hall of 16 m by 16 m, 6 m high, all of it portalable: z = −8 is the wall ahead, x = −8 the one to the
+     * left.
+     */
     public static RoomLevel hall() {
         return new RoomLevel()
                 .box(-8, -1, -8, 8, 0, 8)
@@ -24,7 +27,7 @@ public final class RoomLevel {
                 .box(-9, -1, 8, 9, 7, 9);
     }
 
-    /** By its lower and upper corner. */
+    /** Adds a box by its lower and upper corner. */
     public RoomLevel box(double x0, double y0, double z0, double x1, double y1, double z1) {
         return box(x0, y0, z0, x1, y1, z1, true);
     }
@@ -41,7 +44,7 @@ public final class RoomLevel {
         return this;
     }
 
-    /** Two fixed ones of 1.2 m × 2.1 m that lead to each other. */
+    /** Adds two fixed portals of 1.2 m × 2.1 m that lead to each other. */
     public RoomLevel pair(Vec3 centreA, Vec3 normalA, Vec3 centreB, Vec3 normalB) {
         String a = "p" + portals.size();
         String b = "p" + (portals.size() + 1);

@@ -6,7 +6,7 @@ import java.util.Map;
 import nephele.engine.level.ModelPlacement.TransformStep;
 import nephele.engine.math.Vec3;
 
-/** Small levels for tests of drawing and tracing, put together piece by piece. */
+/** Small levels for tests of drawing and tracing, built step by step. */
 public final class TestLevel {
     private Sun sun;
     private Sky sky;
@@ -21,7 +21,7 @@ public final class TestLevel {
     private final List<Body> bodies = new ArrayList<>();
     private final List<ModelPlacement> models = new ArrayList<>();
 
-    /** A sun without shadows. */
+    /** Adds a sun without shadows. */
     public TestLevel sun(Vec3 towards, double irradiance) {
         sun = new Sun(towards, grey(irradiance), false);
         return this;
@@ -32,7 +32,7 @@ public final class TestLevel {
         return this;
     }
 
-    /** Instead of an ambient constant, which is black unless given. */
+    /** Uses light of the sky instead of an ambient constant, which is black unless given. */
     public TestLevel skyLight() {
         ambient = null;
         return this;
@@ -48,7 +48,7 @@ public final class TestLevel {
         return this;
     }
 
-    public TestLevel develop(ToneCurve curve, double stops) {
+    public TestLevel toneMapping(ToneCurve curve, double stops) {
         toneCurve = curve;
         exposureStops = stops;
         return this;
@@ -92,13 +92,13 @@ public final class TestLevel {
         return this;
     }
 
-    /** A portal without rim or wall of its own. */
+    /** Adds a portal without a rim or wall of its own. */
     public TestLevel portal(String id, String linkedTo, Vec3 centre, Vec3 normal, double width, double height) {
         Vec3 up = Math.abs(normal.y()) > 0.9 ? new Vec3(0, 0, -1) : new Vec3(0, 1, 0);
         return portal(new PortalSpec(id, linkedTo, centre, normal, up, width, height, PortalShape.RECTANGLE));
     }
 
-    /** A cube that may move. */
+    /** Adds a cube that can move. */
     public TestLevel cube(String material, Vec3 centre, double side) {
         return body(new Body.Box("body" + bodies.size(), centre, grey(side), 10, material, 0.6, 0));
     }

@@ -31,7 +31,7 @@ class VisiblePortalTest {
     }
 
     /** Adds objects behind a doorway with its centre at the origin, seen along −z. */
-    private static TestLevel dynamicObjects(TestLevel stage) {
+    private static TestLevel furnished(TestLevel stage) {
         return stage.box("red", new Vec3(0.2, -0.6, -2), new Vec3(0.5, 0.8, 0.6))
                 .box("green", new Vec3(-0.9, 0, -4), new Vec3(1, 3, 0.4));
     }
@@ -45,7 +45,7 @@ class VisiblePortalTest {
     /** Returns a thin wall with a hole of 1 m × 2 m. */
     private static TestLevel doorway() {
         double thin = 1e-4;
-        return dynamicObjects(stage())
+        return furnished(stage())
                 .box("wall", new Vec3(-3.5, 0, -thin / 2), new Vec3(6, 6, thin))
                 .box("wall", new Vec3(3.5, 0, -thin / 2), new Vec3(6, 6, thin))
                 .box("wall", new Vec3(0, 2, -thin / 2), new Vec3(1, 2, thin))
@@ -81,14 +81,14 @@ class VisiblePortalTest {
     /** A portal is invisible from behind and without a partner. */
     @Test
     void whatLeadsNowhereShowsTheWall() {
-        TestLevel bare = dynamicObjects(wall());
+        TestLevel bare = furnished(wall());
         Pinhole eye = Traced.eye(new Vec3(0.2, 0.1, 3), Vec3.ZERO, 0.8);
         float[] expected = Traced.picture(bare, eye, SETTINGS);
-        TestLevel behind = dynamicObjects(wall())
+        TestLevel behind = furnished(wall())
                 .portal("a", "b", new Vec3(0, 0, 1), new Vec3(0, 0, -1), 1, 2)
                 .portal("b", "a", new Vec3(50, 0, 0), TOWARDS_EYE, 1, 2);
         assertArrayEquals(expected, Traced.picture(behind, eye, SETTINGS));
-        TestLevel single = dynamicObjects(wall()).portal("a", "nobody", Vec3.ZERO, TOWARDS_EYE, 1, 2);
+        TestLevel single = furnished(wall()).portal("a", "nobody", Vec3.ZERO, TOWARDS_EYE, 1, 2);
         assertArrayEquals(expected, Traced.picture(single, eye, SETTINGS));
     }
 

@@ -14,7 +14,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.Sampling;
 import nephele.engine.render.gl.Texture;
 
-/** Tells which targets' textures were bound since {@link #mark}, by OpenGL's own state. */
+/** Finds the targets whose textures were bound since {@link #mark}, from OpenGL's own state. */
 final class BoundTargets implements AutoCloseable {
     private final GlContext gl;
     private final RenderTarget scratch;
@@ -45,7 +45,7 @@ final class BoundTargets implements AutoCloseable {
         marks.get(target).forEach(texture -> texture.bind(target.unit()));
     }
 
-    /** Binds something else in each target's place. */
+    /** Binds another texture to each target's unit. */
     void mark() {
         marks.keySet().forEach(this::mark);
     }

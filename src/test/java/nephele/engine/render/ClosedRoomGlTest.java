@@ -14,12 +14,12 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Nothing shines through where surfaces meet; the room is closed and the sky magenta. */
+/** No background is visible where surfaces join; the room is closed and the sky magenta. */
 class ClosedRoomGlTest {
     private static final int VIEWS = 500;
     private static final Vec3 MAGENTA = new Vec3(1, 0, 1);
 
-    /** Walls whose edges meet in the middle of each other's faces, at coordinates that floats round. */
+    /** Returns walls whose edges end in the middle of each other's faces, at coordinates that floats round. */
     private static TestLevel room(double offset) {
         TestLevel level = new TestLevel().sky(new Sky.Constant(MAGENTA)).material("green", new Vec3(0, 0.5, 0));
         double[][] boxes = {
@@ -45,13 +45,13 @@ class ClosedRoomGlTest {
         assertNoSky(room(0.1).ambient(1).level(), 0.1);
     }
 
-    /** Far out and with faces cut for the light map. */
+    /** No sky is visible far from the origin with faces divided for the light map. */
     @Test
     void noSkyIsSeenBetweenThePartsOfCutFaces() {
         assertNoSky(room(12345.7).skyLight().level(), 12345.7);
     }
 
-    /** Where no eye ever is: what touches a solid is not drawn under it. */
+    /** Returns true for places where no eye can be: faces of solids that touch are not drawn there. */
     private static boolean isInCrate(Vec3 eye, double offset) {
         double x = Math.abs(eye.x() - offset - 1.3);
         double z = Math.abs(eye.z() + offset - 0.7);

@@ -16,8 +16,8 @@ import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.TextureUnit;
 
 /**
- * A trial pass that reads its view: red is the distance along the view's axis in 16 m, green the red that was there, blue
- * the green. So a pixel of the picture shows the distance of up to three views that are seen in each other.
+ * A trial pass that reads its view: red is the distance along the view's axis in units of 16 m, green the previous red,
+ * blue the previous green. So a pixel shows the distances of up to three nested views.
  */
 final class DistancePass implements Pass {
     private static final TargetReads READS = TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR);

@@ -19,7 +19,7 @@ import nephele.engine.scene.View;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Fog is mix(fog, c, exp(−k d)): on the GPU as in its Java twin, and on surfaces at any distance. */
+/** Fog is mix(fog, c, exp(−k d)), on the GPU as in its Java twin, and on surfaces at any distance. */
 class FogGlTest {
     private static final int COUNT = 1024;
     private static final int SIZE = 32;
@@ -45,7 +45,10 @@ class FogGlTest {
         }
     }
 
-    /** A glowing wall 2 m away under fog of so little, 1 and 100 of its thickness: within 1/255, Lambert and gloss. */
+    /**
+     * A luminous wall 2 m away under fog of very small, 1 and 100 optical depths is exact within 1/255, Lambertian and
+     * glossy.
+     */
     @Test
     void aWallFadesByItsDistance() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -79,7 +82,7 @@ class FogGlTest {
                 .level();
     }
 
-    /** Nobody sees infinitely far through fog: the clear colour stands for every sky, and no sky pass is required. */
+    /** The clear colour replaces every sky in fog, and no sky pass is required. */
     @Test
     void theSkyIsTheFogs() {
         Sky sky = new Sky.Gradient(TestLevel.grey(1), TestLevel.grey(0.2), TestLevel.grey(0));

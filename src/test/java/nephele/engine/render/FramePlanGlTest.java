@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The passes that a plan builds: what they hand on, and that nothing of them stays. */
+/** The passes of a plan declare their dependencies, and closing leaves nothing behind. */
 class FramePlanGlTest {
     private static TestLevel everything() {
         return new TestLevel()
@@ -47,7 +47,7 @@ class FramePlanGlTest {
         return new TestAssets().picture("tiles.png", 8, 8, (x, y) -> 0x808080);
     }
 
-    /** Loading and closing 100 levels brings the count of live objects back to the baseline. */
+    /** Loading and closing 100 levels restores the count of live objects. */
     @Test
     void aHundredLevelsLeaveNothingBehind() {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
@@ -57,7 +57,7 @@ class FramePlanGlTest {
                 offscreen.pixels(everything().level(), tiles(), view, RenderSettings.of(output));
             }
             for (int i = 3; i < 100; i++) {
-                // Every tenth has all features: compiling their shaders takes most of the time.
+                // Every tenth level has all features: compilation of their shaders takes most of the time.
                 TestLevel level = i % 10 == 0 ? everything() : plain();
                 RenderSettings settings = RenderSettings.of(Output.values()[i % 3], Quality.LOW);
                 Renderer.load(offscreen.gl, level.level(), tiles(), settings).close();
@@ -78,7 +78,7 @@ class FramePlanGlTest {
         }
     }
 
-    /** The empty level: one clear, nothing drawn, nothing compiled. */
+    /** The empty level is one clear, without draws or compilation. */
     @Test
     void theEmptyLevelIsOneClear() {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
@@ -92,7 +92,7 @@ class FramePlanGlTest {
         }
     }
 
-    /** The twin replays the engine's frames to the last bit, after foreign use of the context too. */
+    /** The twin repeats the engine's frames bit for bit, also after foreign use of the context. */
     @ParameterizedTest
     @EnumSource
     void theBareTwinDrawsTheSamePictures(Output output) {
@@ -113,7 +113,7 @@ class FramePlanGlTest {
         }
     }
 
-    /** The twin binds the lists of lamps too ({@code GL_TEXTURE_BUFFER}), although another level has bound its own. */
+    /** The twin binds the light lists too ({@code GL_TEXTURE_BUFFER}), although another level has bound its own. */
     @Test
     void theBareTwinBindsItsOwnLights() {
         Level red = everything()

@@ -19,12 +19,15 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import org.junit.jupiter.api.Test;
 
-/** What the player holds: see-through before the own eyes, solid wherever else it is seen. Black before white. */
+/**
+ * A held body is transparent in the player's own first-person view and solid in every other image. Black in front of
+ * white.
+ */
 class HeldGlTest {
     private static final int WIDTH = 160;
     private static final int HEIGHT = 90;
     private static final int BLACK = 0;
-    /** A white wall behind the middle of a black face. */
+    /** The code of a white wall behind the middle of a black face. */
     private static final int THROUGH = (int) Math.round(255 * (1 - DynamicPass.HELD_FACE_OPACITY));
 
     private static final Vec3 BEFORE_THE_EYE = new Vec3(0, 0, -1);
@@ -99,7 +102,7 @@ class HeldGlTest {
         }
     }
 
-    /** From solid to see-through by shares of what it hides. */
+    /** The body changes gradually from solid to transparent by the share of the picture that it hides. */
     @Test
     void itClearsGradually() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -125,7 +128,7 @@ class HeldGlTest {
         }
     }
 
-    /** In the third person nothing is before the own eyes; nor is what another place shows. */
+    /** In third person, and in images of it elsewhere, the body is solid. */
     @Test
     void fromElsewhereItIsSolid() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -135,7 +138,9 @@ class HeldGlTest {
         }
     }
 
-    /** The pair changes nothing: held before it, in it and beyond it, the picture is as without portals. */
+    /**
+     * A pair of portals changes nothing: held in front of it, in it and beyond it, the body looks as without portals.
+     */
     @Test
     void throughAPortalItIsSeenThroughAlike() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -156,7 +161,7 @@ class HeldGlTest {
                 .level();
     }
 
-    /** Beside the held cube a portal shows it from behind: there it is as solid as nobody's. */
+    /** A portal beside the held cube shows it from behind, solid. */
     @Test
     void aPortalThatLooksBackShowsItSolid() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {

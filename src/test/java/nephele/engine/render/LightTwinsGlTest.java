@@ -13,11 +13,14 @@ import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Every include that computes light against its Java twin: float on the one side, double on the other. */
+/** Every include that computes light equals its Java twin: float on one side, double on the other. */
 class LightTwinsGlTest {
     private static final int COUNT = 4096;
 
-    /** The lobe's peak squares a difference of nearly equal floats: 2 % below roughness 0.2, 0.2 % above. */
+    /**
+     * At the lobe's peak, which squares a difference of nearly equal floats, the error is 2 % below roughness 0.2 and
+     * 0.2 % above.
+     */
     @Test
     void brdf() {
         SplittableRandom random = new SplittableRandom(1);
@@ -42,7 +45,7 @@ class LightTwinsGlTest {
         }
     }
 
-    /** A white furnace: 1 for white metal and white insulators of every roughness, on the GPU too. */
+    /** White metal and a white insulator of every roughness reflect 1 in a white furnace, on the GPU too. */
     @Test
     void ambientReflectanceOfWhiteIsOne() {
         float[] in = new float[8 * COUNT];
@@ -57,7 +60,7 @@ class LightTwinsGlTest {
         }
     }
 
-    /** Any distance, range and cone; relative 1e-5, since the window squares a difference. */
+    /** For any distance, range and cone the relative error is 1e-5, since the window squares a difference. */
     @Test
     void lightFalloff() {
         SplittableRandom random = new SplittableRandom(3);
@@ -79,7 +82,7 @@ class LightTwinsGlTest {
         }
     }
 
-    /** Depths in steps that no tolerance falls on, so that no comparison depends on a float's rounding. */
+    /** Depths are in steps away from all tolerances, so that no comparison depends on a float's rounding. */
     @Test
     void shadowFilter() {
         SplittableRandom random = new SplittableRandom(4);
@@ -135,7 +138,7 @@ class LightTwinsGlTest {
                 ofLight[0] + 2 * ofLight[1] + 3 * ofLight[2] + 4 * ofLight[3]);
     }
 
-    /** Row 43: degenerate texels and opposite vectors included. */
+    /** Mapped normals equal the twin's, for degenerate texels and opposite vectors too. */
     @Test
     void normalMap() {
         SplittableRandom random = new SplittableRandom(5);
@@ -206,7 +209,7 @@ class LightTwinsGlTest {
         return new float[] {(float) (r * Math.cos(angle)), (float) (r * Math.sin(angle)), (float) z};
     }
 
-    /** On the normal's side. */
+    /** Returns v on the normal's side. */
     private static float[] towards(float[] n, float[] v) {
         float d = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
         return d >= 0 ? v : new float[] {-v[0], -v[1], -v[2]};

@@ -23,13 +23,13 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Pictures that must be equal to the last bit although they are made in different ways. */
+/** Pictures that are made in different ways are equal bit for bit. */
 class MetamorphicGlTest {
     private static final int SIZE = 96;
 
     private record Box(Vec3 centre, Vec3 size, String material) {}
 
-    /** On a grid of 1/8 m, so that moving by a power of two loses no bit. */
+    /** Returns boxes on a grid of 1/8 m, so that a translation by a power of two loses no bit. */
     private static List<Box> boxes(int count, long seed) {
         Random random = new Random(seed);
         List<Box> boxes = new ArrayList<>();
@@ -92,7 +92,7 @@ class MetamorphicGlTest {
         assertCullingChangesNoPixel(level(boxes(300, 1), 0), 60);
     }
 
-    /** Under a lamp depth is laid down before the light is computed. */
+    /** Culling changes no pixel under a light, where a depth pass runs first. */
     @Test
     void cullingUnderALightChangesNoPixel() {
         TestLevel lit = furniture().light(new Light.Point("lamp", new Vec3(1, 6, 2), TestLevel.grey(90), 40, false));
@@ -130,7 +130,7 @@ class MetamorphicGlTest {
         }
     }
 
-    /** Boxes that do not meet: where two surfaces coincide, the first one drawn wins. */
+    /** Returns boxes that do not touch: where two surfaces coincide, the first one drawn wins. */
     private static Level apart(List<Box> boxes) {
         TestLevel level = furniture();
         for (Box b : boxes) {
@@ -161,7 +161,7 @@ class MetamorphicGlTest {
         }
     }
 
-    /** At the origin and moved by 2^k metres along each axis, the same picture. */
+    /** The picture is the same at the origin and translated by 2^k metres along each axis. */
     @Test
     void aWorldMovedByPowersOfTwoLooksTheSame() {
         List<Box> boxes = boxes(40, 6);
@@ -182,7 +182,7 @@ class MetamorphicGlTest {
         }
     }
 
-    /** In one level that spans 10^6 m, what is near the eye stays within 0.1 pixel of 1080p. */
+    /** In one level that spans 10^6 m, objects near the eye stay within 0.1 pixel of 1080p. */
     @Test
     void aLevelAMillionMetresWideIsExactNearTheEye() {
         TestLevel wide = furniture();
@@ -205,7 +205,7 @@ class MetamorphicGlTest {
         }
     }
 
-    /** World, light and camera turned by 90° about the vertical. */
+    /** World, light and camera rotated by 90° about the vertical give the rotated picture. */
     @Test
     void aWorldTurnedByARightAngleLooksTheSame() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {

@@ -18,7 +18,7 @@ import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
 import org.junit.jupiter.api.Test;
 
-/** Fog between the eye and mirrors keeps its colour; what lies behind a mirror is tinted, fog included. */
+/** Fog between the eye and mirrors keeps its colour; everything behind a mirror is tinted, fog included. */
 class MirrorFogGlTest {
     private static final int WIDTH = 32;
     private static final int HEIGHT = 24;
@@ -26,12 +26,12 @@ class MirrorFogGlTest {
     private static final Vec3 FOG = new Vec3(0.4, 0.5, 0.6);
     private static final Vec3 AHEAD = new Vec3(0.5, 0.6, 0.8);
     private static final Vec3 BEHIND = new Vec3(0.9, 0.3, 0.7);
-    /** Four sums in half precision, of which Mesa's llvmpipe 22.3 cuts off what does not fit. */
+    /** Four sums in half precision, which Mesa's llvmpipe 22.3 truncates. */
     private static final double ROUNDING = 3e-3;
 
     private static final Vec3 SILVER = new Vec3(1, 1, 1);
 
-    /** Two mirrors that fill every view of each other, 3 m before the eye and 5 m behind it. */
+    /** Returns two mirrors that fill every view of each other, 3 m before the eye and 5 m behind it. */
     private static TestLevel facing(Vec3 ahead, Vec3 behind) {
         return new TestLevel()
                 .material(new Material("ahead", ahead, null, null, null, null, Vec3.ZERO, 1, true))
@@ -51,7 +51,7 @@ class MirrorFogGlTest {
                 Map.of(face, new Solid.Face(mirror, null)));
     }
 
-    /** Two mirrors on the way, and a third one beyond which nothing is drawn: endless fog. */
+    /** Returns the radiance with two mirrors on the path, and a third one beyond which there is only fog. */
     private static double expected(double ahead, double behind, double fog, double secant) {
         double seen = fog * (1 - ahead) * (1 - Math.exp(-EXTINCTION * 3 * secant));
         seen += fog * ahead * (1 - behind) * (1 - Math.exp(-EXTINCTION * 11 * secant));
@@ -92,7 +92,10 @@ class MirrorFogGlTest {
         }
     }
 
-    /** Light can only be added before the tone curve; nothing else asks for a linear target. */
+    /**
+     * A tinted mirror in fog requires a linear target, since light can be added only before the tone curve; nothing
+     * else does.
+     */
     @Test
     void fogBeforeATintedMirrorAsksForLinearLight() {
         assertEquals(

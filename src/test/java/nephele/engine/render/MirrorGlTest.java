@@ -21,7 +21,7 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import org.junit.jupiter.api.Test;
 
-/** A mirror shows what would be seen if the scene stood once more behind it, the other way round. */
+/** A mirror shows the scene reflected behind it. */
 class MirrorGlTest {
     private static final int WIDTH = 160;
     private static final int HEIGHT = 120;
@@ -39,7 +39,7 @@ class MirrorGlTest {
         return level;
     }
 
-    /** @param behind puts each box where the mirror shows it, too */
+    /** @param behind true to put a copy of each box where the mirror shows it */
     private static Level boxes(Vec3 tint, boolean behind) {
         TestLevel level = room().material(new Material("silver", tint, null, null, null, null, Vec3.ZERO, 1, true));
         for (int i = 0; i < CENTRES.size(); i++) {
@@ -70,7 +70,10 @@ class MirrorGlTest {
         return count;
     }
 
-    /** By both techniques, from a metre, from a millimetre and nearly along the mirror; single pixels at edges may differ. */
+    /**
+     * With both techniques, from a metre, from a millimetre and nearly along the mirror, the pictures agree except for
+     * single pixels at edges.
+     */
     @Test
     void aMirrorIsTheSceneOnceMoreBehindIt() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -91,7 +94,7 @@ class MirrorGlTest {
         }
     }
 
-    /** What is reflected is multiplied by the base colour, what is seen beside the mirror is not. */
+    /** The reflection is multiplied by the base colour, its surroundings are not. */
     @Test
     void theBaseColourTints() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -99,7 +102,7 @@ class MirrorGlTest {
             View view = offscreen.view(new Vec3(1, -0.6, 0), new Vec3(1, -0.6, -1.7));
             int[] seen = offscreen.pixels(tinted, TestAssets.NONE, view, by(PortalTechnique.STENCIL));
             assertEquals(0x00ff00, seen[HEIGHT / 2 * WIDTH + WIDTH / 2]);
-            // The yellow box stands behind the eye.
+            // The yellow box is behind the eye.
             View back = offscreen.view(new Vec3(0.1, 0.1, 2), new Vec3(0.1, 0.1, -3));
             int[] reflected = offscreen.pixels(tinted, TestAssets.NONE, back, by(PortalTechnique.STENCIL));
             assertEquals(0x803300, reflected[HEIGHT / 2 * WIDTH + WIDTH / 2]);
@@ -107,8 +110,8 @@ class MirrorGlTest {
     }
 
     /**
-     * An eye in the figure's head sees all of itself in a mirror, head included, as an eye beyond the mirror sees it, left
-     * and right exchanged; from behind the figure it is seen besides.
+     * From the character's head, a mirror shows all of it, head included, as an eye beyond the mirror sees it, left and
+     * right exchanged; from behind, the character itself is visible too.
      */
     @Test
     void oneSeesOneself() {
@@ -151,7 +154,7 @@ class MirrorGlTest {
         }
     }
 
-    /** A wall whose face in {@link #PLANE} is a mirror. */
+    /** Returns a wall whose face in {@link #PLANE} is a mirror. */
     private static Solid mirror(Vec3 size) {
         return new Solid.Box(
                 "mirror",

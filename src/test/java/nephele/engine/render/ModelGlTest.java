@@ -18,10 +18,10 @@ import nephele.engine.scene.View;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Models against solids of the same shape, and against values derived here. */
+/** Models look like solids of the same shape, and as derived values. */
 class ModelGlTest {
     private static final int SIZE = 160;
-    /** Of meshes with triangles of 2 to 3 degrees: a tenth of one of these in the normal. */
+    /** For meshes with triangles of 2 to 3 degrees: a tenth of such an angle in the normal. */
     private static final double COSINE = 0.006;
 
     private static final Vec3 CENTRE = new Vec3(0.2, 0.6, -0.3);
@@ -42,7 +42,10 @@ class ModelGlTest {
         return new Translate(place);
     }
 
-    /** As a solid and as meshes, mirrored ones and fine ones too: the same pixel for pixel but for rounding at edges. */
+    /**
+     * A solid and meshes of the same box, mirrored and fine ones too, have the same pixels except for rounding at
+     * edges.
+     */
     @Test
     void aBoxModelLooksLikeABox() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -64,7 +67,7 @@ class ModelGlTest {
         }
     }
 
-    /** Under a sky it is a little other light: a solid's is baked in texels, a model's at its vertices. */
+    /** Under a sky the light differs slightly: a solid's is baked in texels, a model's at its vertices. */
     @Test
     void theSkyLightsABoxModelLikeABox() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -79,7 +82,7 @@ class ModelGlTest {
         }
     }
 
-    /** A floor of two triangles knows the darkness at the foot of walls, by the vertices that it is given for that. */
+    /** A floor of two triangles is darker at the foot of walls, by the vertices added for it. */
     @Test
     void theSkyLightsAFloorOfTwoTriangles() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -120,7 +123,7 @@ class ModelGlTest {
         assertTrue(differing <= shareThatMayDiffer * expected.length, what + ": " + differing + " values differ");
     }
 
-    /** A fine ball under a sun reflects albedo / π · irradiance · cosine, with the smooth normal of each place. */
+    /** A fine sphere under a sun reflects albedo / π · irradiance · cosine, with the smooth normal of each point. */
     @Test
     void aBallIsLitAsASmoothOne() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -148,7 +151,7 @@ class ModelGlTest {
         }
     }
 
-    /** {@code null} for a miss. */
+    /** Returns {@code null} for a miss. */
     private static Vector3d onBall(Vector3d way, double distance, double radius) {
         double middle = distance * -way.z;
         double inside = radius * radius - distance * distance + middle * middle;
@@ -158,7 +161,7 @@ class ModelGlTest {
                 : new Vector3d(way).mul(along).add(0, 0, distance).div(radius);
     }
 
-    /** Under uneven and mirrored scales the shading normal stays that of the ellipsoid. */
+    /** Under non-uniform and mirrored scales the shading normal stays that of the ellipsoid. */
     @Test
     void anEllipsoidIsLitByItsOwnNormals() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -202,7 +205,9 @@ class ModelGlTest {
                 : new Vector3d(way).mul(middle - Math.sqrt(inside)).add(from);
     }
 
-    /** A model's picture lies as its mesh says: the plane's from corner to corner, upright, whatever its size. */
+    /**
+     * The mesh's texture coordinates place a model's picture: on a plane from corner to corner, upright, for any size.
+     */
     @Test
     void aPictureLiesAsTheMeshSays() {
         TestAssets assets = new TestAssets().picture("quarters.png", 16, 16, (x, y) -> {

@@ -23,11 +23,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Models drawn against models traced, ray for pixel: smooth normals, normal maps, pictures, shadows, light of the sky. */
+/** Drawn models equal traced ones pixel by pixel: smooth normals, normal maps, pictures, shadows, light of the sky. */
 class ModelTwinGlTest {
     private static final int SIZE = 200;
 
-    /** Of one colour each, so that no filter comes between: a normal that leans to the right and a little upward. */
+    /** Each is of one colour, so that filters have no effect: a normal that leans to the right and slightly upwards. */
     private static final TestAssets ASSETS = new TestAssets()
             .picture("leaning.png", 1, 1, (x, y) -> 0xc8a0d8)
             .picture("red.png", 1, 1, (x, y) -> 0xc04020);
@@ -53,7 +53,7 @@ class ModelTwinGlTest {
         return new Translate(new Vec3(x, y, z));
     }
 
-    /** Without shadows nothing is approximated but rounding: one pixel in a hundred, at an edge, may show something else. */
+    /** Without shadows, where only rounding differs, at most one pixel in a hundred, at an edge, differs. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void lightWithoutShadowsIsTheSame(boolean sunny) {
@@ -71,7 +71,7 @@ class ModelTwinGlTest {
         assertTrue(differing < 0.01 * seen, differing + " of " + seen + " values differ");
     }
 
-    /** With shadows and the sky the mean agrees, and nearly all pixels within a tenth. */
+    /** With shadows and the sky, the mean agrees, and nearly all pixels within a tenth. */
     @Test
     void shadowsAndSkyAreNearlyTheSame() {
         Level level = shapes().skyLight()
@@ -92,7 +92,7 @@ class ModelTwinGlTest {
         assertTrue(differing < 0.05 * both[0].length, differing + " of " + both[0].length + " values differ");
     }
 
-    /** Drawn, then traced. */
+    /** Returns the drawn and the traced picture. */
     private static float[][] both(Level level) {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             View view = offscreen.view(new Vec3(0.3, 2, 3.2), new Vec3(0, 0.4, 0.3));

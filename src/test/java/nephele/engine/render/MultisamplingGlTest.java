@@ -21,11 +21,13 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Several samples a pixel: what edges become, and that nothing else changes. */
+/** Several samples a pixel smooth edges and change nothing else. */
 class MultisamplingGlTest {
     private static final int SIZE = 64;
 
-    /** A white square of side 1 seen from 1.5 before it, the view rolled so that all its edges slant. */
+    /**
+     * Returns a white square of side 1 seen from a distance of 1.5, the view rolled so that all its edges are inclined.
+     */
     private static Level square() {
         return new TestLevel()
                 .ambient(1)
@@ -83,7 +85,7 @@ class MultisamplingGlTest {
         }
     }
 
-    /** Off the edges nothing changes, and direct and hdr stay the same picture there. */
+    /** Away from edges nothing changes, and direct and hdr stay the same picture. */
     @Test
     void insidesStayAsTheyAre() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -121,7 +123,7 @@ class MultisamplingGlTest {
         }
     }
 
-    /** What is seen through a portal has as many samples as what is beside it, whoever draws it. */
+    /** Views through portals have as many samples as the surrounding view, with every technique. */
     @Test
     void viewsThroughPortalsAreSampledAsWell() {
         Level level = new TestLevel()
@@ -150,7 +152,7 @@ class MultisamplingGlTest {
         }
     }
 
-    /** Depth cannot be a colour attachment: such a framebuffer is incomplete everywhere. */
+    /** A target with depth as colour attachment, which is incomplete everywhere, falls back to one sample. */
     @Test
     void anIncompleteTargetFallsBackToOneSample() {
         try (Offscreen offscreen = new Offscreen(8, 8)) {

@@ -10,7 +10,7 @@ import nephele.engine.render.frame.Output;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** What hides what. */
+/** Nearer surfaces hide farther ones. */
 class OcclusionGlTest {
     private static final Vec3 RED = new Vec3(1, 0, 0);
     private static final Vec3 GREEN = new Vec3(0, 1, 0);
@@ -33,7 +33,7 @@ class OcclusionGlTest {
         }
     }
 
-    /** A wall at nine tenths of the far distance stands before every kind of drawn sky, which is seen beside it. */
+    /** A wall at nine tenths of the far distance is in front of every kind of drawn sky, which is visible beside it. */
     @Test
     void theSkyIsBehindEverything() {
         Sky sky = new Sky.Gradient(MAGENTA, MAGENTA, MAGENTA);

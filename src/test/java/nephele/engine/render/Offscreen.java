@@ -23,7 +23,7 @@ public final class Offscreen implements AutoCloseable {
         picture = RenderTarget.picture(gl, "test picture", PixelFormat.RGBA8, width, height);
     }
 
-    /** 0xrrggbb, the bottom row first. */
+    /** Returns 0xrrggbb, the bottom row first. */
     int[] pixels(Level level, View view, Output output) {
         return pixels(level, TestAssets.NONE, view, RenderSettings.of(output));
     }
@@ -49,7 +49,7 @@ public final class Offscreen implements AutoCloseable {
         return rgb;
     }
 
-    /** Linear RGB, the bottom row first. */
+    /** Returns linear RGB, the bottom row first. */
     public float[] radiance(Level level, AssetSource assets, View view) {
         return radiance(level, assets, List.of(view)).get(0);
     }
@@ -68,7 +68,7 @@ public final class Offscreen implements AutoCloseable {
         }
     }
 
-    /** 90° vertical field of view. */
+    /** Returns a view with a 90° vertical field of view. */
     public View view(Vec3 eye, Vec3 target) {
         double aspect = picture.width() / (double) picture.height();
         return View.lookAt(eye, target, new Vec3(0, 1, 0), new Projection(Math.PI / 2, aspect, 0.05, 1000));

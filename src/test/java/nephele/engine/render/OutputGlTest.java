@@ -14,11 +14,11 @@ import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Tone curve, sRGB and dither: once, alike in both outputs, and as their Java twin says. */
+/** Tone curve, sRGB and dither are applied once, equally in both outputs, and as by their Java twin. */
 class OutputGlTest {
     private static Level landscape(ToneCurve curve, double stops) {
         return new TestLevel()
-                .develop(curve, stops)
+                .toneMapping(curve, stops)
                 .sun(new Vec3(0.4, 1, 0.2), 3)
                 .ambient(0.15)
                 .sky(new Sky.Gradient(new Vec3(0.05, 0.2, 0.9), new Vec3(0.8, 0.9, 1.4), TestLevel.grey(0.02)))
@@ -57,19 +57,19 @@ class OutputGlTest {
 
     /** The mean of the dithered codes is the twin's value; every single code is within one of it. */
     @Test
-    void developmentIsItsJavaTwin() {
+    void toneMappingEqualsItsJavaTwin() {
         try (Offscreen offscreen = new Offscreen(64, 64)) {
             View view = offscreen.view(new Vec3(0, 2, 0), Vec3.ZERO);
             for (ToneCurve curve : ToneCurve.values()) {
                 for (double radiance :
                         new double[] {0, 1e-4, 0.002, 0.0031308, 0.004, 0.01, 0.03, 0.2140, 0.5, 0.97, 1, 3, 60000}) {
                     Level level = new TestLevel()
-                            .develop(curve, -0.5)
+                            .toneMapping(curve, -0.5)
                             .ambient(1)
                             .material("m", TestLevel.grey(radiance))
                             .box("m", new Vec3(0, -0.5, 0), new Vec3(40, 1, 40))
                             .level();
-                    double code = 255 * ToneMapping.develop(radiance, Math.pow(2, -0.5), curve);
+                    double code = 255 * ToneMapping.displayValue(radiance, Math.pow(2, -0.5), curve);
                     int[] pixels = offscreen.pixels(level, view, Output.DIRECT);
                     double mean = Arrays.stream(pixels)
                             .map(Offscreen::green)
@@ -92,7 +92,7 @@ class OutputGlTest {
         }
     }
 
-    /** A constant sky is the clear colour: the same as a gradient without a gradient, but for the dither. */
+    /** A constant sky as clear colour equals a uniform gradient, except for the dither. */
     @Test
     void aConstantSkyIsDevelopedOnTheCpu() {
         Vec3 radiance = new Vec3(0.7, 0.3, 0.05);
@@ -118,7 +118,7 @@ class OutputGlTest {
     void plainShowsValuesAsStored() {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
             Level level = new TestLevel()
-                    .develop(ToneCurve.FILMIC, 2)
+                    .toneMapping(ToneCurve.FILMIC, 2)
                     .sun(new Vec3(0, 1, 0), 0.8 * Math.PI)
                     .ambient(0.3)
                     .material("m", new Vec3(0.5, 0.25, 1))

@@ -15,13 +15,16 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Portals edge to edge, and more of them than anybody can draw. */
+/** Portals edge to edge, and more portals than the budget, are drawn correctly. */
 class PortalEdgeGlTest {
     private static final int WALL = 0xff0000;
     private static final int GREEN = 0x00ff00;
     private static final int BLUE = 0x0000ff;
 
-    /** A red wall with two openings that overlap by {@code overlap} metres at x = 0: left to green, right to blue. */
+    /**
+     * Returns a red wall with two openings that overlap by {@code overlap} metres at x = 0: left to green, right to
+     * blue.
+     */
     private static Level edgeToEdge(double overlap) {
         double half = 1 + overlap / 4;
         return new TestLevel()
@@ -40,8 +43,8 @@ class PortalEdgeGlTest {
     }
 
     /**
-     * Coplanar portals that touch, or overlap by a micrometre, leave no wall between them and do
-     * not fight: every pixel is one of the two, and on each side of the line it is the right one.
+     * Coplanar portals that touch, or overlap by a micrometre, leave no wall between them and no z-fighting: every
+     * pixel belongs to one of the two, the right one on each side of the line.
      */
     @Test
     void portalsEdgeToEdgeDoNotFight() {
@@ -59,7 +62,7 @@ class PortalEdgeGlTest {
         }
     }
 
-    /** Along the row of pixels in the middle: green, then blue, nothing else within the openings. */
+    /** Asserts that the middle row is green, then blue, without other colours within the openings. */
     private static void assertLine(Offscreen offscreen, Vec3 eye, Vec3 target) {
         int[] pixels = offscreen.pixels();
         Set<Integer> colours = new TreeSet<>();
@@ -84,7 +87,7 @@ class PortalEdgeGlTest {
         assertEquals(1, changes);
     }
 
-    /** 64 portals in sight are drawn without an error, as many views as the budget says. */
+    /** 64 visible portals are drawn without an error, as many views as the budget permits. */
     @Test
     void sixtyFourPortalsKeepToTheBudget() {
         TestLevel ring = new TestLevel().ambient(1).box(null, new Vec3(0, -2, 0), new Vec3(40, 1, 40));

@@ -22,18 +22,18 @@ import nephele.engine.scene.ViewTree;
 import org.junit.jupiter.api.Test;
 
 /**
- * Portals that face each other, at any distance, and portals that lie inside each other. Views are capped and
- * scissored, end below one pixel and before a stencil of eight bits does, and the last level is filled.
+ * Portals that face each other at any distance, and portals that intersect each other, are drawn. Views are limited and
+ * scissored, end below one pixel and before a stencil of eight bits overflows, and the last level is filled.
  */
 class PortalExtremesGlTest {
     private static final int WIDTH = 96;
     private static final int HEIGHT = 54;
     private static final int MOST_NESTED = 255;
     private static final int UNLIMITED = 100_000;
-    /** Nothing but the sky, which the closed room hides, has this colour. */
+    /** Only the sky, which the closed room hides, has this colour. */
     private static final Vec3 LEAK = new Vec3(1, 0, 1);
 
-    /** A closed room, {@code apart} metres from a portal at its end to the one that faces it. */
+    /** Returns a closed room, {@code apart} metres from a portal at its end to the one that faces it. */
     private static TestLevel room(double apart) {
         double half = apart / 2;
         return new TestLevel()
@@ -56,7 +56,7 @@ class PortalExtremesGlTest {
                 .level();
     }
 
-    /** Openings that stand freely across each other, before one in the wall that they overlap. */
+    /** Returns openings in free space that cross each other, in front of one in the wall that they overlap. */
     private static Level inside() {
         return room(6).portal("a", "b", new Vec3(-0.4, 0, -2.1), new Vec3(0, 0, 1), 1.6, 2)
                 .portal("b", "a", new Vec3(-0.4, 0, 3), new Vec3(0, 0, -1), 1.6, 2)
@@ -104,7 +104,7 @@ class PortalExtremesGlTest {
         }
     }
 
-    /** Far apart views end below one pixel, close together at the depth that a stencil counts to. */
+    /** Far apart, views end below one pixel; close together, at the greatest depth of the stencil. */
     @Test
     void portalsThatFaceEachOther() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -114,7 +114,7 @@ class PortalExtremesGlTest {
                 ViewTree all = grown(level, view, UNLIMITED);
                 assertBounded(all, MOST_NESTED);
                 assertEquals(apart < 0.5, !all.terminals().isEmpty(), apart + " m apart");
-                // What fills the last opening is its wall, which must not lie before the near plane.
+                // The last opening shows its wall, which must be beyond the near plane.
                 int least = apart < 0.01 ? 100 : apart < 1 ? 3 : 0;
                 assertBounded(grown(level, view, least), least);
                 assertFilled(offscreen, level, view, least);
@@ -123,7 +123,7 @@ class PortalExtremesGlTest {
         }
     }
 
-    /** However they overlap and stand across each other, the budget holds and every pixel belongs to the room. */
+    /** For any overlaps and crossings of portals, the budget holds and every pixel belongs to the room. */
     @Test
     void portalsInsideEachOther() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {

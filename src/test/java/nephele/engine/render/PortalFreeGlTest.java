@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What portals cost where there are none: not one call; and what is recorded of a frame with portals. */
+/** A level without portals makes not one call for them; a recorded frame with portals repeats. */
 class PortalFreeGlTest {
     private static TestLevel boxes() {
         return new TestLevel()
@@ -34,12 +34,12 @@ class PortalFreeGlTest {
                 .box(null, new Vec3(0, 0, -3), new Vec3(1, 1, 1));
     }
 
-    /** The same with a cube that moves in the light of a sun that casts. */
+    /** Adds a cube that moves in the light of a sun that casts shadows. */
     private static TestLevel shaded() {
         return boxes().castingSun(new Vec3(0.3, 1, 0.5), 2).cube("red", new Vec3(-0.9, 0.2, -0.5), 0.5);
     }
 
-    /** What players get: smooth edges, rims. */
+    /** Returns the settings of players: multisampling, rims. */
     private static RenderSettings settings(Output output) {
         return RenderSettings.of(output, Quality.HIGH.withSamples(4));
     }
@@ -77,7 +77,9 @@ class PortalFreeGlTest {
                 > words(boxes().level(), RenderFeatures.ALL, Output.PLAIN).size());
     }
 
-    /** Whatever another renderer of the context left behind: stencil and depth range are as a level without portals needs. */
+    /**
+     * Drawing does not depend on the state that another renderer of the context left: stencil and depth range are set.
+     */
     @Test
     void itDoesNotRelyOnWhatOthersLeft() {
         try (Offscreen offscreen = new Offscreen(32, 18);
@@ -93,7 +95,7 @@ class PortalFreeGlTest {
         }
     }
 
-    /** Nothing is kept for openings that a frame does not have, however small the budget. */
+    /** No picture is kept for openings outside the view, also with a small budget. */
     @Test
     void withNoPortalInViewNoPictureIsKept() {
         Level level = boxes().portal("a", "b", new Vec3(0, 0.5, -1), new Vec3(0, 0, 1), 1, 1)
@@ -116,7 +118,7 @@ class PortalFreeGlTest {
         }
     }
 
-    /** `bench --bare`: the recorded frame draws the same picture: portals with rims, a cube and its shadow. */
+    /** The recorded frame of {@code bench --bare} draws the same picture: portals with rims, a cube and its shadow. */
     @ParameterizedTest
     @EnumSource
     void theBareTwinDrawsPortalsToo(Output output) {

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What is seen through portals: the same by every technique and setting, and the same as through a hole. */
+/** Views through portals are the same with every technique and setting, and the same as through a hole. */
 class PortalGlTest {
     private static final Vec3 SHADOW_SUN = new Vec3(1, 1, 0.5);
     private static final Quality QUALITY = Quality.HIGH.withViewBudget(40);
@@ -34,7 +34,7 @@ class PortalGlTest {
         return RenderSettings.of(output, QUALITY).with(Decoration.OFF);
     }
 
-    /** Boxes of many colours all around, some with a lamp's light on them, under a sky that is not constant. */
+    /** Returns boxes of many colours all around, some lit by a punctual light, under a sky that is not constant. */
     private static TestLevel furnished(long seed) {
         Random random = new Random(seed);
         TestLevel level = new TestLevel()
@@ -55,7 +55,7 @@ class PortalGlTest {
         return 16 * random.nextDouble() - 8;
     }
 
-    /** Two portals face each other across the furniture, two more lie across it. */
+    /** Returns two portals that face each other across the furniture, and two more at an angle. */
     private static Level facing() {
         TestLevel level = furnished(4);
         for (int i = 0; i < 12; i++) {
@@ -78,7 +78,7 @@ class PortalGlTest {
         };
     }
 
-    /** Culling and narrowing leave out only what no pixel shows, of solids and of bodies. */
+    /** Culling and narrowing remove only invisible solids and bodies. */
     @ParameterizedTest
     @EnumSource
     void picturesDoNotDependOnWhatIsLeftOut(Culling culling) {
@@ -93,7 +93,7 @@ class PortalGlTest {
         }
     }
 
-    /** Pictures of their own at full resolution show the same pixels as the stencil, in every output. */
+    /** Separate pictures at full resolution show the same pixels as the stencil, in every output. */
     @ParameterizedTest
     @EnumSource
     void bothTechniquesDrawTheSamePixels(Output output) {
@@ -105,10 +105,10 @@ class PortalGlTest {
         }
     }
 
-    /** In the very first frame, too, things cast the shadows that they cast now, whichever view is drawn first. */
+    /** In the very first frame, too, dynamic objects cast their current shadows, whichever view is drawn first. */
     @ParameterizedTest
     @EnumSource
-    void dynamicObjectsCastTheirShadowsBehindPortals(PortalTechnique technique) {
+    void dynamicObjectsCastShadowsBehindPortals(PortalTechnique technique) {
         try (Offscreen offscreen = new Offscreen(96, 54)) {
             View view = offscreen.view(new Vec3(0, 1.9, 0), new Vec3(0, 0.6, -3));
             int[] shaded = draw(offscreen, shadowBehindAPortal().level(), view, settings(Output.PLAIN));
@@ -130,7 +130,7 @@ class PortalGlTest {
                 .portal("b", "a", new Vec3(100, 1, 0), new Vec3(0, 0, 1), 4, 3);
     }
 
-    /** One renderer for all views, none of which takes anything from the one before. */
+    /** Draws all views with one renderer, none with history. */
     private static int[][] drawAll(Offscreen offscreen, Scene scene, RenderSettings settings) {
         try (Renderer renderer = Renderer.load(offscreen.gl, scene, settings)) {
             View[] views = views(offscreen);
@@ -145,7 +145,7 @@ class PortalGlTest {
         }
     }
 
-    /** A picture of half the resolution is blurred, but no other picture. */
+    /** Half the resolution blurs the picture but shows the same content. */
     @Test
     void lessResolutionOnlyBlurs() {
         try (Offscreen offscreen = new Offscreen(160, 90)) {
@@ -163,7 +163,7 @@ class PortalGlTest {
         }
     }
 
-    /** With several samples a pixel, too: edges in there are as smooth as any. */
+    /** With several samples a pixel, edges in nested views are as smooth as others. */
     @Test
     void samplesAreTakenThroughPortals() {
         try (Offscreen offscreen = new Offscreen(160, 90)) {
@@ -180,9 +180,9 @@ class PortalGlTest {
     }
 
     /**
-     * Entry and exit in one place: looking through is looking past. The eye comes as near to
-     * the plane as 1e-9 m on either side, looking up to 89.99° from the normal, and no pixel is other than without
-     * portals, but where an edge lies on a pixel's centre.
+     * If entry and exit coincide, the view through the portal equals the view past it. The eye comes as near to the
+     * plane as 1e-9 m on either side, looking up to 89.99° from the normal, and no pixel differs from the picture
+     * without portals, except where an edge is on a pixel's centre.
      */
     @Test
     void throughAPortalThatLeadsNowhereElseNothingChanges() {
@@ -216,12 +216,15 @@ class PortalGlTest {
         return offscreen.view(eye, new Vec3(eye.x() + 9 * Math.sin(angle), eye.y(), eye.z() - 9 * Math.cos(angle)));
     }
 
-    /** There and back again, through two pairs: A leads to B, beside it C leads back to where A is. */
+    /**
+     * A path through two pairs that leads back to its start shows the start: A leads to B, and beside it C leads back
+     * to where A is.
+     */
     @Test
     void thereAndBackIsWhereItBegan() {
         Vec3 away = new Vec3(300, 0, 0);
         Level open = furnished(11).level();
-        // Looking through a from z > 0 one is at b, 300 m off, before whose exit c stands and leads back behind a.
+        // Looking through a from z > 0, the eye is at b, 300 m away, where c in front of the exit leads back behind a.
         Level there = furnished(11)
                 .portal("a", "b", new Vec3(0, 0, 1), new Vec3(0, 0, 1), 3, 3)
                 .portal("b", "a", new Vec3(away.x(), 0, 1), new Vec3(0, 0, -1), 3, 3)
@@ -229,7 +232,7 @@ class PortalGlTest {
                 .portal("d", "c", new Vec3(0, 0, 0.5), new Vec3(0, 0, -1), 9, 9)
                 .level();
         try (Offscreen offscreen = new Offscreen(160, 90)) {
-            // Between the planes nothing stands, so that both levels show the same.
+            // The space between the planes is empty, so that both levels show the same.
             View view = offscreen.view(new Vec3(0.1, 0.1, 3), new Vec3(0, 0, -5));
             int[] expected = draw(offscreen, cleared(open), view, settings(Output.PLAIN));
             int[] actual = draw(offscreen, cleared(there), view, settings(Output.PLAIN));
@@ -238,7 +241,7 @@ class PortalGlTest {
         }
     }
 
-    /** Without the solids that reach between z = 0.5 and z = 1. */
+    /** Removes the solids that reach between z = 0.5 and z = 1. */
     private static Level cleared(Level level) {
         var solids = level.solids().stream()
                 .map(solid -> (nephele.engine.level.Solid.Box) solid)
@@ -249,7 +252,7 @@ class PortalGlTest {
         return level.with(level.materials(), solids);
     }
 
-    /** A sky that is a clear colour, and fog or none: what is behind a portal is cleared like the picture. */
+    /** With a sky that is a clear colour, with or without fog, a nested view is cleared like the picture. */
     @Test
     void aConstantSkyIsSeenThroughAPortal() {
         try (Offscreen offscreen = new Offscreen(32, 18)) {

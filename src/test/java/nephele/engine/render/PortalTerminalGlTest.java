@@ -25,7 +25,7 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Where the view budget ends. */
+/** Openings beyond the view budget show history or a membrane. */
 class PortalTerminalGlTest {
     private static final int WIDTH = 192;
     private static final int HEIGHT = 108;
@@ -33,7 +33,10 @@ class PortalTerminalGlTest {
     private static final int WALL_PIXEL = 0xe61a1a;
     private static final int MAGENTA = 0xff00ff;
 
-    /** A closed corridor of eight metres, red at both ends, where an arch faces an arch; side walls, floor and ceiling all differ. */
+    /**
+     * Returns a closed corridor of eight metres, red at both ends, where an arch faces an arch; side walls, floor and
+     * ceiling all differ.
+     */
     private static Level corridor() {
         return corridor(4);
     }
@@ -109,7 +112,10 @@ class PortalTerminalGlTest {
         }
     }
 
-    /** Of a view that is not drawn the sky is, half hidden by the membrane: as much as the sky changes, half of it shows. */
+    /**
+     * An opening whose view is not drawn shows its sky, half hidden by the membrane: half of a change of the sky is
+     * visible.
+     */
     @Test
     void anOpeningThatNothingFillsShowsTheSkyThere() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -132,7 +138,7 @@ class PortalTerminalGlTest {
         }
     }
 
-    /** Cosine between where a pixel looks and −z. */
+    /** Returns the cosine between a pixel's direction and −z. */
     private static double ahead(View view, int pixel) {
         double x = view.projection().tanHalfWidth() * (2 * (pixel % WIDTH + 0.5) / WIDTH - 1);
         double y = view.projection().tanHalfHeight() * (2 * (pixel / WIDTH + 0.5) / HEIGHT - 1);
@@ -140,7 +146,7 @@ class PortalTerminalGlTest {
         return -z / Math.sqrt(1 + x * x + y * y);
     }
 
-    /** A wall ahead, with a portal that leads out of a floor far below. */
+    /** Returns a wall ahead, with a portal that leads out of a floor far below. */
     private static Level underSky(double zenith, double horizon) {
         return new TestLevel()
                 .ambient(1)
@@ -165,7 +171,7 @@ class PortalTerminalGlTest {
         return pixel >> 16 & 0xff;
     }
 
-    /** Never the wall, never black, never one colour, whether or not rims are drawn. */
+    /** The opening never shows the wall, black, or a single colour, with or without rims. */
     @Test
     void anOpeningThatNothingFillsIsNeverFlat() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -189,7 +195,7 @@ class PortalTerminalGlTest {
         }
     }
 
-    /** Frame by frame the picture before goes one level deeper; it nears what an unlimited budget shows. */
+    /** With each frame the history goes one level deeper; it approaches the picture of an unlimited budget. */
     @Test
     void historyContinuesWhereTheBudgetEnds() {
         try (Offscreen offscreen = new Offscreen(2 * WIDTH, 2 * HEIGHT)) {
@@ -222,7 +228,7 @@ class PortalTerminalGlTest {
         }
     }
 
-    /** After a cut nothing of the old picture is left. */
+    /** After a cut nothing of the old picture remains. */
     @Test
     void aCutForgetsThePictureBefore() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
@@ -239,7 +245,7 @@ class PortalTerminalGlTest {
         }
     }
 
-    /** Whoever steps through the portal still sees the depths that were there before, from the first frame on. */
+    /** After a step through the portal, the deep views stay visible from the first frame on. */
     @Test
     void historyGoesOnAcrossAPortal() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -268,7 +274,7 @@ class PortalTerminalGlTest {
         }
     }
 
-    /** Colours of the corridor only: a looked-up pixel lies in the opening, not beside it. */
+    /** Only colours of the corridor appear: a looked-up pixel is inside the opening. */
     @Test
     void lookedUpPixelsAreThoseOfTheCorridor() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {

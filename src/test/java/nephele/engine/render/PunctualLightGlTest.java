@@ -15,7 +15,7 @@ import nephele.engine.scene.View;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Lamps on a floor, pixel by pixel against inverse square, cosine, range and cone in double precision. */
+/** Punctual lights on a floor equal inverse square, cosine, range and cone in double precision, pixel by pixel. */
 class PunctualLightGlTest {
     private static final int SIZE = 64;
     private static final double ALBEDO = 0.5;
@@ -35,7 +35,7 @@ class PunctualLightGlTest {
                 new Light.Spot("sharp", new Vec3(-3, 2, -1), new Vec3(0, -1, 0.4), grey(4), 20, 25, 25.5, false)));
     }
 
-    /** Lamps in the floor, of no range, immensely strong, immensely far. */
+    /** Lights in the floor, without range, immensely strong or immensely far give finite numbers. */
     @Test
     void degenerateLightsLeaveNumbers() {
         List<Light> lights = List.of(
@@ -54,7 +54,7 @@ class PunctualLightGlTest {
         assertTrue(brightest > 1000, "the blinding lamp shows: " + brightest);
     }
 
-    /** The sum over every lamp, though a pixel asks only those of its grid cell. */
+    /** The picture has the sum over all lights, although a pixel evaluates only those of its grid cell. */
     @Test
     void aThousandLightsAddUp() {
         SplittableRandom random = new SplittableRandom(1000);
@@ -98,14 +98,14 @@ class PunctualLightGlTest {
         return sum;
     }
 
-    /** The floor y = 0 under pixel centres of a view straight down. */
+    /** Returns the point of the floor y = 0 under a pixel's centre in a view straight down. */
     private static Vec3 floorAt(int x, int y) {
         double right = 2 * (x + 0.5) / SIZE - 1;
         double up = 2 * (y + 0.5) / SIZE - 1;
         return new Vec3(EYE.x() + EYE.y() * right, 0, EYE.z() - EYE.y() * up);
     }
 
-    /** @param metalRoughness negative for a Lambert floor */
+    /** @param metalRoughness negative for a Lambertian floor */
     private static float[] draw(List<Light> lights, double metalRoughness) {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             TestLevel level = new TestLevel().box("m", new Vec3(0, -0.5, 0), new Vec3(40, 1, 40));

@@ -15,7 +15,7 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Whatever the materials and lights say, every pixel is a number, not negative, and below the half's end. */
+/** For any materials and lights, every pixel is a number, not negative, and below the largest half. */
 class RandomMaterialsGlTest {
     private static final double[] EXTREMES = {0, 1e-30, 1e-7, 0.5, 1, 1, 1e3, 1e9};
 
@@ -30,7 +30,7 @@ class RandomMaterialsGlTest {
         }
     }
 
-    /** Output PLAIN into floats: nothing clamps what the surface shader has computed. */
+    /** In output PLAIN into floats, no clamp hides the result of the surface shader. */
     @Test
     void noSurfaceComputesWhatIsNotANumber() {
         Random random = new Random(44);

@@ -24,7 +24,7 @@ import nephele.engine.render.frame.Quality;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import org.junit.jupiter.api.Test;
 
-/** Only what the scene requires, and a reason for each. */
+/** The plan contains only what the scene requires, with a reason for each pass. */
 class RenderFeaturesTest {
     @Test
     void theEmptyLevelRequiresNothing() {
@@ -72,7 +72,7 @@ class RenderFeaturesTest {
         return causes;
     }
 
-    /** The clear colour claims the constant sky; each other kind of sky is claimed by exactly one feature. */
+    /** The clear colour draws the constant sky; exactly one feature draws each other kind. */
     @Test
     void everyKindOfSkyIsClaimedExactlyOnce() {
         Set<Class<?>> permitted =
@@ -104,7 +104,7 @@ class RenderFeaturesTest {
                 .collect(Collectors.toSet());
     }
 
-    /** Hands ask for it, where there is something for them to hold. */
+    /** The pass for held bodies is required by a player in a level with bodies. */
     @Test
     void whatIsHeldIsDrawnOnlyForWhoeverPlaysWithBodies() {
         Level bodies = new TestLevel().cube(null, Vec3.ZERO, 1).level();

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Renderers that have something in common, edits, and a light outside that changes. */
+/** Renderers that share data, edits and changes of the environment draw correctly. */
 class SharedSceneGlTest {
     private static final RenderSettings DIRECT = RenderSettings.of(Output.DIRECT);
     private static final Vec3 MORNING = new Vec3(1, 0.6, 0.3);
@@ -41,7 +41,7 @@ class SharedSceneGlTest {
                 .castingSun(towardsSun, 2)
                 .skyLight()
                 .sky(sky(zenith))
-                .develop(ToneCurve.CLIP, stops)
+                .toneMapping(ToneCurve.CLIP, stops)
                 .material("grey", TestLevel.grey(0.5))
                 .light(new Light.Point("lamp", new Vec3(0, 2, 0), TestLevel.grey(4), 10, true))
                 .box("grey", new Vec3(0, -1, 0), new Vec3(9, 1, 9))
@@ -87,7 +87,10 @@ class SharedSceneGlTest {
         }
     }
 
-    /** With a solid more, one less, another lamp, another material, no lamp, and back. */
+    /**
+     * An edited renderer draws as a new one does: with one solid more, one less, another light, another material, no
+     * light, and back.
+     */
     @Test
     void anEditedRendererDrawsWhatAFreshOneDoes() {
         Level level = room(MORNING, 0.6, 0).level();
@@ -120,7 +123,10 @@ class SharedSceneGlTest {
         }
     }
 
-    /** A solid moves under one of two lamps: six layers are drawn again, and the sun's map; under none, the sun's alone. */
+    /**
+     * If a solid moves under one of two lights, six layers and the sun's map are drawn again; under none, the sun's
+     * alone.
+     */
     @Test
     void onlyMapsOfLightsNearAnEditAreDrawnAgain() {
         Level level = new TestLevel()
@@ -202,7 +208,7 @@ class SharedSceneGlTest {
         }
     }
 
-    /** Which of a moment's values is another. */
+    /** A change of one value of the frame state. */
     enum Change {
         SUN(EVENING, 0.6, 0),
         SKY(MORNING, 0.1, 0),
@@ -245,7 +251,7 @@ class SharedSceneGlTest {
         }
     }
 
-    /** Moving the sun draws its maps again, once; a frame like the one before draws none. */
+    /** A change of the sun draws its maps again, once; an equal frame draws none. */
     @Test
     void mapsAreDrawnAgainOnlyWhenTheSunMoves() {
         Level level = room(MORNING, 0.6, 0).level();

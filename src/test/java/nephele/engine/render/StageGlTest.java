@@ -28,11 +28,14 @@ import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import org.junit.jupiter.api.Test;
 
-/** The stages of a frame, and copies of a view for the passes after its opaque surfaces. */
+/** The stages of a frame are in order, and passes after opaque surfaces read copies of their view. */
 class StageGlTest {
     private static final int SIDE = 64;
 
-    /** A wall 4 m away with a portal; 6 m behind its exit another wall with another one, 2 m behind whose exit a third. */
+    /**
+     * Returns a wall 4 m away with a portal; 6 m behind its exit another wall with another portal, 2 m behind whose
+     * exit a third.
+     */
     private static TestLevel walls() {
         return new TestLevel()
                 .ambient(1)
@@ -135,7 +138,10 @@ class StageGlTest {
         }
     }
 
-    /** One copy a view where a pass reads it; none and no texture for it where the pass there, of what is held, does not. */
+    /**
+     * There is one copy for each view if a pass reads it; no copy and no texture if the pass there, for held bodies,
+     * does not.
+     */
     @Test
     void onlyWhatIsReadIsCopied() {
         Level level = walls().cube("wall", new Vec3(0, 0, 9), 0.5).level();
@@ -181,7 +187,7 @@ class StageGlTest {
         }
     }
 
-    /** Depth cannot be copied from a window, whose format the system chose. */
+    /** A view that passes read is not drawn directly into a window, whose format the system chose. */
     @Test
     void whatIsReadIsNotDrawnStraightIntoAWindow() {
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE);

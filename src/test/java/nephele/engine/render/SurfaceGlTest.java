@@ -16,7 +16,7 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Solids against values derived here in double precision. */
+/** Solids look as derived in double precision. */
 class SurfaceGlTest {
     private static final int SIZE = 96;
 
@@ -45,7 +45,7 @@ class SurfaceGlTest {
         return offscreen.view(new Vec3(0, 2, 0), new Vec3(0, 0, 0));
     }
 
-    /** A white room under radiance 1 from everywhere shows radiance 1 everywhere. */
+    /** A white room under radiance 1 from all directions shows radiance 1 everywhere. */
     @Test
     void aWhiteFurnaceIsWhite() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -63,7 +63,7 @@ class SurfaceGlTest {
         }
     }
 
-    /** |count − area| at most the outline's length in pixels. */
+    /** |count − area| is at most the outline's length in pixels. */
     @Test
     void aSquareCoversItsArea() {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -102,7 +102,7 @@ class SurfaceGlTest {
         }
     }
 
-    /** Surfaces two depth quanta apart never show the farther one, whatever the order of drawing. */
+    /** Surfaces two depth quanta apart never show the farther one, in any order of drawing. */
     @Test
     void surfacesTwoQuantaApartNeverFlicker() {
         try (Offscreen offscreen = new Offscreen(64, 64)) {
@@ -141,7 +141,7 @@ class SurfaceGlTest {
                 : level.box("green", far, size).box("red", near, size).level();
     }
 
-    /** Faces have one side: from inside a solid nothing of it is seen. */
+    /** Faces have one side: from inside, a solid is invisible. */
     @Test
     void anEyeInsideASolidSeesThroughIt() {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
@@ -170,7 +170,7 @@ class SurfaceGlTest {
         }
     }
 
-    /** An sRGB texel drawn direct under light 1 is itself again; half a code for llvmpipe's approximate decoding. */
+    /** An sRGB texel drawn direct under light 1 keeps its value; half a code for llvmpipe's approximate decoding. */
     @Test
     void texturesAreDecodedAndEncodedOnce() {
         try (Offscreen offscreen = new Offscreen(64, 64)) {

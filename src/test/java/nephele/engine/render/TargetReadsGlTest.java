@@ -32,9 +32,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What passes hand on to each other: what they bind they declare, and what they declare was written before. */
+/** Passes declare the textures that they bind, and read only targets that were written before. */
 class TargetReadsGlTest {
-    /** With everything that light is looked up in, whoever is in it. */
+    /** Returns a room with every texture that light needs, for any content. */
     private static TestLevel room() {
         return new TestLevel()
                 .castingSun(new Vec3(0.2, 1, 0.1), 2)
@@ -88,7 +88,10 @@ class TargetReadsGlTest {
         }
     }
 
-    /** Binding shows in OpenGL's own state: in each unit something else lies before a pass draws. */
+    /**
+     * A pass binds exactly what it declares; before it draws, each unit has another texture, so OpenGL's state shows
+     * the binding.
+     */
     @Test
     void whatAPassBindsItDeclares() {
         Level empty = levels().get("nothing moves");
@@ -102,7 +105,7 @@ class TargetReadsGlTest {
         }
     }
 
-    /** @param expected names of the passes that bind anything */
+    /** @param expected names of the passes that bind textures */
     private static void assertBinding(
             Offscreen offscreen, BoundTargets bound, Level level, CharacterPresence figure, Set<String> expected) {
         RenderSettings settings = RenderSettings.of(Output.PLAIN, Quality.LOW).with(figure);
@@ -116,7 +119,7 @@ class TargetReadsGlTest {
         assertEquals(expected, binding);
     }
 
-    /** To the right, up and back. */
+    /** Returns components to the right, up and back. */
     private static Vec3 fromEye(View view, Vec3 place) {
         double x = place.x() - view.eyeX();
         double y = place.y() - view.eyeY();

@@ -15,13 +15,15 @@ import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 
-/** Runs one include's function over many inputs, a pixel each, into 32-bit floats. */
+/** Runs one include's function on many inputs, a pixel each, into 32-bit floats. */
 public final class TwinProgram {
     private static final String FOLDER = "/nephele/engine/render/twin/";
 
     private TwinProgram() {}
 
     /**
+     * Runs a shader.
+     *
      * @param inputs four floats to a texel, the same number of texels for each of {@code count} pixels
      * @return three floats for each pixel
      */

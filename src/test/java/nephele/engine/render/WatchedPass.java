@@ -9,7 +9,9 @@ import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Target;
 
-/** A pass that notes which targets another one binds as it draws; views in views are not counted to the outer one. */
+/**
+ * A pass that records the targets that another one binds while drawing; nested views do not count for the outer one.
+ */
 final class WatchedPass implements Pass {
     private final String name;
     private final Pass pass;
@@ -22,7 +24,7 @@ final class WatchedPass implements Pass {
         this.targets = targets;
     }
 
-    /** The same feature, whose passes are added to {@code built}. */
+    /** Returns the same feature, whose passes are added to {@code built}. */
     static RenderFeature watch(RenderFeature feature, BoundTargets targets, List<WatchedPass> built) {
         return new RenderFeature(
                 feature.name(), feature.stage(), feature.role(), request -> feature.requiredBy().apply(request).stream()

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Files that cannot be shown say where and why; files that can are shown, and say what was odd. */
+/** Files that cannot be shown give an error with place and reason; others are shown with warnings. */
 @Execution(ExecutionMode.CONCURRENT)
 class BrokenXmlTest {
     private static final String MODEL = "<models><model file='box_2_3.3d'/></models>";
@@ -86,7 +86,7 @@ class BrokenXmlTest {
                 new Broken(new byte[XmlSceneFile.MOST_BYTES + 1], 0, "more than 8 MiB"));
     }
 
-    /** By this thread's own time: what else runs on the machine has no say. */
+    /** Measures the CPU time of this thread, independent of other load. */
     private static <T> T soon(Supplier<T> work) {
         ThreadMXBean clock = ManagementFactory.getThreadMXBean();
         long start = clock.getCurrentThreadCpuTime();
@@ -191,7 +191,7 @@ class BrokenXmlTest {
         assertEquals(scene, XmlSceneFile.read("b.xml", (text + "</scene>").getBytes(UTF_8)));
     }
 
-    /** The largest files whose every letter is odd: a thousand warnings, and no more memory than for those. */
+    /** The largest files with a warning at every letter give a thousand warnings, and memory for no more. */
     @ParameterizedTest
     @ValueSource(strings = {"<zz a=1 bc=2 cd=3 de=4 ef='5'/>", "words < ", "</x>", "\n<!-- -->", "<group x=&x;>"})
     void oddFromEndToEndItIsStillReadSoon(String odd) {
@@ -209,7 +209,7 @@ class BrokenXmlTest {
         assertTrue(told);
     }
 
-    /** Truncations, cut-out and doubled parts and flipped letters: a scene or a refusal, nothing else. */
+    /** Truncated, cut, doubled and bit-flipped files give a scene or a refusal, and no other exception. */
     @Test
     void damagedAnywhereItNeverFallsOver() {
         String whole = "<?xml version='1.0'?>\n"

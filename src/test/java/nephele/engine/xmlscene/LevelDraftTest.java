@@ -45,7 +45,7 @@ class LevelDraftTest {
         return LevelDraft.of("test", scene, parts);
     }
 
-    /** What a level's reader makes of a placement: parents' frames, then the steps, the first one outermost. */
+    /** Returns the pose that a level's reader derives: parents' frames, then the steps, the first one outermost. */
     private static Matrix4d worldFromModel(Level level, String id) {
         Map<String, Matrix4d> frames = new HashMap<>();
         for (ModelPlacement model : level.models()) {
@@ -171,7 +171,7 @@ class LevelDraftTest {
         assertEquals(9, level.cameras().get(0).position().y());
     }
 
-    /** Ten thousand groups deep, flat, enormous, turning on the spot: the level is one, and reads back. */
+    /** From groups ten thousand deep, flat, enormous or spinning in place, the draft makes a level that reads back. */
     @Test
     void whatALevelCannotHoldIsLeftOutAndTold() {
         String deep = "<group><translate x='1'/>".repeat(3000) + SOMETHING + "</group>".repeat(3000);

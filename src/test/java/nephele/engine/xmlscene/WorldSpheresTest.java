@@ -14,7 +14,10 @@ import org.joml.Vector3d;
 import org.joml.Vector4d;
 import org.junit.jupiter.api.Test;
 
-/** Chains of turns, moves and scales, mirrored, uneven and thereby sheared, against points. */
+/**
+ * Bounding spheres contain all points under chains of rotations, translations and scales, mirrored and sheared ones
+ * included.
+ */
 class WorldSpheresTest {
     private static final int TRANSFORMS = 10_000;
 
@@ -83,7 +86,7 @@ class WorldSpheresTest {
         return new Matrix4d(clipFromRelative).translate(-eye.x(), -eye.y(), -eye.z());
     }
 
-    /** A vertex in the picture, mostly on its very edge; its model hangs out of it in all ways. */
+    /** No model with a vertex in the picture, mostly on its very edge, is culled. */
     @Test
     void noneIsCulledThatTouchesTheFrustum() {
         WorldSpheres spheres = new WorldSpheres(1);

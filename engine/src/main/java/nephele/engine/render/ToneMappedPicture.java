@@ -26,7 +26,7 @@ public final class ToneMappedPicture {
                     double radiance = rgb[3 * (y * width + x) + channel];
                     double shown = output == Output.PLAIN
                             ? radiance
-                            : ToneMapping.develop(radiance, exposure, environment.toneCurve());
+                            : ToneMapping.displayValue(radiance, exposure, environment.toneCurve());
                     code = code << 8 | (int) Math.rint(Math.min(Math.max(255 * shown + dither, 0), 255));
                 }
                 image.setRGB(x, height - 1 - y, code);

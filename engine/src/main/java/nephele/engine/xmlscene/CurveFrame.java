@@ -6,9 +6,9 @@ import nephele.engine.model.CatmullRom;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
-/** The frame of what goes around a closed curve; depends on nothing but the time. Allocates nothing after it is built. */
+/** The frame of an object on a closed curve; depends only on the time. Allocates nothing after construction. */
 final class CurveFrame {
-    /** A direction this close to upright has no upright of its own. */
+    /** Sine below which a direction counts as vertical. */
     private static final double PARALLEL = 1e-9;
 
     private final CatmullRom curve;
@@ -27,8 +27,9 @@ final class CurveFrame {
     }
 
     /**
-     * As {@link #carry}, with x along the curve, z = x × (0, 1, 0) and y = z × x. Where the curve is upright, z is
-     * (0, 0, 1); where it stands still, x is the way it sets out, and a curve of one point turns nothing.
+     * Moves a frame as {@link #carry} does, with x along the curve, z = x × (0, 1, 0) and y = z × x. Where the curve is
+     * vertical, z is (0, 0, 1); where its derivative is zero, x is its initial direction, and a curve of one point
+     * rotates nothing.
      */
     void carryAligned(double round, Matrix4d frame, Matrix4d axes) {
         carry(round, frame);
@@ -46,7 +47,7 @@ final class CurveFrame {
         }
         side.normalize();
         side.cross(ahead, upright).normalize();
-        // Across an upright that is not quite one, the side is not quite across.
+        // If up is not exactly perpendicular, neither is the side.
         ahead.cross(upright, side);
         axes.set(
                 ahead.x, ahead.y, ahead.z, 0, upright.x, upright.y, upright.z, 0, side.x, side.y, side.z, 0, 0, 0, 0,

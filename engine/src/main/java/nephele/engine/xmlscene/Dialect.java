@@ -1,9 +1,9 @@
 package nephele.engine.xmlscene;
 
-/** Which of the two languages a scene is written in; its root says so. */
+/** The dialect of a scene, which its root element states. */
 public enum Dialect {
-    /** {@code <scene>}: the scene-engine report's. */
+    /** {@code <scene>}: the dialect of the scene-engine report. */
     SCENE,
-    /** {@code <world>}: the course's later one. */
+    /** {@code <world>}: the later dialect of the course. */
     WORLD
 }

@@ -11,18 +11,18 @@ import nephele.engine.math.Vec3;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 
-/** What is added so that a scene can be walked in: a floor below everything, and somewhere on it to start. */
+/** The additions that make a scene walkable: a floor below everything, and a start on it. */
 record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
     static final String FLOOR = "floor";
 
-    /** So far below the lowest point that a plane there is not drawn into the floor. */
+    /** Gap below the lowest point, so that a plane there is not drawn inside the floor. */
     private static final double GAP_METRES = 0.02;
 
     private static final double THICKNESS_METRES = 1;
     private static final double MARGIN_METRES = 20;
     private static final double PLAYER_METRES = 2;
 
-    /** Beyond, walking takes for ever and the rest of a scene is sky. */
+    /** Greatest extent of the floor; beyond, walking takes too long and the rest of a scene is sky. */
     private static final double FARTHEST_METRES = 1e5;
 
     static DraftGround around(List<Aabb> boxes, XmlScene.Eye eye) {
@@ -47,7 +47,7 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
         return Math.max(-most, Math.min(most, value));
     }
 
-    /** Around a box of a model, in the world. */
+    /** Returns the bounds of a model's box in the world. */
     static Aabb box(Aabb box, Matrix4dc worldFromModel) {
         Vector3d low = new Vector3d();
         Vector3d high = new Vector3d();
@@ -91,7 +91,10 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
                 List.of());
     }
 
-    /** Below the camera where there is room, else beside everything on its side; looks at the middle. */
+    /**
+     * Returns a start below the camera if there is room, else beside everything on the camera's side; it looks at the
+     * middle.
+     */
     PlayerStart player() {
         Vec3 middle = bounds.centre();
         double x = clampedTo(eye.position().x(), bounds.minX(), bounds.maxX());
@@ -103,7 +106,7 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
         return new PlayerStart(new Vec3(x, top(), z), yaw, 0);
     }
 
-    /** On the floor with a step to spare. */
+    /** Clamps to the floor with a margin of a step. */
     private static double clampedTo(double value, double low, double high) {
         return Math.max(low - MARGIN_METRES + 1, Math.min(high + MARGIN_METRES - 1, value));
     }
@@ -114,13 +117,16 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
         return boxes.stream().anyMatch(body::overlaps);
     }
 
-    /** Whether it is in a model, as a lamp in its bulb or in a sun: its light would go no further than that. */
+    /**
+     * Returns true if a light is inside a model, as in a bulb or a sun; a shadow-casting light there would light
+     * nothing else.
+     */
     boolean isEnclosed(Vec3 light) {
         Aabb point = Aabb.around(light, Vec3.ZERO);
         return boxes.stream().anyMatch(point::overlaps);
     }
 
-    /** Of a lamp to what it lights. */
+    /** Returns the mean distance of a light to the models. */
     double meanDistanceMetres(Vec3 from) {
         return boxes.stream()
                 .filter(box -> !box.isEmpty())
@@ -129,7 +135,7 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
                 .orElse(1);
     }
 
-    /** Of a lamp to the farthest corner. */
+    /** Returns the distance of a light to the farthest corner. */
     double reachMetres(Vec3 from) {
         double x = Math.max(Math.abs(bounds.minX() - from.x()), Math.abs(bounds.maxX() - from.x()));
         double y = Math.max(Math.abs(top() - from.y()), Math.abs(bounds.maxY() - from.y()));

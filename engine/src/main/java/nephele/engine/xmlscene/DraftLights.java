@@ -13,13 +13,16 @@ import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 
 /**
- * Lights that fall off, for those that do not: each is as bright as it was at the mean distance of the models, where a
- * white face turned to it is white.
+ * Converts lights without falloff to lights with falloff: each has its old intensity at the mean distance of the
+ * models, where a white face turned to it is white.
  */
 final class DraftLights {
     private static final int MOST_LIGHTS = 1000;
 
-    /** Each has six depth pictures; more would be seen in the frame's time before they are seen in the picture. */
+    /**
+     * Greatest number of lights with shadows: each has six depth pictures, whose cost is visible before their effect
+     * is.
+     */
     private static final int MOST_SHADOWS = 8;
 
     private static final double LEAST_DISTANCE_METRES = 1;
@@ -90,7 +93,7 @@ final class DraftLights {
         return new Light.Spot(id, position, axis, intensity, range, inner, outer, shadow);
     }
 
-    /** Where cosᵉ is ½; a quarter turn where it never is. */
+    /** Returns the angle where cosᵉ is ½; 180° for e = 0. */
     private static double halfPowerDegrees(double exponent) {
         return exponent == 0 ? 180 : Math.toDegrees(Math.acos(Math.pow(0.5, 1 / exponent)));
     }

@@ -9,9 +9,9 @@ import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlModel.Colours;
 
-/** Display colours as materials of a level: one for each different look. */
+/** Converts display colours to materials of a level: one for each different appearance. */
 final class DraftLooks {
-    /** In the dark parts of a level one still wants to see where one goes. */
+    /** Least ambient light, so that a player sees the way in dark parts of a level. */
     private static final double LEAST_AMBIENT = 0.1;
 
     private final Map<Look, Material> looks = new LinkedHashMap<>();
@@ -21,7 +21,11 @@ final class DraftLooks {
     /** @param texture {@code null} for none */
     private record Look(Colours colours, String texture, Vec3 tint) {}
 
-    /** @return the id of the material */
+    /**
+     * Adds an appearance.
+     *
+     * @return the id of the material
+     */
     String of(Colours colours, LevelDraft.Part part) {
         ambient += mean(linear(colours.ambient()));
         diffuse += mean(linear(colours.diffuse()));
@@ -31,7 +35,7 @@ final class DraftLooks {
                 .id();
     }
 
-    /** Colours are what a display shows; a level's are linear. */
+    /** Converts display colours to the linear ones of a level. */
     private static Material material(String id, Look look) {
         Colours colours = look.colours;
         boolean dull = colours.specular().equals(Vec3.ZERO);
@@ -47,8 +51,8 @@ final class DraftLooks {
     }
 
     /**
-     * Of microfacets whose highlight is as wide as Blinn's lobe: α² = 2 / (shininess + 2) (Walter et al. 2007, section
-     * 5.2), and α is the roughness squared.
+     * Returns the roughness of microfacets whose highlight is as wide as Blinn's lobe: α² = 2 / (shininess + 2) (Walter
+     * et al. 2007, section 5.2), where α is the roughness squared.
      */
     private static double roughness(double shininess) {
         return Math.pow(2 / (shininess + 2), 0.25);
@@ -65,12 +69,12 @@ final class DraftLooks {
         return (colour.x() + colour.y() + colour.z()) / 3;
     }
 
-    /** What all surfaces together reflect of the scene's white ambient light, as a part of what they can. */
+    /** Returns the mean ambient reflectance of all surfaces relative to their diffuse reflectance. */
     double ambientShare() {
         return diffuse > 0 ? Math.min(1, Math.max(LEAST_AMBIENT, ambient / diffuse)) : 1;
     }
 
-    /** With that of the floor. */
+    /** Returns all materials, that of the floor included. */
     List<Material> materials() {
         List<Material> materials = new ArrayList<>(looks.values());
         Vec3 grey = new Vec3(0.25, 0.26, 0.28);

@@ -14,8 +14,8 @@ import org.joml.Matrix4d;
 import org.joml.Quaterniond;
 
 /**
- * Groups as placements: the first model of a group carries its frame, the others and the groups below hang from it. A
- * group without models passes its steps on.
+ * Converts groups to placements: the first model of a group carries its frame, and the other models and the subgroups
+ * have it as parent. A group without models passes its steps on.
  */
 final class DraftPlacements {
     private static final int MOST_STEPS = 1000;
@@ -28,7 +28,9 @@ final class DraftPlacements {
     private final List<Integer> numbers = new ArrayList<>();
     private int next;
 
-    /** A group that waits for its turn. @param steps from {@code parent}'s frame; {@code null}: left out with all in it */
+    /**
+     * A group in the queue. @param steps from {@code parent}'s frame; {@code null} if it is left out with its content
+     */
     private record Waiting(XmlGroup group, String parent, List<TransformStep> steps) {}
 
     private DraftPlacements(List<Part> parts, DraftLooks looks, List<XmlWarning> warnings) {
@@ -43,7 +45,7 @@ final class DraftPlacements {
         return placements;
     }
 
-    /** In the order of {@link PosedScene}. */
+    /** Places the groups in the order of {@link PosedScene}. */
     private void place(XmlGroup root) {
         List<Waiting> waiting = new ArrayList<>();
         waiting.add(new Waiting(root, null, List.of()));
@@ -61,7 +63,11 @@ final class DraftPlacements {
         }
     }
 
-    /** @return what the groups below begin with */
+    /**
+     * Places a group's models.
+     *
+     * @return the state with which its subgroups begin
+     */
     private Waiting placeModels(Waiting group) {
         String parent = group.parent;
         List<TransformStep> steps = group.steps;
@@ -82,7 +88,11 @@ final class DraftPlacements {
         return new Waiting(group.group, parent, steps);
     }
 
-    /** @return {@code null} when a level cannot hold them */
+    /**
+     * Returns the steps with the group's own.
+     *
+     * @return {@code null} if a level cannot hold them
+     */
     private List<TransformStep> withOwn(Waiting group) {
         int line = group.group.line();
         List<TransformStep> steps = new ArrayList<>(group.steps);
@@ -142,12 +152,16 @@ final class DraftPlacements {
         return List.copyOf(placed);
     }
 
-    /** Of the models placed, as {@link PosedScene} counts them. */
+    /** Returns the numbers of the placed models in {@link PosedScene}. */
     List<Integer> numbers() {
         return numbers;
     }
 
-    /** @return {@code null} for no turn */
+    /**
+     * Returns the rotation of a path.
+     *
+     * @return {@code null} for none
+     */
     private static TransformStep turn(Step.Follow follow) {
         if (!follow.align()) {
             return null;

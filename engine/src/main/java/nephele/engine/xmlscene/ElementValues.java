@@ -4,9 +4,9 @@ import java.util.regex.Pattern;
 import nephele.engine.math.Vec3;
 import nephele.engine.model.NumberFormatting;
 
-/** What one element says of itself, as values; what cannot be read counts as left out. */
+/** The values of one element; an unreadable value counts as missing. */
 final class ElementValues {
-    /** Beyond it products of a few frames leave the numbers that drawing has. */
+    /** Greatest magnitude; products of a few larger ones would overflow the floats of drawing. */
     private static final double LARGEST = 1e9;
 
     private static final int LONGEST_NUMBER = 64;
@@ -33,7 +33,11 @@ final class ElementValues {
         return false;
     }
 
-    /** @return {@code null} when it is missing or empty */
+    /**
+     * Returns a text.
+     *
+     * @return {@code null} if it is missing or empty
+     */
     String text(String name) {
         XmlAttribute attribute = element.attribute(name);
         return attribute == null || attribute.value().isBlank()
@@ -70,7 +74,7 @@ final class ElementValues {
         return within;
     }
 
-    /** Missing axes are {@code absent}. */
+    /** Returns a vector; missing components are {@code absent}. */
     Vec3 vector(String x, String y, String z, double absent) {
         return new Vec3(number(x, absent), number(y, absent), number(z, absent));
     }
@@ -89,7 +93,7 @@ final class ElementValues {
         warnings.warn(attribute.line(), "'" + attribute.name() + "' in <" + element.name() + ">: " + message);
     }
 
-    /** Of the element as a whole. */
+    /** Warns about the element as a whole. */
     void warn(String message) {
         warnings.warn(element.line(), "<" + element.name() + ">: " + message);
     }

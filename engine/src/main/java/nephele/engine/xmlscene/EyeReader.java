@@ -6,7 +6,7 @@ import nephele.engine.xmlscene.XmlScene.Eye;
 import nephele.engine.xmlscene.XmlScene.Window;
 import org.joml.Vector3d;
 
-/** What a scene is seen through. */
+/** Reads the camera of a scene. */
 final class EyeReader {
     static final Window SCENE_WINDOW = new Window(800, 600);
     static final Eye SCENE_EYE = new Eye(Vec3.ZERO, new Vec3(0, 0, 1), new Vec3(0, 1, 0), 45, 1, 1000);
@@ -17,7 +17,7 @@ final class EyeReader {
     private static final double LEAST_NEAR = 1e-3;
     private static final double LEAST_DEPTH = 1 + 1e-3;
 
-    /** Two directions whose sine is less leave no upright. */
+    /** Sine below which two directions define no up. */
     private static final double PARALLEL = 1e-6;
 
     private final SceneWarnings warnings;
@@ -36,7 +36,7 @@ final class EyeReader {
                 values.number("height", WORLD_WINDOW.height(), 1, MOST_PIXELS));
     }
 
-    /** One that can be looked through: it looks somewhere, its up is not along that, its depths are in order. */
+    /** Returns a valid camera: it has a direction, an up that is not parallel to it, and ordered depths. */
     Eye eye(XmlElement world) {
         XmlElement camera = only(world, "camera");
         if (camera == null) {

@@ -3,7 +3,7 @@ package nephele.engine.xmlscene;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Groups to any depth, without recursion. */
+/** Reads groups of any depth, without recursion. */
 final class GroupReader {
     private final Dialect dialect;
     private final StepReader steps;
@@ -28,7 +28,7 @@ final class GroupReader {
             this.below = element.children("group");
         }
 
-        /** The next group below, or {@code null} when all are read. */
+        /** Returns the next subgroup, or {@code null} if all are read. */
         XmlElement next() {
             return read.size() < below.size() ? below.get(read.size()) : null;
         }

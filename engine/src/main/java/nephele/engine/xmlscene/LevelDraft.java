@@ -13,27 +13,28 @@ import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
 /**
- * A scene at time 0 as a level that plays: its models stand over a floor that portals open on, under a sky. A unit is a
- * metre.
+ * A scene at time 0 as a playable level: its models stand over a portalable floor, under a sky. A unit is a metre.
  *
- * @param warnings what a level cannot hold, in the order of lines
+ * @param warnings features that a level cannot hold, in the order of lines
  */
 public record LevelDraft(Level level, List<XmlWarning> warnings) {
     private static final int LONGEST_NAME = 200;
 
     /**
-     * What a level calls a model's files.
+     * A model's files as a level names them.
      *
      * @param file asset id of the mesh
      * @param texture asset id, {@code null} for none
-     * @param tint the texture's mean in linear light, white for none: a level's emission has no picture
-     * @param box around the mesh, in its own frame
+     * @param tint the texture's mean in linear light, white for none; needed because a level's emission has no texture
+     * @param box bounds of the mesh, in its own frame
      */
     public record Part(String file, String texture, Vec3 tint, Aabb box) {}
 
     /**
+     * Converts a scene.
+     *
      * @param name of the level
-     * @param parts as {@link PosedScene} numbers its models; {@code null} for one to leave out
+     * @param parts in the order of models in {@link PosedScene}; {@code null} to leave one out
      */
     public static LevelDraft of(String name, XmlScene scene, List<Part> parts) {
         PosedScene posed = PosedScene.of(scene);
@@ -59,7 +60,9 @@ public record LevelDraft(Level level, List<XmlWarning> warnings) {
         return new LevelDraft(level, List.copyOf(warnings));
     }
 
-    /** The models that a level can place, where their meshes can be shown, as {@link PosedScene} counts them. */
+    /**
+     * Returns the models that a level can place if their meshes can be shown, by their numbers in {@link PosedScene}.
+     */
     public static Set<Integer> placeable(XmlScene scene) {
         Part any = new Part("", null, new Vec3(1, 1, 1), Aabb.EMPTY);
         List<Part> parts = Collections.nCopies(PosedScene.of(scene).modelCount(), any);

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Locale;
 import nephele.engine.math.Vec3;
 
-/** Lamps: those of a whole {@code <world>}, or those of one group. */
+/** Reads lights: those of a whole {@code <world>}, or those of one group. */
 final class LightReader {
-    /** As many as OpenGL lights with at once. */
+    /** The number of lights of fixed-function OpenGL. */
     private static final int MOST_IN_WORLD = 8;
 
     private static final double ALL_AROUND_DEGREES = 180;

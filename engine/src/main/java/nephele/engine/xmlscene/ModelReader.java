@@ -5,9 +5,9 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlModel.Colours;
 
-/** Meshes and their looks. */
+/** Reads models: meshes and their appearance. */
 final class ModelReader {
-    /** Fixed-function OpenGL's own. */
+    /** The default material of fixed-function OpenGL. */
     private static final Colours SCENE_LOOK = new Colours(grey(0.8), grey(0.2), Vec3.ZERO, Vec3.ZERO, 0);
 
     private static final Colours WORLD_LOOK = new Colours(grey(200.0 / 255), grey(50.0 / 255), Vec3.ZERO, Vec3.ZERO, 0);
@@ -49,7 +49,7 @@ final class ModelReader {
         }
     }
 
-    /** As any system writes it. @return {@code null} for none */
+    /** Returns a file name with separators of any system. @return {@code null} for none */
     private static String file(ElementValues values, String name) {
         String written = values.text(name);
         return written == null ? null : written.replace('\\', '/').replaceFirst("^(\\./)+", "");
@@ -97,7 +97,7 @@ final class ModelReader {
         return new Colours(colours[0], colours[1], colours[2], colours[3], shininess);
     }
 
-    /** @param full what 1 is written as */
+    /** @param full the number that stands for 1 */
     private static Vec3 colour(ElementValues values, double full, Vec3 absent, String r, String g, String b) {
         if (!values.hasAny(r, g, b)) {
             return absent;

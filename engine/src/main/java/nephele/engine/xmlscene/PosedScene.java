@@ -6,9 +6,9 @@ import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
 /**
- * A scene's models and lights in one list each, with their places at a time. Models come in document order, those of a
- * group before those of the groups in it. Lights that reach a model are a chain: {@link #firstLight} and, from there,
- * {@link #nextLight} until {@link #NONE}; groups share what they inherit, however deep they are.
+ * A scene's models and lights in one list each, with their poses at a time. Models are in document order, those of a
+ * group before those of its subgroups. The lights that reach a model are a chain: {@link #firstLight}, then {@link
+ * #nextLight} until {@link #NONE}; groups of any depth share what they inherit.
  */
 public final class PosedScene {
     public static final int NONE = -1;
@@ -20,7 +20,9 @@ public final class PosedScene {
     private final List<Placed<XmlLight>> lights = new ArrayList<>();
     private double seconds;
 
-    /** Something in a frame. @param light the first one that reaches a model, the next one of the chain for a light */
+    /**
+     * An object in a frame. @param light the first light that reaches a model; the next one of the chain for a light
+     */
     private record Placed<T>(T what, Frame frame, int light) {}
 
     /** @param parent {@code null} for the world */
@@ -30,7 +32,7 @@ public final class PosedScene {
         }
     }
 
-    /** A group that waits for its turn, with what it inherits. */
+    /** A group in the queue, with its inherited data. */
     private record Waiting(XmlGroup group, Frame frame, int lights) {}
 
     private PosedScene(XmlScene scene) {
@@ -50,7 +52,7 @@ public final class PosedScene {
         }
     }
 
-    /** At time 0. */
+    /** Returns the scene at time 0. */
     public static PosedScene of(XmlScene scene) {
         PosedScene posed = new PosedScene(scene);
         posed.frames.forEach(frame -> frame.at(0));
@@ -73,7 +75,7 @@ public final class PosedScene {
         return before;
     }
 
-    /** Places everything; what does not move is left where it is. Allocates nothing. @param newSeconds finite */
+    /** Computes all poses that change with time. Allocates nothing. @param newSeconds finite */
     public void at(double newSeconds) {
         if (!Double.isFinite(newSeconds)) {
             throw new IllegalArgumentException("the time " + newSeconds + " is not finite");
@@ -82,7 +84,7 @@ public final class PosedScene {
             return;
         }
         seconds = newSeconds;
-        // Parents come before what is in them.
+        // Parents precede their content.
         for (int i = 0; i < frames.size(); i++) {
             if (frames.get(i).moves) {
                 frames.get(i).at(seconds);
@@ -98,17 +100,17 @@ public final class PosedScene {
         return models.get(number).what;
     }
 
-    /** Whether its place may change with time. */
+    /** Returns true if the model's pose may change with time. */
     public boolean moves(int model) {
         return models.get(model).frame.moves;
     }
 
-    /** As of the last {@link #at}: the object stays, its value changes. Not finite where its steps overflow. */
+    /** Returns the pose of the last {@link #at}: the same object with a new value. Not finite if the steps overflow. */
     public Matrix4dc worldFromModel(int model) {
         return models.get(model).frame.place;
     }
 
-    /** The light that begins the chain of those that reach a model, or {@link #NONE}. */
+    /** Returns the first light of the chain of those that reach a model, or {@link #NONE}. */
     public int firstLight(int model) {
         return models.get(model).light;
     }
@@ -121,12 +123,12 @@ public final class PosedScene {
         return lights.get(number).what;
     }
 
-    /** The frame in which {@link #light} is given; as {@link #worldFromModel}. */
+    /** Returns the frame of {@link #light}; behaves as {@link #worldFromModel}. */
     public Matrix4dc worldFromLight(int light) {
         return lights.get(light).frame.place;
     }
 
-    /** The light that also reaches what this one reaches, or {@link #NONE}. */
+    /** Returns the next light of a chain, or {@link #NONE}. */
     public int nextLight(int light) {
         return lights.get(light).light;
     }

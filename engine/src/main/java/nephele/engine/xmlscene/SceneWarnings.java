@@ -7,7 +7,7 @@ import java.util.function.Supplier;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
-/** What is odd in one file. The first thousand are kept: a file that is all oddities fills no memory. */
+/** Warnings about one file. The first thousand are kept, which bounds the memory. */
 final class SceneWarnings {
     private static final int MOST = 1000;
 
@@ -23,7 +23,7 @@ final class SceneWarnings {
         warn(line, () -> message);
     }
 
-    /** @param message not made where nobody will read it */
+    /** @param message not evaluated if the warning is not kept */
     void warn(int line, Supplier<String> message) {
         if (warnings.size() < MOST) {
             warnings.add(new XmlWarning(line, message.get()));
@@ -45,7 +45,7 @@ final class SceneWarnings {
         return List.copyOf(sorted);
     }
 
-    /** What a file says, fit for a message: short, on one line, without what a terminal would act upon. */
+    /** Returns text of a file for a message: short, on one line, without control characters. */
     static String quoted(String text) {
         String start = text.length() <= 40 ? text : text.substring(0, 40) + "…";
         return "'" + start.strip().replaceAll("\\p{Cntrl}+", " ") + "'";

@@ -7,7 +7,7 @@ import nephele.engine.xmlscene.XmlGroup.Step;
 import org.joml.Matrix4d;
 import org.joml.Matrix4dc;
 
-/** The steps of one group as a frame at a time. */
+/** Computes the frame of one group's steps at a time. */
 final class StepFrames {
     private final List<Step> steps;
     private final CurveFrame[] curves;
@@ -31,7 +31,7 @@ final class StepFrames {
         return steps.stream().anyMatch(step -> step instanceof Step.Follow || step instanceof Step.Spin);
     }
 
-    /** The frame within {@code parent}; the first step is the outermost. */
+    /** Sets the frame within {@code parent}; the first step is the outermost. */
     void at(double seconds, Matrix4dc parent, Matrix4d frame) {
         frame.set(parent);
         for (int i = 0; i < curves.length; i++) {
@@ -60,7 +60,9 @@ final class StepFrames {
         }
     }
 
-    /** By Rodrigues' formula; quarter turns are exact. @param unit {@code null} for an axis without direction */
+    /**
+     * Rotates by Rodrigues' formula; quarter turns are exact. @param unit {@code null} for an axis without direction
+     */
     private void rotate(Matrix4d frame, Vec3 unit, double degrees) {
         if (unit == null) {
             return;

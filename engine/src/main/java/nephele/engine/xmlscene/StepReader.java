@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlGroup.Step;
 
-/** The frames of groups. */
+/** Reads the steps of groups. */
 final class StepReader {
     private static final int CURVE_POINTS = 4;
     private static final double LEAST_SECONDS = 1e-6;
@@ -101,7 +101,9 @@ final class StepReader {
         return Optional.of(new Step.Spin(axis, seconds));
     }
 
-    /** A missing axis is 0, as everywhere; one that cannot be read is 1, or nothing was to be seen. */
+    /**
+     * Reads a scale; a missing factor is 0, as everywhere, and an unreadable one is 1, since 0 would hide everything.
+     */
     private Step scale(ElementValues values) {
         Vec3 by = new Vec3(factor(values, "x"), factor(values, "y"), factor(values, "z"));
         if (by.x() == 0 || by.y() == 0 || by.z() == 0) {
@@ -122,7 +124,7 @@ final class StepReader {
                         .toList());
     }
 
-    /** @return 0 for none */
+    /** Returns the seconds. @return 0 for none */
     private static double seconds(ElementValues values) {
         double seconds = values.number("time", 0);
         if (Math.abs(seconds) >= LEAST_SECONDS) {

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-/** The tags of one dialect: what stands in each and what they say of themselves. Capitals make no difference. */
+/** The elements of one dialect, with their children and attributes, in any capitals. */
 final class Vocabulary {
     private static final String COORDINATES = "x y z";
     private static final String POSITION = "posx posy posz";
@@ -66,7 +66,7 @@ final class Vocabulary {
         };
     }
 
-    /** One tag. @param children as they are spelt @param attributes in any capitals */
+    /** One element. @param children as they are spelt @param attributes in any capitals */
     record Word(String name, Set<String> children, Set<String> attributes) {
         static Word of(String name, String children, String attributes) {
             Set<String> anyCapitals = new TreeSet<>(String.CASE_INSENSITIVE_ORDER);
@@ -78,13 +78,13 @@ final class Vocabulary {
             return listed.isEmpty() ? Set.of() : Set.of(listed.split(" "));
         }
 
-        /** Whether it holds others of its kind to any depth: nothing ends it but its own end. */
+        /** Returns true if it nests to any depth; only its own end tag closes it. */
         boolean isFrame() {
             return name.equals("group") || name.equals("scene") || name.equals("world");
         }
     }
 
-    /** @return {@code null} for an unknown one */
+    /** Returns the element. @return {@code null} for an unknown one */
     Word word(String name) {
         return words.get(name);
     }
@@ -93,7 +93,7 @@ final class Vocabulary {
         return words.keySet();
     }
 
-    /** A question to append to a complaint, or nothing where no known name is near. */
+    /** Returns a question to append to a warning; empty if no known name is similar. */
     static String suggestion(String name, Collection<String> known) {
         String nearest = null;
         int least = 3;
@@ -107,7 +107,7 @@ final class Vocabulary {
         return nearest == null ? "" : "; did you mean '" + nearest + "'?";
     }
 
-    /** Letters to insert, delete, replace or swap with their neighbour (Damerau 1964, no letter twice). */
+    /** Returns the number of letters to insert, delete, replace or transpose (Damerau 1964, no letter twice). */
     private static int edits(String from, String to) {
         int[][] distance = new int[from.length() + 1][to.length() + 1];
         for (int i = 0; i <= from.length(); i++) {

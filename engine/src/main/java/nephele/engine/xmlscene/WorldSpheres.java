@@ -5,13 +5,13 @@ import nephele.engine.math.SingularValues;
 import org.joml.Matrix4dc;
 
 /**
- * Spheres that follow what they are around exactly: turned, moved, scaled, mirrored and sheared. Numbered as who places
- * them likes; allocates nothing after it is built.
+ * Bounding spheres under affine transforms: rotated, moved, scaled, mirrored and sheared. The caller chooses the
+ * numbers; allocates nothing after construction.
  */
 public final class WorldSpheres {
     private static final int STRIDE = 4;
 
-    /** Of the sums that place centre and vertices, which round apart. */
+    /** Relative error of the sums that place centre and vertices, which are rounded separately. */
     private static final double ROUNDING = 0x1p-48;
 
     private final double[] spheres;
@@ -21,13 +21,13 @@ public final class WorldSpheres {
         this(count, ROUNDING);
     }
 
-    /** @param rounding how far off, relative to the numbers that enter, vertices may be where they are drawn */
+    /** @param rounding relative error of the vertices where they are drawn */
     public WorldSpheres(int count, double rounding) {
         spheres = new double[STRIDE * count];
         this.rounding = rounding;
     }
 
-    /** A sphere as a model has it, at its place. @param radius at least 0 */
+    /** Places a model's sphere. @param radius at least 0 */
     public void place(int number, double x, double y, double z, double radius, Matrix4dc m) {
         double stretch = SingularValues.maximum(m);
         int at = STRIDE * number;
@@ -55,7 +55,7 @@ public final class WorldSpheres {
         return spheres[STRIDE * number + 3];
     }
 
-    /** False when no part of it can be visible, or when its place is not finite: then there is nothing to draw. */
+    /** Returns false if no part can be visible, or if its pose is not finite, so that nothing is drawn. */
     public boolean maySee(int number, Frustum frustum) {
         int at = STRIDE * number;
         double sum = spheres[at] + spheres[at + 1] + spheres[at + 2] + spheres[at + 3];

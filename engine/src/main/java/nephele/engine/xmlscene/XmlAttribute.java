@@ -1,4 +1,4 @@
 package nephele.engine.xmlscene;
 
-/** @param line where its name stands */
+/** @param line the line of its name */
 record XmlAttribute(String name, String value, int line) {}

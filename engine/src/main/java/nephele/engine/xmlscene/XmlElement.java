@@ -3,7 +3,7 @@ package nephele.engine.xmlscene;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A tag with what stands in it. Grows while the file is read, then stays. */
+/** An element with its content. It grows while the file is read and is constant afterwards. */
 final class XmlElement {
     private final Vocabulary.Word word;
     private final int line;
@@ -24,7 +24,7 @@ final class XmlElement {
         return word;
     }
 
-    /** As the language spells it. */
+    /** Returns the name in the dialect's spelling. */
     String name() {
         return word.name();
     }
@@ -45,7 +45,7 @@ final class XmlElement {
         return children.stream().filter(child -> child.is(name)).toList();
     }
 
-    /** @return {@code null} when it is not there; capitals make no difference */
+    /** Returns an attribute in any capitals. @return {@code null} if it is missing */
     XmlAttribute attribute(String name) {
         for (XmlAttribute attribute : attributes) {
             if (attribute.name().equalsIgnoreCase(name)) {

@@ -2,7 +2,7 @@ package nephele.engine.xmlscene;
 
 import java.util.Map;
 
-/** The five entities of XML and numbers of characters; a name that is no more than text is left as it is. */
+/** Decodes the five entities of XML and character numbers; any other name stays as text. */
 final class XmlEntities {
     private static final Map<String, String> PREDEFINED =
             Map.of("lt", "<", "gt", ">", "amp", "&", "quot", "\"", "apos", "'");

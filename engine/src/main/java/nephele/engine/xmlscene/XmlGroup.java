@@ -6,35 +6,35 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 
 /**
- * Models, lights and groups below one frame.
+ * Models, lights and subgroups in one frame.
  *
- * @param line where it begins; the first is 1
+ * @param line its first line; the first is 1
  * @param steps in document order, the first one outermost
- * @param lights of these models and all below
+ * @param lights the lights of these models and of all subgroups
  */
 public record XmlGroup(
         int line, List<Step> steps, List<XmlLight> lights, List<XmlModel> models, List<XmlGroup> groups) {
-    /** Part of a group's frame. */
+    /** A part of a group's transform. */
     public sealed interface Step {
         record Translate(Vec3 by) implements Step {}
 
         /**
-         * Along a closed uniform Catmull-Rom curve.
+         * Motion along a closed uniform Catmull-Rom curve.
          *
-         * @param seconds a round
-         * @param align whether the frame's x axis follows the curve
+         * @param seconds the period
+         * @param align true if the frame's x axis follows the curve
          */
         record Follow(double seconds, List<Vec3> points, boolean align) implements Step {}
 
         record Rotate(Vec3 axis, double angleDegrees) implements Step {}
 
-        /** @param seconds a turn */
+        /** @param seconds the period */
         record Spin(Vec3 axis, double seconds) implements Step {}
 
         record Scale(Vec3 by) implements Step {}
     }
 
-    /** As records do it, but without recursion: groups may be ten thousand deep. */
+    /** Equal as records are, but without recursion: groups may be ten thousand deep. */
     @Override
     public boolean equals(Object other) {
         if (!(other instanceof XmlGroup group)) {

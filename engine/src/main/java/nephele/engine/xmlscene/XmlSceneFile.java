@@ -9,18 +9,18 @@ import nephele.engine.asset.AtomicFile;
 import nephele.engine.model.ModelFileException;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
-/** XML scenes of both dialects: bytes to records. What is odd is a warning, and what can be shown is there. */
+/** Reads XML scenes of both dialects. Unusual input gives a warning, and everything that can be shown is included. */
 public final class XmlSceneFile {
     public static final int MOST_BYTES = 8 << 20;
     public static final int MOST_NESTED_GROUPS = 10_000;
 
-    /** In the words of {@link XmlTree} and {@link ModelReader}. */
+    /** Matches warnings of {@link XmlTree} and {@link ModelReader} about a model that is left out. */
     private static final Pattern COSTS_A_MODEL = Pattern.compile("^<model>: it names no file|^<models?> does not belong"
             + "|did you mean 'models?'|in <model>: skipped; did you mean 'file'");
 
     private XmlSceneFile() {}
 
-    /** @throws ModelFileException when it cannot be read or holds nothing to show */
+    /** Reads a file. @throws ModelFileException if it cannot be read or contains nothing to show */
     public static XmlScene read(Path file) throws ModelFileException {
         try {
             return read(file.toString(), AtomicFile.read(file, MOST_BYTES));
@@ -31,8 +31,10 @@ public final class XmlSceneFile {
     }
 
     /**
-     * @param file how messages call it
-     * @throws ModelFileException with the line, when nothing in it can be shown
+     * Reads bytes.
+     *
+     * @param file its name in messages
+     * @throws ModelFileException with the line, if nothing in it can be shown
      */
     public static XmlScene read(String file, byte[] utf8) throws ModelFileException {
         SceneWarnings remarks = new SceneWarnings(file);

@@ -2,7 +2,7 @@ package nephele.engine.xmlscene;
 
 import java.util.List;
 
-/** What stands between {@code <} and {@code >}. */
+/** The content between {@code <} and {@code >}. */
 record XmlTag(Kind kind, String name, int line, List<XmlAttribute> attributes) {
     enum Kind {
         OPEN,

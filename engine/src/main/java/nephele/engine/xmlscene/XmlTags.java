@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The tags of a text, one after the other. Forgives what the rest can be read after: values without quotes, text, stray
- * signs. Knows no document types and expands nothing but the five entities of XML and character numbers.
+ * Splits a text into tags. It tolerates values without quotes, text and stray signs if the rest stays readable. It
+ * supports no document types and expands only the five entities of XML and character numbers.
  */
 final class XmlTags {
-    /** Ends count as well. */
+    /** Start and end tags together. */
     private static final int MOST_TAGS = 500_000;
 
     private static final int MOST_ATTRIBUTES = 100;
@@ -28,7 +28,7 @@ final class XmlTags {
         this.warnings = warnings;
     }
 
-    /** {@code null} after the last one. */
+    /** Returns {@code null} after the last one. */
     XmlTag next() {
         while (true) {
             skipText();
@@ -62,7 +62,7 @@ final class XmlTags {
         }
     }
 
-    /** The line where the next tag, or the end, was looked for. */
+    /** Returns the line at which the search for the next tag began. */
     int lineHere() {
         for (; counted < at; counted++) {
             if (text.charAt(counted) == '\n') {

@@ -5,7 +5,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
 
-/** Bytes to text: UTF-8, with or without a byte-order mark, and nothing else. */
+/** Decodes bytes to text: UTF-8, with or without a byte-order mark, and nothing else. */
 final class XmlText {
     private static final String REMEDY = "save it as UTF-8 text";
 

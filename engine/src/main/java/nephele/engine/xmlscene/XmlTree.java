@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Tags to a tree. A tag that cannot stand where it is ends what was left open before it, except groups; tags that are
- * unknown or in no place are taken out, and what stands in them stays.
+ * Builds a tree from tags. A tag that cannot be in its place closes the elements left open before it, except groups;
+ * unknown or misplaced tags are removed, and their content stays.
  */
 final class XmlTree {
     private static final int MOST_TAKEN_OUT = 1000;
@@ -94,7 +94,7 @@ final class XmlTree {
         }
     }
 
-    /** @param before {@code null} for the file's end */
+    /** @param before {@code null} for the end of the file */
     private void closeFrom(int first, XmlTag before) {
         for (int i = open.size() - 1; i >= first; i--) {
             XmlElement left = open.get(i);
@@ -160,7 +160,7 @@ final class XmlTree {
         return new XmlElement(word, tag);
     }
 
-    /** So that its end is no news. */
+    /** Marks the element as closed, so that its end tag gives no warning. */
     private void takeOut(XmlTag tag) {
         if (takenOut.size() < MOST_TAKEN_OUT) {
             takenOut.add(key(tag));

@@ -1,2 +1,2 @@
-/** Scenes as courses write them in XML, in two dialects: read forgivingly, placed at a time, turned into levels. */
+/** Scenes as courses write them in XML, in two dialects: read leniently, posed at a time, converted to levels. */
 package nephele.engine.xmlscene;

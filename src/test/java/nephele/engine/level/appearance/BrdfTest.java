@@ -11,7 +11,7 @@ class BrdfTest {
     private static final Vector3d UP = new Vector3d(0, 0, 1);
     private static final Vector3d WHITE = new Vector3d(1);
 
-    /** Equal light from everywhere is returned whole by white metal and by a white insulator, whatever the roughness. */
+    /** White metal and a white insulator of any roughness return equal light from all directions completely. */
     @Test
     void whiteFurnaceUnderAmbientLightIsExactlyWhite() {
         for (double roughness = 0; roughness <= 1; roughness += 0.1) {
@@ -26,7 +26,7 @@ class BrdfTest {
         }
     }
 
-    /** The lobe, integrated over all lights: white metal returns 1 within the fit's bound, and nothing returns more. */
+    /** White metal returns 1 within the fit's bound over all directions of light, and no material returns more. */
     @Test
     void whiteFurnaceUnderManyLightsKeepsEnergy() {
         for (double roughness : new double[] {0.4, 0.7, 1}) {
@@ -53,7 +53,7 @@ class BrdfTest {
         }
     }
 
-    /** Whatever is thrown at it, finite and not negative. */
+    /** The result is finite and not negative for any input. */
     @Test
     void randomAndDegenerateInputsStayFinite() {
         SplittableRandom random = new SplittableRandom(43);
@@ -70,7 +70,7 @@ class BrdfTest {
         }
     }
 
-    /** Σ f cos over a fine grid of directions; the lobe is smooth at these roughnesses. */
+    /** Returns Σ f cos over a fine grid of directions; the lobe is smooth at these roughnesses. */
     private static double returned(Brdf brdf, double nDotV) {
         Vector3d toEye = new Vector3d(Math.sqrt(1 - nDotV * nDotV), 0, nDotV);
         int rings = 200;
@@ -87,7 +87,7 @@ class BrdfTest {
         return sum * 2 * Math.PI / (rings * sectors);
     }
 
-    /** Importance-sampled half vectors of the lobe: E for f0 = 1 and the part that (1 − v·h)⁵ weighs. */
+    /** Returns E for f0 = 1 from importance-sampled half vectors of the lobe, and the part weighted with (1 − v·h)⁵. */
     private static double[] albedo(double roughness, double mu) {
         Brdf brdf = Brdf.of(WHITE, roughness, 1, mu);
         Vector3d toEye = new Vector3d(Math.sqrt(1 - mu * mu), 0, mu);

@@ -15,13 +15,13 @@ import nephele.engine.level.SkyboxLayout;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Where each direction reads a skybox: edges of neighbours must meet, and a cross must be the faces unfolded. */
+/** Directions read the right texels of a skybox: adjacent faces join, and a cross equals the unfolded faces. */
 class SkyboxFacesTest {
     private static final List<String> FILES = Stream.of("px", "nx", "py", "ny", "pz", "nz")
             .map(face -> "textures/sky-bay-" + face + ".png")
             .toList();
 
-    /** A continuous sky has no step at any of the twelve edges, which a mirrored or turned face would make. */
+    /** A continuous sky has no step at any of the twelve edges; a mirrored or rotated face would make one. */
     @Test
     void theSkyOverTheBayIsContinuousAcrossAllEdges() {
         SkyboxFaces sky = SkyboxFaces.of(
@@ -55,7 +55,10 @@ class SkyboxFacesTest {
         assertEquals(0, sum / 500, 0.02);
     }
 
-    /** Near the edge of two axes; {@code first} over 1 is on the first one's face, under 1 on the other's. */
+    /**
+     * Returns a direction near the edge of two axes; {@code first} over 1 is on the first one's face, under 1 on the
+     * other's.
+     */
     private static Vector3d onEdge(int edge, double along, double first) {
         double[] v = new double[3];
         int free = edge / 4;

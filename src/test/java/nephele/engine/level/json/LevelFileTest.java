@@ -53,7 +53,7 @@ class LevelFileTest {
         }
     }
 
-    /** Whatever goes wrong at whatever operation, loading finds exactly the old or the new level. */
+    /** After a failure of any kind at any operation, loading finds exactly the old or the new level. */
     @ParameterizedTest
     @EnumSource(FaultyFiles.Fault.class)
     void everyFaultAtEveryOperationLeavesTheOldOrTheNewLevel(FaultyFiles.Fault fault) throws IOException {
@@ -79,7 +79,7 @@ class LevelFileTest {
         assertTrue(reached >= 8, "only " + reached + " operations");
     }
 
-    /** Whether the save reported success. */
+    /** Returns true if the save reported success. */
     private boolean attempt(FaultyFiles files) {
         try {
             new LevelSaver(files).save(file, NEW);
@@ -114,7 +114,7 @@ class LevelFileTest {
         assertEquals(OLD, LevelFile.read(folder.resolve("x.json.bak")));
     }
 
-    /** An author's mistake is told, not hidden behind the previous version. */
+    /** An author's mistake is reported and not hidden behind the previous version. */
     @Test
     void aWronglyWrittenFileIsNotReplaced() throws IOException {
         LevelFile.save(file, OLD);

@@ -39,7 +39,7 @@ public class LevelJsonTest {
         return LevelJson.read("test.json", json.getBytes(StandardCharsets.UTF_8));
     }
 
-    /** A level with these sections. */
+    /** Returns a level with these sections. */
     public static Level sections(String members) {
         return read("{\"format\": \"nephele-level\", \"version\": 1, " + members + "}");
     }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Shortest text that reads back, the same everywhere. */
+/** The text is the shortest that reads back, on every machine. */
 @Execution(ExecutionMode.CONCURRENT)
 class NumberTextTest {
     private static final int PATTERNS = 1_000_000;
@@ -55,7 +55,10 @@ class NumberTextTest {
         assertThrows(IllegalArgumentException.class, () -> NumberText.of(Double.NEGATIVE_INFINITY));
     }
 
-    /** All bit patterns, then numbers as people write them; the sum over all texts is that of every Java version. */
+    /**
+     * Random bit patterns and numbers with few decimals read back; the checksum of all texts is that of every Java
+     * version.
+     */
     @Test
     void aMillionPatternsReadBackBitEqual() {
         SplittableRandom random = new SplittableRandom(48);

@@ -4,7 +4,7 @@ import java.util.Map;
 import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AssetSource;
 
-/** Assets of a test: those given, and models that the generator makes of their names. */
+/** The assets of a test: the given ones, and models that the generator makes from their names. */
 public record NoFiles(Map<String, byte[]> files) implements AssetSource {
     public static final NoFiles AT_ALL = new NoFiles(Map.of());
 

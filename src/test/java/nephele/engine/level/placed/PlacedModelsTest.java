@@ -43,7 +43,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Models in the world: where, which way round, solid or not, and how many. */
+/** Models have the right pose, orientation, solidity and number in the world. */
 @Execution(ExecutionMode.CONCURRENT)
 class PlacedModelsTest {
     private static ModelPlacement model(String id, String file, String parent, TransformStep... steps) {
@@ -66,7 +66,7 @@ class PlacedModelsTest {
                 .get(0);
     }
 
-    /** The first step is the outermost, and a parent is outside of all. */
+    /** The first step is the outermost, and a parent is outside all steps. */
     @Test
     void stepsApplyInTheirOrder() {
         var turn = new Rotate(new Vec3(0, 2, 0), 90);
@@ -86,7 +86,7 @@ class PlacedModelsTest {
         assertEquals(0, found.distance(expected.x(), expected.y(), expected.z()), 1e-12, found::toString);
     }
 
-    /** The last of ten thousand in a chain, the children before their parents. */
+    /** The last of ten thousand models in a chain, with children before their parents, is posed. */
     @Test
     void aLongChainOfParentsIsWalkedOnce() {
         List<ModelPlacement> chain = new ArrayList<>();
@@ -108,7 +108,7 @@ class PlacedModelsTest {
         assertThrows(IllegalArgumentException.class, () -> ModelFrames.of(circle));
     }
 
-    /** Every triangle looks outward, as its normals do, under every kind of scale. */
+    /** Every triangle faces outwards, as its normals do, under every kind of scale. */
     @ParameterizedTest
     @CsvSource({"1,1,1", "-1,1,1", "2,-0.1,3", "-1,-1,1", "-0.5,-2,-3", "1e-6,1e-6,-1e-6", "1000,0.001,-1"})
     void trianglesAndNormalsLookOutward(double x, double y, double z) {
@@ -147,7 +147,7 @@ class PlacedModelsTest {
         assertNull(only(file).solid());
     }
 
-    /** Neither a tube, whose hull would close it, nor a box with a hole, nor two sides of one plane. */
+    /** A tube, whose hull would close it, a box with a hole, and two sides of one plane are no solids. */
     @Test
     void whatIsOpenIsNoSolid() {
         Mesh box = new MeshAssets(NoFiles.AT_ALL).mesh("box_2_1.3d");
@@ -237,7 +237,7 @@ class PlacedModelsTest {
         assertTrue(thrown.getMessage().contains("gone.gltf"), thrown.getMessage());
     }
 
-    /** A thousand different meshes, of which a level may have one: no more than two are made. */
+    /** Of a thousand different meshes, where a level may have one, at most two are generated. */
     @Test
     void tooManyTrianglesAreNotAllMade() {
         StringBuilder models = new StringBuilder();
@@ -249,7 +249,7 @@ class PlacedModelsTest {
                 Duration.ofSeconds(10), () -> assertProblem(problems(Map.of(), models.toString()), "models", "200000"));
     }
 
-    /** Rays and sweeps would test all of them. */
+    /** Thousands of overlapping triangles, all of which rays and sweeps would test, are refused. */
     @Test
     void trianglesThatLieInEachOtherByThousandsAreRefused() {
         String model = "{\"id\": \"a\", \"file\": \"crowd.3d\"}";
@@ -263,7 +263,7 @@ class PlacedModelsTest {
                 "split its long triangles");
     }
 
-    /** @param step from each triangle to the next, in sides of one */
+    /** @param step offset from each triangle to the next, in side lengths */
     private static byte[] crowd(int triangles, int step) {
         StringBuilder rows = new StringBuilder();
         for (int i = 0; i < triangles; i++) {
@@ -303,7 +303,7 @@ class PlacedModelsTest {
         assertEquals(List.of("portals[1].centre"), told(start + a + "," + b.formatted("0", "-1") + "]"));
     }
 
-    /** Without their files nobody could derive them again. */
+    /** Static shapes derived once serve scene, simulation and reference path tracer, without their files. */
     @Test
     void staticShapesThatWereBuiltOnceServeSceneSimulationAndOracle() {
         Level level = level(List.of(model("m", "box_1_1.3d", null, new Translate(new Vec3(0, 2, 0)))));
@@ -331,7 +331,7 @@ class PlacedModelsTest {
         assertEquals(0, traced.sight(eye).at(0.5, 0.5));
     }
 
-    /** As many as a level may name, each with twelve triangles: drawn and solid. */
+    /** The greatest number of models of a level, each with twelve triangles, is drawn and solid. */
     @Test
     void tenThousandModelsLoadInSeconds() {
         List<ModelPlacement> models = new ArrayList<>();

@@ -18,7 +18,7 @@ import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.level.json.NumberText;
 import org.junit.jupiter.api.Test;
 
-/** What the rules let through; what they refuse is in {@link nephele.engine.level.BadRelations}. */
+/** The rules accept what they should; {@link nephele.engine.level.BadRelations} has what they refuse. */
 class LevelRulesTest {
     private static List<Problem> structure(String sections) {
         return LevelRules.check(
@@ -116,7 +116,7 @@ class LevelRulesTest {
         return structure(sections).stream().map(Problem::path).toList();
     }
 
-    /** A chain of parents is walked once, however long it is. */
+    /** A chain of parents of any length is followed once. */
     @Test
     void aLongChainOfParentsIsFine() {
         StringBuilder models = new StringBuilder();
@@ -152,7 +152,7 @@ class LevelRulesTest {
         assertTrue(problems.get(0).message().contains("are not checked"));
     }
 
-    /** Planes that enclose nothing hold the player, too; that is no second fault. */
+    /** Planes that enclose nothing contain the player, too; that is no second problem. */
     @Test
     void noPlanesAreOneProblem() {
         String planes =
@@ -163,7 +163,7 @@ class LevelRulesTest {
         assertEquals(List.of("solids[0]"), paths(planes.formatted(five.substring(0, five.length() - 1))));
     }
 
-    /** An author mends what is misshapen and what is missing in one go. */
+    /** Errors of structure and unknown materials are reported together. */
     @Test
     void unknownMaterialsAreToldBesideErrorsOfShape() {
         String sections =

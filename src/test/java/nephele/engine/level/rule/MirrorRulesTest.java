@@ -19,7 +19,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.placement.PlacementSurfaces;
 import org.junit.jupiter.api.Test;
 
-/** Where a mirror may be, and that no portal opens on it. */
+/** Mirrors are permitted only on flat faces of solids, and no portal opens on them. */
 class MirrorRulesTest {
     private static final Vec3 ONE = new Vec3(1, 1, 1);
 
@@ -68,7 +68,7 @@ class MirrorRulesTest {
                 List.of("bodies[0].material"), paths(level(mirror(null, null, Vec3.ZERO), List.of(), List.of(ball))));
     }
 
-    /** Of a portalable box five faces take portals when the sixth is a mirror, none when all are. */
+    /** Five faces of a portalable box take portals if the sixth is a mirror, none if all are. */
     @Test
     void noPortalOpensOnAMirror() {
         Material silver = mirror(null, null, Vec3.ZERO);
@@ -87,7 +87,7 @@ class MirrorRulesTest {
                         .regions());
     }
 
-    /** Only a mirror that a face of a solid has makes mirrors. */
+    /** A material makes mirrors only if a face of a solid has it. */
     @Test
     void aMirrorIsAFaceOfASolid() {
         Material silver = mirror(null, null, Vec3.ZERO);

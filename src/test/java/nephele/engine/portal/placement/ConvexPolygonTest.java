@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 class ConvexPolygonTest {
     private static final double[] CORNERS = {0, 0, 3, 0, 4, 1, 2, 3, 0.5, 2};
 
-    /** Compares with the distance from every edge's nearest point. */
+    /** The result equals the distance from every edge's nearest point. */
     @Test
     void whatIsNearAnEdgeOrACornerIsWithinItsDistance() {
         ConvexPolygon polygon = ConvexPolygon.of(CORNERS);

@@ -24,21 +24,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** A course's scenes against the pictures that the course publishes of them. */
+/** A course's scenes look like the pictures that the course publishes. */
 class CoursePicturesGlTest {
     private static final String FOLDER = "/nephele/engine/render/fixed/course";
     private static final int SIZE = 512;
     private static final int TITLE_ROWS = 31;
 
-    /** Where the window's round corners cover the picture. */
+    /** Size of the window's round corners, which cover the picture. */
     private static final int CORNER = 8;
 
     private static final SceneAppearance WIREFRAME =
             SceneAppearance.USUAL.with(Shading.WIREFRAME).with(SceneAppearance.Axes.SHOWN);
 
     /**
-     * Each pixel of a line has one of theirs within a pixel, and the other way round; by colour too, except where edges
-     * and axes are the same lines in space: either may win there.
+     * Each pixel of a line has one of the published picture within a pixel, and vice versa; also by colour, except
+     * where edges and axes coincide in space.
      */
     @ParameterizedTest
     @CsvSource({
@@ -59,13 +59,16 @@ class CoursePicturesGlTest {
         }
     }
 
-    /** What is compared: lines of any colour, or also those of each by itself. */
+    /** The compared pixels: lines of any colour, or also those of each colour alone. */
     private enum Colours {
         ANY,
         EACH
     }
 
-    /** 6/255 outside edges; the lit tip of the teapot's lid has the exact normal here and a black one there. */
+    /**
+     * The difference is 6/255 outside edges; the lit tip of the teapot's lid has the exact normal here and a black one
+     * in the published picture.
+     */
     @Test
     void litColoursAgree() throws IOException {
         int[] theirs = published("test_4_3", 1, SIZE);
@@ -122,7 +125,7 @@ class CoursePicturesGlTest {
         return false;
     }
 
-    /** Where colours jump. */
+    /** Returns true at a discontinuity of colour. */
     private static boolean isEdge(int[] picture, int at) {
         for (int i : around(picture, at)) {
             if (difference(picture[i], picture[at]) > 40) {
@@ -152,7 +155,7 @@ class CoursePicturesGlTest {
         return Math.max(Math.max(red, green), Math.abs((a & 255) - (b & 255)));
     }
 
-    /** The client area, 0xrrggbb, the top row first. */
+    /** Returns the client area, 0xrrggbb, the top row first. */
     private static int[] published(String name, int frameColumns, int rows) throws IOException {
         try (var in = CoursePicturesGlTest.class.getResourceAsStream(FOLDER + "/" + name + ".png")) {
             return pixels(ImageIO.read(in), frameColumns, TITLE_ROWS, rows);

@@ -18,14 +18,14 @@ import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.xmlscene.XmlSceneFile;
 import org.joml.Matrix4d;
 
-/** Small pictures of scenes that are written where they are tested; every frame is checked for OpenGL errors. */
+/** Draws small pictures of scenes that are written in tests; every frame is checked for OpenGL errors. */
 final class DrawnScenes implements AutoCloseable {
     static final int SIZE = 128;
 
     final GlContext gl = GlContext.offscreen();
     final RenderTarget picture = RenderTarget.picture(gl, "test picture", PixelFormat.RGBA8, SIZE, SIZE);
 
-    /** Of what could not be shown. */
+    /** Warnings about what cannot be shown. */
     final List<String> complaints = new ArrayList<>();
 
     private final Map<String, byte[]> files;
@@ -34,12 +34,12 @@ final class DrawnScenes implements AutoCloseable {
         this(Map.of());
     }
 
-    /** @param files beside the scenes */
+    /** @param files files beside the scenes */
     DrawnScenes(Map<String, byte[]> files) {
         this.files = files;
     }
 
-    /** Camera 3 units before the origin, 60° high. */
+    /** Returns a world with the camera 3 units before the origin, 60° high. */
     static String world(String lightsAndGroups) {
         return "<world><camera><position x='0' y='0' z='3'/><lookAt x='0' y='0' z='0'/><up x='0' y='1' z='0'/>"
                 + "<projection fov='60' near='1' far='100'/></camera>" + lightsAndGroups + "</world>";
@@ -66,7 +66,7 @@ final class DrawnScenes implements AutoCloseable {
         return new Source(scene, new SceneFolder("test.xml", assets, complaints::add));
     }
 
-    /** 0xrrggbb, the bottom row first. */
+    /** Returns 0xrrggbb, the bottom row first. */
     int[] pixels(String xml, SceneAppearance look) {
         return pixels(new Sources(source(xml), null, null), look);
     }
@@ -78,7 +78,7 @@ final class DrawnScenes implements AutoCloseable {
         }
     }
 
-    /** With the entity 3 units along z. */
+    /** Draws with the entity 3 units along z. */
     void draw(FixedSceneDrawing drawing, Sources sources, SceneAppearance look, double seconds) {
         var view = FixedSceneDrawing.view(sources.scene().scene().eye(), 1);
         drawing.draw(view, seconds, new Matrix4d().translation(0, 0, 3), look, picture);
@@ -106,7 +106,7 @@ final class DrawnScenes implements AutoCloseable {
         return rgb >> 16 - 8 * number & 0xff;
     }
 
-    /** Of one colour. */
+    /** Returns a picture of one colour. */
     static Picture plain(int rgb) {
         byte[] samples = {(byte) (rgb >> 16), (byte) (rgb >> 8), (byte) rgb};
         return new Picture(1, 1, 3, 8, samples);

@@ -17,14 +17,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The light model in the shader against its Java twin: float on the one side, double on the other. */
+/** The light model in the shader equals its Java twin: float on one side, double on the other. */
 class FixedLightGlTest {
     private static final int COUNT = 4096;
     private static final int FLOATS = 48;
 
     private final SplittableRandom random = new SplittableRandom(7);
 
-    /** What one pixel computes. */
+    /** The input of one pixel. */
     private record Case(Colours colours, List<XmlLight> lights, Vec3 point, Vec3 normal) {}
 
     @ParameterizedTest
@@ -67,7 +67,10 @@ class FixedLightGlTest {
         }
     }
 
-    /** Shininess and exponent 0, lights in the point itself and behind it, all-around and narrow spots among them. */
+    /**
+     * Returns a random case, including shininess and exponent 0, lights in the point itself and behind it, all-round
+     * and narrow spots.
+     */
     private Case randomCase(int i) {
         double shininess = i % 4 == 0 ? 0 : i % 4 == 1 ? 128 : 128 * random.nextDouble();
         Colours colours = new Colours(colour(1), colour(0.3), colour(1), colour(0.2), shininess);
@@ -87,7 +90,7 @@ class FixedLightGlTest {
     }
 
     private double coordinate() {
-        // As floats, so that both sides see the same.
+        // Rounded to float, so that both sides have the same value.
         return (float) (random.nextDouble() * 8 - 4);
     }
 

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What is drawn of an XML scene, and what is not. */
+/** The right parts of an XML scene are drawn. */
 class FixedSceneGlTest {
     private static final String LIGHT = "<lights><light type='directional' dirx='1' diry='1' dirz='2'/></lights>";
     private static final String WHITE_AMBIENT = "<color><ambient R='255' G='255' B='255'/></color>";
@@ -45,7 +45,7 @@ class FixedSceneGlTest {
         return "<model file='" + file + "'>" + inside + "</model>";
     }
 
-    /** A plane's face is towards +y. */
+    /** Returns a plane whose face points towards +y. */
     private static String plane(String steps) {
         return world(LIGHT + group(steps, model("plane_2_2.3d", "")));
     }
@@ -58,7 +58,7 @@ class FixedSceneGlTest {
         assertEquals(0, drawn(scenes.pixels(plane("<rotate angle='-90' x='1' y='0' z='0'/>"), look)));
     }
 
-    /** A mirror keeps a face's outside outside. */
+    /** A mirroring transform keeps the outer side of a face visible. */
     @ParameterizedTest
     @EnumSource
     void mirroredModelsShowTheirOutside(Shading shading) {
@@ -90,7 +90,7 @@ class FixedSceneGlTest {
                 .containsAll(java.util.Arrays.stream(both).boxed().toList()));
     }
 
-    /** Also after a flight far away from where the scene's own camera stands. */
+    /** The axes cross the picture, also after a flight far from the scene's own camera. */
     @Test
     void axesCrossThePictureFromAnywhere() {
         var sources = new Sources(scenes.source(world(group("", model("box_1_1.3d", "")))), null, null);
@@ -108,7 +108,7 @@ class FixedSceneGlTest {
         }
     }
 
-    /** Each term is rounded by itself. */
+    /** The sum of the terms equals all together; each term is rounded separately. */
     @ParameterizedTest
     @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "WIREFRAME")
     void termsAddUp(Shading shading) {
@@ -133,7 +133,7 @@ class FixedSceneGlTest {
         }
     }
 
-    /** Those of {@code <scene>} are lit by their group's lights and those of the groups around it. */
+    /** Lights of a {@code <scene>} light their group and its subgroups. */
     @Test
     void lightsReachTheirGroupAndThoseBelow() {
         String model = "<models><model file='box_0.5_1.3d' diffR='1' diffG='1' diffB='1'/></models>";
@@ -177,7 +177,7 @@ class FixedSceneGlTest {
         assertEquals(0x123456, pixels[SIZE * SIZE - 1]);
     }
 
-    /** It stands where it is put, and every light of the scene reaches it. */
+    /** The entity has its given pose, and every light of the scene reaches it. */
     @Test
     void anEntityIsLitByTheSceneAroundIt() {
         var entity = scenes.source(
@@ -202,7 +202,7 @@ class FixedSceneGlTest {
         assertTrue(scenes.complaints.get(1).startsWith("test.xml:4: none.png: "), scenes.complaints.get(1));
     }
 
-    /** Two meshes, each mirrored or not: four draws for a hundred models, and the bare twin makes the same. */
+    /** Two meshes, each mirrored or not, take four draws for a hundred models, and the bare twin draws the same. */
     @Test
     void theBareTwinDrawsTheSamePictureByOneDrawAKind() {
         StringBuilder groups = new StringBuilder();
@@ -228,7 +228,7 @@ class FixedSceneGlTest {
         assertEquals(List.of(), scenes.complaints);
     }
 
-    /** Models and lights that move, an entity and a background; a warmed-up frame takes 2 KiB at most. */
+    /** With moving models and lights, an entity and a background, a warmed-up frame allocates at most 2 KiB. */
     @Test
     void framesAllocateNextToNothingAndLeaveNothingOnTheGpu() {
         String moving = "<group><transform><rotate time='3' x='0' y='1' z='0'/><translate time='9'><point x='0' y='0'"

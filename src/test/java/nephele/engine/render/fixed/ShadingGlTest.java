@@ -24,7 +24,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Triangles with normals of their own, turned and stretched, against the light model's twin in every pixel. */
+/** Triangles with their own normals, rotated and stretched, equal the light model's twin in every pixel. */
 class ShadingGlTest {
     private static final int TRIANGLES = 12;
     private static final XmlScene.Eye EYE =
@@ -81,7 +81,7 @@ class ShadingGlTest {
         };
     }
 
-    /** Clockwise seen from +z, for it is mirrored. */
+    /** Clockwise seen from +z, because the transform mirrors it. */
     private Mesh triangle() {
         float[] positions = {-1, -1, jitter(), 0.2f, 1.1f, jitter(), 1.1f, -0.8f, jitter()};
         float[] normals = new float[9];
@@ -98,7 +98,7 @@ class ShadingGlTest {
         return (float) (random.nextDouble() - 0.5) * 0.8f;
     }
 
-    /** The same triangle by rays. */
+    /** The same triangle by ray casting. */
     private static final class Twin {
         private final Vector3d[] points = new Vector3d[3];
         private final Vector3d[] normals = new Vector3d[3];
@@ -139,7 +139,7 @@ class ShadingGlTest {
             return compared;
         }
 
-        /** Shares of the three corners where a ray meets the triangle; {@code null} outside and beside its edges. */
+        /** Returns barycentric weights of a ray's hit; {@code null} outside and near the edges. */
         private Vector3d hit(Vector3d eye, Vector3d direction) {
             var m = new Matrix3d(
                     points[0].sub(eye, new Vector3d()),

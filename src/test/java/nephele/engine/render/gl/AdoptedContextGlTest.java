@@ -18,7 +18,7 @@ import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 import org.lwjgl.opengl.GL;
 
-/** A context that another toolkit made, and goes on using between our frames. */
+/** Frames stay correct in a context that another toolkit made and uses between them. */
 class AdoptedContextGlTest {
     private static final int SIDE = 48;
 
@@ -57,7 +57,7 @@ class AdoptedContextGlTest {
         return RenderSettings.of(Output.DIRECT, Quality.MEDIUM);
     }
 
-    /** Leaves everything otherwise than a frame needs it. */
+    /** Leaves every state different from what a frame needs. */
     private static void foreignFrame() {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glBindVertexArray(0);

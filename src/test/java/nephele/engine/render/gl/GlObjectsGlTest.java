@@ -12,7 +12,7 @@ import nephele.engine.render.gl.shader.GlException;
 import nephele.engine.render.gl.shader.ShaderSource;
 import org.junit.jupiter.api.Test;
 
-/** What this layer says when something goes wrong, and that it keeps count. */
+/** Errors of this layer have clear messages, and objects are counted. */
 class GlObjectsGlTest {
     private static final String VERTEX = "uniform vec3 offset;\nvoid main() { gl_Position = vec4(offset, 1.0); }\n";
 
@@ -32,7 +32,10 @@ class GlObjectsGlTest {
         }
     }
 
-    /** Twice in the text, once for the compiler; also when the first inclusion lies in a branch that is not taken. */
+    /**
+     * A file included twice counts once, for the compiler; also if the first inclusion is in a branch that is not
+     * taken.
+     */
     @Test
     void anIncludeCountsOnceWhereTheCompilerSeesIt() {
         Map<String, String> files = Map.of(
@@ -95,7 +98,7 @@ class GlObjectsGlTest {
         }
     }
 
-    /** A texture made after another one is closed may get its name: it must be bound all the same. */
+    /** A texture that receives the name of a closed one is bound again. */
     @Test
     void aReusedNameIsBoundAgain() {
         try (GlContext gl = GlContext.offscreen();

@@ -20,7 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Volumes, layers to draw into, reduced targets, blending, and contents that are replaced in part. */
+/** Volumes, drawn layers, reduced targets, blending and partial updates have the expected content. */
 class LayersGlTest {
     private static final String COVER = "void main() {\n"
             + "    vec2 at = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);\n"
@@ -38,7 +38,7 @@ class LayersGlTest {
         return new ShaderSource("/" + name, Map.of(), path -> text);
     }
 
-    /** Covers the bound target with what the fragment shader's {@code main} writes to {@code shown}. */
+    /** Covers the bound target with the value that the fragment shader's {@code main} writes to {@code shown}. */
     private static void cover(GlContext gl, Blend blend, String declared, String expression, TextureUnit unit) {
         String text = declared + "out vec4 shown;\nvoid main() { shown = " + expression + "; }\n";
         var program = new GlProgram<>(gl, source("cover.vert", COVER), source("cover.frag", text), u -> u);
@@ -58,7 +58,7 @@ class LayersGlTest {
         return new int[] {all.get(0) & 0xff, all.get(1) & 0xff, all.get(2) & 0xff, all.get(3) & 0xff};
     }
 
-    /** Half-way between slices of 0 and 200 lies 100, and the slices repeat. */
+    /** Half-way between slices of 0 and 200 the value is 100, and the slices repeat. */
     @ParameterizedTest
     @CsvSource({"0.5, 100", "0.25, 0", "0.75, 200", "1.25, 0", "1.0, 100"})
     void volumeIsFilteredBetweenItsSlices(String depth, int expected) {
@@ -81,7 +81,7 @@ class LayersGlTest {
         }
     }
 
-    /** Each layer or slice is drawn into alone. */
+    /** Each layer or slice is drawn separately. */
     @ParameterizedTest
     @EnumSource(
             value = Texture.Shape.class,
@@ -188,7 +188,7 @@ class LayersGlTest {
         }
     }
 
-    /** A triangle outside of the picture is moved over all of it. */
+    /** A triangle outside the picture is moved over all of it. */
     @Test
     void partsOfVerticesAreReplaced() {
         ByteBuffer corners = ByteBuffer.allocateDirect(36).order(ByteOrder.nativeOrder());

@@ -28,7 +28,7 @@ class MipLevelsTest {
         return sum / (rgba.length / 4);
     }
 
-    /** The rounding of many texels averages out; that of the last ones is half a code at most. */
+    /** Rounding averages out over many texels; that of the last levels is at most half a code. */
     @ParameterizedTest
     @CsvSource({"64, 64, 0, 255", "64, 64, 10, 24", "48, 20, 90, 200", "33, 7, 0, 255", "1, 9, 0, 255"})
     void noLevelIsBrighterOrDarker(int width, int height, int least, int most) {

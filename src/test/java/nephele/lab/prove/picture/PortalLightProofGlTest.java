@@ -32,7 +32,16 @@ class PortalLightProofGlTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {FOG, PRISM, "levels/samples/lamps.json"})
+    @ValueSource(
+            strings = {
+                FOG,
+                PRISM,
+                "levels/samples/lamps.json",
+                "levels/samples/sun-shadow.json",
+                "levels/samples/material-roughness.json",
+                "levels/samples/sky-skybox-faces.json",
+                "levels/01-courtyard.json"
+            })
     void litPicturesLookLikeTheTwins(String level) throws Exception {
         var result = judged(List.of(level), 160, 0, 1);
         assertEquals(List.of(), result.examples());

@@ -5,7 +5,7 @@ uniform sampler2D viewColour;
 
 layout(location = 0) out vec4 pixel;
 
-// Along the view's axis, from the eye: the projection's two numbers are taken back out of the product with the rotation.
+// Distance along the view's axis: recovers the projection's two numbers from its product with the rotation.
 float metres(float windowDepth) {
     vec3 third = vec3(clipFromRelative[0].z, clipFromRelative[1].z, clipFromRelative[2].z);
     return clipFromRelative[3].z / (2.0 * windowDepth - 1.0 - dot(third, viewForward.xyz));

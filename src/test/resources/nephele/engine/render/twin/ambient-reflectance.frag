@@ -3,7 +3,7 @@
 uniform samplerBuffer inputs;
 layout(location = 0) out vec4 result;
 
-// Per pixel: colour and roughness; metallic and n.v. Reflectance under equal light from everywhere.
+// Per pixel: colour and roughness; metallic and n.v. Reflectance under equal light from all directions.
 void main() {
     int at = 2 * int(gl_FragCoord.x);
     vec4 colour = texelFetch(inputs, at);

@@ -9,22 +9,22 @@ import nephele.engine.math.Plane;
 import nephele.engine.math.Ray;
 import nephele.engine.math.Vec3;
 
-/** What stops a shot: a solid, or a piece of surface that belongs to none. */
+/** An obstacle of a shot: a solid, or a piece of surface that belongs to none. */
 sealed interface Blocker {
     Aabb bounds();
 
-    /** The outlines of its faces. */
+    /** Returns the outlines of its faces. */
     List<List<Vec3>> loops();
 
-    /** Where a ray first meets it, as ray parameter; infinity for a miss. */
+    /** Returns the ray parameter of the first hit; infinity for a miss. */
     double entry(Ray ray);
 
-    /** The patch that the ray meets; negative for the back of one. */
+    /** Returns the patch that the ray hits; negative for the back of one. */
     int patch(Ray ray);
 
-    /** A convex solid; only entering counts, so a shot from within sees what lies beyond. */
+    /** A convex solid; only entries count, so a shot from inside passes through. */
     record Convex(Brush brush, int firstPatch) implements Blocker {
-        /** A ray that starts this far behind a face, and goes in, started on it. */
+        /** A ray that starts at most this far behind a face, and goes inwards, counts as starting on it. */
         private static final double ON_SURFACE = 1e-9;
 
         @Override
@@ -56,7 +56,7 @@ sealed interface Blocker {
             return brush.faces().get(face).plane();
         }
 
-        /** Clipping against half spaces (Cyrus and Beck 1978); −1 for a miss. */
+        /** Clips against half-spaces (Cyrus and Beck 1978); −1 for a miss. */
         private int enteredFace(Ray ray) {
             double enter = Double.NEGATIVE_INFINITY;
             double leave = Double.POSITIVE_INFINITY;
@@ -78,10 +78,10 @@ sealed interface Blocker {
     }
 
     /**
-     * A piece of surface without thickness. It reaches a crack's width beyond its edges, so that no shot slips between
-     * neighbours that noise has drawn apart.
+     * A piece of surface without thickness. It extends beyond its edges by the width of a crack, so that no shot passes
+     * between adjacent pieces separated by noise.
      *
-     * @param sides planes through its edges, facing away from it
+     * @param sides planes through its edges, facing outwards
      */
     record Sheet(Patch shape, Plane plane, List<Plane> sides, int patchIndex) implements Blocker {
         static Sheet of(Patch shape, int patchIndex) {

@@ -6,11 +6,11 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 
 /**
- * A convex polygon of a plane, corners counter-clockwise, in metres. Two corners make a segment, whose edges are its two
- * sides.
+ * A convex polygon in a plane, corners counter-clockwise, in metres. Two corners make a segment, whose edges are its
+ * two sides.
  */
 final class ConvexPolygon {
-    /** Edges shorter than this have no direction; they are left out. */
+    /** Least length of an edge with a direction; shorter ones are removed. */
     private static final double LEAST_EDGE = 1e-12;
 
     private final double[] corners;
@@ -22,7 +22,7 @@ final class ConvexPolygon {
         edges = edges(corners);
     }
 
-    /** @param corners x, y of each; repeated ones are left out */
+    /** @param corners x, y of each; repeated ones are removed */
     static ConvexPolygon of(double[] corners) {
         double[] kept = new double[corners.length];
         int size = 0;
@@ -38,7 +38,7 @@ final class ConvexPolygon {
         return new ConvexPolygon(size == corners.length ? corners : Arrays.copyOf(kept, size));
     }
 
-    /** A polygon of the world as it lies in a plane. */
+    /** Returns a polygon of the world in a plane's coordinates. */
     static ConvexPolygon of(PlaneFrame frame, List<Vec3> polygon) {
         double[] corners = new double[2 * polygon.size()];
         for (int i = 0; i < polygon.size(); i++) {
@@ -83,7 +83,7 @@ final class ConvexPolygon {
         return edges[4 * edge + 1];
     }
 
-    /** Metres from the origin to the line through an edge. */
+    /** Returns the distance in metres from the origin to the line through an edge. */
     double distance(int edge) {
         return edges[4 * edge + 2];
     }
@@ -92,7 +92,7 @@ final class ConvexPolygon {
         return edges[4 * edge + 3];
     }
 
-    /** The corner with the least y, of those the one with the least x: edges that start there have growing angles. */
+    /** Returns the corner with the least y, and among those the least x: edges from there on have growing angles. */
     int lowest() {
         int lowest = 0;
         for (int i = 1; i < corners(); i++) {
@@ -102,7 +102,7 @@ final class ConvexPolygon {
         return lowest;
     }
 
-    /** Whether a direction's angle, from 0 to 2π, is not greater than another's. */
+    /** Returns true if a direction's angle, from 0 to 2π, is not greater than another's. */
     static boolean isBefore(double ax, double ay, double bx, double by) {
         boolean upperA = ay > 0 || ay == 0 && ax > 0;
         boolean upperB = by > 0 || by == 0 && bx > 0;
@@ -123,7 +123,7 @@ final class ConvexPolygon {
         return new Aabb(minX, minY, 0, maxX, maxY, 0);
     }
 
-    /** Metres by which a point lies outside the farthest edge's line; negative inside. */
+    /** Returns the distance in metres of a point outside the farthest edge's line; negative inside. */
     double outside(double x, double y) {
         double most = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < edges.length; i += 4) {
@@ -132,7 +132,7 @@ final class ConvexPolygon {
         return most;
     }
 
-    /** Whether a point is in the polygon or not farther from it than {@code metres}. */
+    /** Returns true if a point is in the polygon or at most {@code metres} away. */
     boolean isWithin(double metres, double x, double y) {
         double outside = outside(x, y);
         if (outside <= 0) {
@@ -154,7 +154,10 @@ final class ConvexPolygon {
         return normalX(edge) * dy - normalY(edge) * dx;
     }
 
-    /** The greatest gap that a line along an edge of either leaves between two polygons; negative: how deep they overlap. */
+    /**
+     * Returns the greatest gap between two polygons along the normal of an edge of either; negative for the depth of
+     * overlap.
+     */
     static double gap(ConvexPolygon a, ConvexPolygon b) {
         return Math.max(a.gapBeyondEdges(b), b.gapBeyondEdges(a));
     }

@@ -4,13 +4,13 @@ import java.util.List;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
-/** The plane of patches whose corners are a little off it. */
+/** Fits a plane to patches whose corners are slightly off it. */
 final class FittedPlane {
     private FittedPlane() {}
 
     /**
-     * The mean of all normals gives a frame; in that, least squares over the heights of all corners give the plane. Each
-     * patch counts by its area.
+     * Returns the frame of a least-squares plane: the mean normal gives a frame, and a fit over the heights of all
+     * corners in it gives the plane. Each patch is weighted by its area.
      */
     static PlaneFrame of(List<Patch> patches) {
         Vector3d normal = new Vector3d();
@@ -30,7 +30,7 @@ final class FittedPlane {
         return levelled(PlaneFrame.of(centre, new Vec3(normal.x, normal.y, normal.z)), patches);
     }
 
-    /** The origin is the corners' mean, so that height = slopeX · x + slopeY · y is the best fit. */
+    /** Uses the mean of the corners as origin, so that height = slopeX · x + slopeY · y is the best fit. */
     private static PlaneFrame levelled(PlaneFrame frame, List<Patch> patches) {
         double xx = 0;
         double xy = 0;

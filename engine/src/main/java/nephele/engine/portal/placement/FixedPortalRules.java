@@ -6,9 +6,12 @@ import nephele.engine.level.Problem;
 import nephele.engine.level.placed.PlacedRule;
 import nephele.engine.portal.Portal;
 
-/** Fixed portals that a player sees otherwise than their author may think: warnings, and an error on a mirror. */
+/**
+ * Rules for fixed portals that a player would see otherwise than intended: warnings, and an error for a portal on a
+ * mirror.
+ */
 public final class FixedPortalRules {
-    /** Overlaps up to this are rounding. */
+    /** Greatest overlap that counts as rounding. */
     private static final double LEAST_METRES = 1e-3;
 
     public static final PlacedRule SEEN = (level, statics, report) -> {
@@ -45,7 +48,7 @@ public final class FixedPortalRules {
                 && ConvexPolygon.gap(outline(frame, a), outline(frame, b)) < -LEAST_METRES;
     }
 
-    /** A portal's aperture as it lies in a plane. */
+    /** Returns a portal's aperture in a plane's coordinates. */
     static ConvexPolygon outline(PlaneFrame frame, Portal portal) {
         double[] corners = new double[2 * portal.aperture().corners()];
         for (int i = 0; i < portal.aperture().corners(); i++) {

@@ -5,15 +5,17 @@ import java.util.Comparator;
 import java.util.List;
 import nephele.engine.math.Vec3;
 
-/** What of a convex thing lies in the thin slab before a plane, seen along the plane's normal. */
+/** Computes the part of a convex shape in the thin slab in front of a plane, projected along the plane's normal. */
 final class Footprints {
     private record Point(double x, double y) {}
 
     private Footprints() {}
 
     /**
-     * @param loops the outlines of the thing's faces
-     * @return {@code null} when nothing reaches into the slab
+     * Returns the footprint.
+     *
+     * @param loops the outlines of the shape's faces
+     * @return {@code null} if nothing reaches into the slab
      */
     static ConvexPolygon of(PlaneFrame frame, List<List<Vec3>> loops, double lowMetres, double highMetres) {
         List<Point> points = new ArrayList<>();
@@ -46,7 +48,10 @@ final class Footprints {
                 frame.x(a) + share * (frame.x(b) - frame.x(a)), frame.y(a) + share * (frame.y(b) - frame.y(a))));
     }
 
-    /** Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions": lower and upper chain. */
+    /**
+     * Returns the convex hull (Andrew 1979, "Another efficient algorithm for convex hulls in two dimensions": lower and
+     * upper chain).
+     */
     private static ConvexPolygon hull(List<Point> points) {
         points.sort(Comparator.comparingDouble(Point::x).thenComparingDouble(Point::y));
         List<Point> hull = new ArrayList<>();

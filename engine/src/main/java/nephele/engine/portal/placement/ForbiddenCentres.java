@@ -3,29 +3,31 @@ package nephele.engine.portal.placement;
 import java.util.Arrays;
 
 /**
- * The centres at which an aperture would overlap something: for each convex thing its Minkowski sum with the reflected
- * aperture, a convex polygon. Filled again for every query.
+ * The centres at which an aperture would overlap an obstacle: for each convex obstacle its Minkowski sum with the
+ * reflected aperture, a convex polygon. Filled again for every query.
  */
 final class ForbiddenCentres {
     private static final double LEAST_EDGE = 1e-12;
 
-    /** Sine of the angle to an outline from which its next part takes over; the ends of noisy parts stick out. */
+    /** Sine of the angle to an outline from which its next part applies; the ends of noisy parts protrude. */
     private static final double BACKWARDS = 0.2;
 
-    /** Metres by which an edge's ends differ in their distance from another that is parallel to it. */
+    /** Greatest difference, in metres, of the distances of an edge's ends from another edge that counts as parallel. */
     private static final double PARALLEL = 1e-9;
 
     private ReflectedAperture aperture;
-    /** For each edge: where it begins (x, y), outward unit normal (x, y), distance from the origin, length. */
+    /** For each edge: start (x, y), outward unit normal (x, y), distance from the origin, length. */
     private double[] edges = new double[6 * 256];
 
-    /** Edges on which a centre may lie; those behind an outline are none, the edges of its next part take their place. */
+    /**
+     * Edges on which a centre may lie. Edges behind an outline are excluded; the edges of its next part replace them.
+     */
     private boolean[] open = new boolean[256];
 
     private int edgeCount;
-    /** First edge of each polygon, and one past the last. */
+    /** The first edge of each polygon, and one past the last. */
     private int[] first = new int[64];
-    /** Least x, y and greatest x, y of each polygon. */
+    /** The least x, y and greatest x, y of each polygon. */
     private double[] bounds = new double[4 * 64];
 
     private int count;
@@ -69,12 +71,12 @@ final class ForbiddenCentres {
         return edges[6 * edge + 5];
     }
 
-    /** Whether a centre may lie on an edge. */
+    /** Returns true if a centre may lie on an edge. */
     boolean isOpen(int edge) {
         return open[edge];
     }
 
-    /** A part of the outline, with the region on its left: no aperture touches it from the right. */
+    /** Adds a part of the outline with the region on its left; apertures may touch it only from the left. */
     void addOutline(ConvexPolygon segment) {
         int from = edgeCount;
         add(segment);
@@ -84,28 +86,30 @@ final class ForbiddenCentres {
         }
     }
 
-    /** Something that may be touched from all sides. Both run through their edges by growing angle (de Berg et al. 2008, "Computational Geometry", section 13.3). */
-    void add(ConvexPolygon dynamicObject) {
-        reserve(dynamicObject.corners() + aperture.corners());
-        int lowest = dynamicObject.lowest();
+    /**
+     * Adds an obstacle that may be touched from all sides. The sum traverses the edges of both polygons by growing
+     * angle (de Berg et al. 2008, "Computational Geometry", section 13.3).
+     */
+    void add(ConvexPolygon obstacle) {
+        reserve(obstacle.corners() + aperture.corners());
+        int lowest = obstacle.lowest();
         int i = 0;
         int j = 0;
-        double startX = dynamicObject.x(lowest) + aperture.x(0);
-        double startY = dynamicObject.y(lowest) + aperture.y(0);
+        double startX = obstacle.x(lowest) + aperture.x(0);
+        double startY = obstacle.y(lowest) + aperture.y(0);
         double x = startX;
         double y = startY;
-        while (i < dynamicObject.corners() || j < aperture.corners()) {
-            int from = (lowest + i) % dynamicObject.corners();
-            int to = (lowest + i + 1) % dynamicObject.corners();
-            double dynamicObjectX = dynamicObject.x(to) - dynamicObject.x(from);
-            double dynamicObjectY = dynamicObject.y(to) - dynamicObject.y(from);
+        while (i < obstacle.corners() || j < aperture.corners()) {
+            int from = (lowest + i) % obstacle.corners();
+            int to = (lowest + i + 1) % obstacle.corners();
+            double obstacleX = obstacle.x(to) - obstacle.x(from);
+            double obstacleY = obstacle.y(to) - obstacle.y(from);
             double apertureX = aperture.x(j + 1) - aperture.x(j);
             double apertureY = aperture.y(j + 1) - aperture.y(j);
-            boolean ofDynamicObject = i < dynamicObject.corners()
-                    && (j == aperture.corners()
-                            || ConvexPolygon.isBefore(dynamicObjectX, dynamicObjectY, apertureX, apertureY));
-            double dx = ofDynamicObject ? dynamicObjectX : apertureX;
-            double dy = ofDynamicObject ? dynamicObjectY : apertureY;
+            boolean ofDynamicObject = i < obstacle.corners()
+                    && (j == aperture.corners() || ConvexPolygon.isBefore(obstacleX, obstacleY, apertureX, apertureY));
+            double dx = ofDynamicObject ? obstacleX : apertureX;
+            double dy = ofDynamicObject ? obstacleY : apertureY;
             i += ofDynamicObject ? 1 : 0;
             j += ofDynamicObject ? 0 : 1;
             edge(x, y, dx, dy);
@@ -160,7 +164,7 @@ final class ForbiddenCentres {
         first[++count] = edgeCount;
     }
 
-    /** Whether no thing is overlapped from a centre. */
+    /** Returns true if an aperture with this centre overlaps no obstacle. */
     boolean allow(double x, double y) {
         for (int polygon = 0; polygon < count; polygon++) {
             if (holds(polygon, x, y)) {
@@ -180,7 +184,7 @@ final class ForbiddenCentres {
         return true;
     }
 
-    /** Metres from a point to an edge. */
+    /** Returns the distance in metres from a point to an edge. */
     double distance(int edge, double x, double y) {
         double along = foot(edge, x, y);
         double dx = startX(edge) + along * alongX(edge) - x;
@@ -188,15 +192,15 @@ final class ForbiddenCentres {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** How far along an edge its nearest point to a point is. */
+    /** Returns the position along an edge of the point nearest to a point. */
     double foot(int edge, double x, double y) {
         double along = (x - startX(edge)) * alongX(edge) + (y - startY(edge)) * alongY(edge);
         return Math.max(0, Math.min(length(edge), along));
     }
 
     /**
-     * Writes the open stretch of an edge's line that lies in a polygon to {@code span}: its ends where the overlap is as
-     * large as is allowed, then those where it begins. False when nothing of the edge lies in it.
+     * Writes the interval of an edge's line inside a polygon to {@code span}: its ends where the overlap reaches the
+     * tolerance, then those where it begins. Returns false if no part of the edge is inside.
      */
     boolean covers(int polygon, int edge, double[] span) {
         if (isApart(polygon, edge)) {

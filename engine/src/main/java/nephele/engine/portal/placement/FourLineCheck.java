@@ -6,14 +6,14 @@ import nephele.engine.math.TriangleSoup;
 import nephele.engine.math.Vec3;
 
 /**
- * The test of the student report on renderable portals: from the centre of the portal's rectangle four
- * lines to its corners, each walked over adjacent triangles as long as these are coplanar with the first; the portal
- * fits when all four end inside. It sees nothing that lies between the lines, and no T-junctions. An approximation kept
- * for measuring it against {@link Placement}.
+ * The test of the student report on renderable portals: four lines from the centre of the portal's rectangle to its
+ * corners, each followed over adjacent triangles as long as these are coplanar with the first; the portal fits if all
+ * four end inside. It misses obstacles between the lines and cannot cross T-junctions. An approximation kept to measure
+ * it against {@link Placement}.
  */
 public final class FourLineCheck {
     private final TriangleSoup soup;
-    /** For each side of each triangle the triangle beyond; −1 for none. */
+    /** For each side of each triangle the adjacent triangle; −1 for none. */
     private final int[] beyond;
 
     public FourLineCheck(TriangleSoup soup) {
@@ -21,7 +21,7 @@ public final class FourLineCheck {
         beyond = neighbours(soup);
     }
 
-    /** Sides of two triangles with the same ends, run through in opposite directions. */
+    /** Finds pairs of sides with the same ends in opposite order. */
     private static int[] neighbours(TriangleSoup soup) {
         int sides = soup.vertices().length;
         int[] beyond = new int[sides];
@@ -47,7 +47,9 @@ public final class FourLineCheck {
     private record Side(int number, long ends, boolean forward) {}
 
     /**
-     * @param triangle that holds the centre
+     * Returns true if the rectangle fits.
+     *
+     * @param triangle the triangle that contains the centre
      * @param right half of the rectangle's width along its bottom
      * @param up half of its height along its sides
      */
@@ -79,7 +81,7 @@ public final class FourLineCheck {
         return false;
     }
 
-    /** The side that the line leaves a triangle by, −1 when it ends inside. */
+    /** Returns the side through which the line leaves a triangle, −1 if it ends inside. */
     private int exit(int triangle, Vec3 normal, Vec3 from, Vec3 way) {
         int exit = -1;
         double earliest = 1;

@@ -4,13 +4,16 @@ import nephele.engine.level.PortalGun;
 import nephele.engine.portal.Aperture;
 
 /**
- * What is shot, and how far.
+ * The aperture and range of a gun.
  *
- * @param rangeMetres a surface beyond is not reached
- * @param slideMetres a portal that does not fit where it was aimed at moves this far at most
+ * @param rangeMetres greatest distance of a surface
+ * @param slideMetres greatest distance that a portal moves from its aimed place to fit
  */
 public record Gun(Aperture aperture, double rangeMetres, double slideMetres) {
-    /** Of the aperture's height, but no more than half of it: what one aims at stays inside or next to the portal. */
+    /**
+     * Slide relative to the aperture's height, at most half of it, so that the aimed point stays inside or next to the
+     * portal.
+     */
     private static final double SLIDE_PER_HEIGHT = 0.75 / 2.1;
 
     public static Gun of(PortalGun said) {

@@ -3,8 +3,8 @@ package nephele.engine.portal.placement;
 import nephele.engine.math.Aabb;
 
 /**
- * A stretch of a straight line in a plane, and what of it lies in or beside convex polygons; places along it count in
- * metres from (x, y) in the unit direction (dx, dy).
+ * A segment in a plane, and its parts in or near convex polygons; positions along it are metres from (x, y) in the unit
+ * direction (dx, dy).
  */
 record LineCoverage(double x, double y, double dx, double dy, double length) {
     static LineCoverage beyond(ConvexPolygon polygon, int edge, double metres) {
@@ -14,7 +14,7 @@ record LineCoverage(double x, double y, double dx, double dy, double length) {
                 polygon.x(edge) + metres * nx, polygon.y(edge) + metres * ny, -ny, nx, polygon.length(edge));
     }
 
-    /** To the right, which is out of the polygon. */
+    /** Returns a segment to the right, which is out of the polygon. */
     LineCoverage outFrom(double along, double metres) {
         return new LineCoverage(atX(along), atY(along), dy, -dx, metres);
     }
@@ -33,12 +33,12 @@ record LineCoverage(double x, double y, double dx, double dy, double length) {
         return y + along * dy;
     }
 
-    /** The stretch inside a polygon; {@code null} for none. */
+    /** Returns the interval inside a polygon; {@code null} for none. */
     double[] within(ConvexPolygon polygon) {
         return polygon.corners() < 3 ? null : inside(polygon);
     }
 
-    /** The stretch that is not farther than {@code metres} from a polygon; {@code null} for none. */
+    /** Returns the interval at most {@code metres} from a polygon; {@code null} for none. */
     double[] near(ConvexPolygon polygon, double metres) {
         double[] span = inside(polygon);
         for (int edge = 0; edge < polygon.corners(); edge++) {
@@ -48,7 +48,7 @@ record LineCoverage(double x, double y, double dx, double dy, double length) {
         return span == null || span[1] <= 0 || span[0] >= length ? null : span;
     }
 
-    /** The parts of a convex shape make one stretch. */
+    /** Returns the union, which is one interval because the shape is convex. */
     private static double[] union(double[] a, double[] b) {
         if (a == null || b == null) {
             return a == null ? b : a;
@@ -76,7 +76,7 @@ record LineCoverage(double x, double y, double dx, double dy, double length) {
         return clipped(span, -ny, nx, start + polygon.length(edge));
     }
 
-    /** Keeps what has nx · x + ny · y ≤ d. */
+    /** Returns the part with nx · x + ny · y ≤ d. */
     private double[] clipped(double[] span, double nx, double ny, double d) {
         if (span == null) {
             return null;

@@ -4,11 +4,12 @@ import java.util.Arrays;
 import nephele.engine.math.bvh.ItemList;
 
 /**
- * The point nearest to an aim that lies in a region and in none of the forbidden polygons. It is the aim itself, or on
- * an edge of one of the polygons: there the foot of the aim, or the end of a stretch that no other polygon covers.
+ * Finds the point nearest to an aim that is in a region and in none of the forbidden polygons. It is the aim itself, or
+ * a point on an edge of one of the polygons: the projection of the aim, or the end of an interval that no other polygon
+ * covers.
  */
 final class NearestPoint {
-    /** Of two places as near as that the one with the lower x, then y, is taken. */
+    /** Difference of distances below which two places are equally near; the one with the lower x, then y, is chosen. */
     private static final double EQUALLY_NEAR = 1e-9;
 
     private static final int SPAN = 4;
@@ -17,9 +18,9 @@ final class NearestPoint {
     private final ItemList found = new ItemList();
     private final double[] span = new double[SPAN];
     private long[] order = new long[256];
-    /** Each as {@link ForbiddenCentres#covers} writes it. */
+    /** Intervals as written by {@link ForbiddenCentres#covers}. */
     private double[] spans = new double[32 * SPAN];
-    /** The polygon that forbade all of an edge last; it often does so for the next. */
+    /** The polygon that last covered a whole edge; it often covers the next one too. */
     private int lastAll;
 
     private Region region;
@@ -41,12 +42,16 @@ final class NearestPoint {
         return y;
     }
 
-    /** Metres from the aim. */
+    /** Returns the distance in metres from the aim. */
     double distance() {
         return distance;
     }
 
-    /** @return whether there is one not farther than {@code limit} */
+    /**
+     * Searches a point.
+     *
+     * @return true if there is one within {@code limit}
+     */
     boolean find(Region within, double atX, double atY, double limit) {
         region = within;
         aimX = atX;
@@ -69,7 +74,7 @@ final class NearestPoint {
         return !Double.isNaN(x);
     }
 
-    /** Edges in reach, nearest first: a lower bound of the distance above the edge's number. */
+    /** Sorts the edges in reach by distance: the key is a lower bound of the distance above the edge's number. */
     private int sortedEdges() {
         int count = 0;
         for (int edge = 0; edge < forbidden.edges(); edge++) {
@@ -106,12 +111,18 @@ final class NearestPoint {
         }
     }
 
-    /** Of a stretch where nothing is overlapped the place nearest to {@code foot}; of one that tolerance opens the middle. */
+    /**
+     * Returns the place nearest to {@code foot} in an interval without overlap; the middle if only the tolerance makes
+     * it non-empty.
+     */
     private static double legal(double foot, double from, double to, double middle) {
         return from <= to ? Math.max(from, Math.min(to, foot)) : middle;
     }
 
-    /** The stretches of an edge that other polygons forbid, by where they begin; just one if that is all of the edge. */
+    /**
+     * Collects the intervals of an edge that other polygons forbid, sorted by start; a single one if it is the whole
+     * edge.
+     */
     private int coveredSpans(int edge) {
         if (coversAll(lastAll, edge)) {
             return 1;
@@ -128,7 +139,7 @@ final class NearestPoint {
         return count;
     }
 
-    /** Whether a polygon, not the edge's own, forbids all of it; leaves its stretch in {@code span}. */
+    /** Returns true if a polygon other than the edge's own forbids all of it; leaves its interval in {@code span}. */
     private boolean coversAll(int polygon, int edge) {
         boolean own = forbidden.firstEdge(polygon) <= edge && edge < forbidden.firstEdge(polygon + 1);
         if (own || !forbidden.covers(polygon, edge, span)) {

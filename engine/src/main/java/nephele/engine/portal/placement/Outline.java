@@ -6,29 +6,29 @@ import java.util.List;
 import nephele.engine.math.bvh.ItemList;
 
 /**
- * The edges of a union of convex polygons that may abut, overlap, meet in T-junctions, and leave cracks of noise between
- * them. A part of an edge is inside the union when a point a little way out of it lies in another polygon or in a crack
- * beside one; what is left bounds the union. Where nothing is noisy, nothing is off by more than 10⁻⁷ m.
+ * Finds the boundary of a union of convex polygons that may abut, overlap, meet in T-junctions, and have cracks of
+ * noise between them. A part of an edge is inside the union if a point slightly outwards is in another polygon or in a
+ * crack beside one; the other parts bound the union. Without noise, the error is at most 10⁻⁷ m.
  */
 final class Outline {
-    /** More than a crack: beyond an edge that two overlapping polygons share on the same side lies nothing. */
+    /** Wider than a crack, for an edge that two overlapping polygons share on the same side. */
     private static final double BEYOND_CRACK = 1e-7;
 
     private static final double LEAST_PART = 1e-9;
 
-    /** A little more than a crack's width, which is how far a corner seems to reach. */
+    /** Apparent extent of a corner: slightly more than a crack's width. */
     private static final double CORNER = 1.2 * Tolerance.CRACK;
 
-    /** The tip of a hole of 6° or more is shorter where it is as narrow as a crack. */
+    /** Longest tip of a hole of 6° or more, measured where it is as narrow as a crack. */
     private static final double LONGEST_TIP = 20 * Tolerance.CRACK;
 
-    /** In the middle of a tip the gap is wider than this; where noise happens to close a crack it is less. */
+    /** Least gap in the middle of a tip; a crack that noise closes has less. */
     private static final double NARROW = Tolerance.CRACK / 10;
 
-    /** Metres off an even narrowing that a tip's gap may be; in its middle a gap of noise is off by more. */
+    /** Greatest deviation in metres of a tip's gap from even narrowing; noise in its middle deviates by more. */
     private static final double EVEN = Tolerance.CRACK / 5;
 
-    /** Of the way from where a tip is two cracks wide to its end. */
+    /** Positions between the place where a tip is two cracks wide and its end. */
     private static final double[] TIP_SHARES = {-0.25, 0.5, 0.75};
 
     private final PolygonIndex polygons;
@@ -39,7 +39,7 @@ final class Outline {
         this.polygons = polygons;
     }
 
-    /** Segments, in no special order. */
+    /** Returns the boundary as segments, in no order. */
     static List<ConvexPolygon> of(PolygonIndex polygons) {
         Outline outline = new Outline(polygons);
         for (int polygon = 0; polygon < polygons.size(); polygon++) {
@@ -80,7 +80,7 @@ final class Outline {
         }
     }
 
-    /** Where along an edge the other polygons are. */
+    /** The intervals of an edge near other polygons. */
     private static final class Neighbours {
         private final LineCoverage edge;
         private final LineCoverage far;
@@ -88,9 +88,9 @@ final class Outline {
         private final LineCoverage between;
         /** In a polygon or in a crack beside one. */
         private final List<double[]> covered = new ArrayList<>();
-        /** In a polygon without doubt. */
+        /** Certainly in a polygon. */
         private final List<double[]> touched = new ArrayList<>();
-        /** Not farther from a polygon than a wide crack of noise is. */
+        /** At most a wide crack of noise away from a polygon. */
         private final List<double[]> noisy = new ArrayList<>();
 
         private final List<ConvexPolygon> others = new ArrayList<>();
@@ -116,9 +116,9 @@ final class Outline {
         }
 
         /**
-         * Beside a corner that points into the union, and in the tip of a hole, an edge seems to lie in a crack. So a part
-         * that ends at {@code at} reaches on to where the edge is in another polygon without doubt, if that is near and
-         * the way there leads along a gap that narrows.
+         * Extends a part that ends at {@code at} to the place where the edge is certainly in another polygon, if that
+         * is near and the gap narrows on the way: beside a corner that points into the union, and in the tip of a hole,
+         * an edge seems to be in a crack.
          *
          * @param sense 1 for the part's far end, −1 for its near end
          */
@@ -140,8 +140,8 @@ final class Outline {
         }
 
         /**
-         * Whether the gap shrinks evenly from before {@code at}, where it is two cracks wide, to none at {@code end}. A
-         * crack that ends at a hole has nothing beside it before.
+         * Returns true if the gap narrows evenly from before {@code at}, where it is two cracks wide, to none at {@code
+         * end}. A crack that ends at a hole has no gap before it.
          */
         private boolean narrowsEvenly(double at, double end) {
             for (double share : TIP_SHARES) {
@@ -153,7 +153,7 @@ final class Outline {
             return true;
         }
 
-        /** Metres from a point of the edge straight out to the next polygon. */
+        /** Returns the distance in metres from a point of the edge straight outwards to the next polygon. */
         private double gap(double at) {
             LineCoverage out = edge.outFrom(at, 3 * Tolerance.CRACK);
             double least = Double.POSITIVE_INFINITY;

@@ -8,17 +8,18 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.bvh.ItemList;
 
 /**
- * Makes one straight segment of outline parts that follow each other along one line but for noise. A wall's edge that
- * was cut into pieces is one edge again: without that, noise of 10 µm on a piece of 1 cm would turn the way in which a
- * portal slides by a thousandth, and move it by as much of the slide. A segment lies where the innermost of its parts do.
- * The longest part leads; as noise in its ends tilts it, others are looked for the farther off its line the farther along
- * they are, and kept if they lie on the line through all of them.
+ * Merges outline parts that follow each other along one line, except for noise, into one straight segment. A wall's
+ * edge that was cut into pieces becomes one edge again: otherwise noise of 10 µm on a piece of 1 cm would turn the
+ * direction in which a portal slides by a thousandth, and move it by that share of the slide. A segment is at the
+ * position of its innermost parts. The longest part is the seed. Because noise in its ends tilts it, the search for
+ * others permits an offset that grows with the distance along the line, and keeps those that are on the line fitted
+ * through all of them.
  */
 final class OutlineSimplification {
-    /** Metres off the common line that count as noise. */
+    /** Greatest distance in metres from the common line that counts as noise. */
     private static final double NOISE = Tolerance.CRACK / 2;
 
-    /** Cosine between the line and a part of it. */
+    /** Least cosine between the line and a part of it. */
     private static final double ALONG = 0.9;
 
     private static final int MOST_FITS = 10;
@@ -59,7 +60,7 @@ final class OutlineSimplification {
 
     private record Fit(Line line, List<Integer> members) {}
 
-    /** @param doubt at first about the slope of the seed's own line, as {@link Line#holds} takes it */
+    /** @param doubt initial uncertainty of the slope of the seed's line, see {@link Line#holds} */
     private Fit fit(int seed, double doubt) {
         List<Integer> members = List.of(seed);
         Line line = Line.along(parts.shape(seed));
@@ -75,7 +76,7 @@ final class OutlineSimplification {
         return new Fit(line, members);
     }
 
-    /** Parts on the line from one to the next, in ascending order. */
+    /** Returns the parts on the line, connected one to the next, in ascending order. */
     private List<Integer> reached(int seed, Line line, double doubt) {
         List<Integer> found = new ArrayList<>(List.of(seed));
         Span span = line.span(parts.shape(seed));
@@ -97,7 +98,7 @@ final class OutlineSimplification {
         return found;
     }
 
-    /** Least squares over the parts' points, in the frame of the line so far. */
+    /** Fits a line by least squares to the parts' points, in the frame of the previous line. */
     private Line fitted(Line line, List<Integer> members) {
         double weight = 0;
         double middleAlong = 0;
@@ -146,7 +147,7 @@ final class OutlineSimplification {
         }
     }
 
-    /** Through (x, y) along the unit vector (dx, dy); off it counts to the left. */
+    /** A line through (x, y) along the unit vector (dx, dy); offsets are positive to the left. */
     private record Line(double x, double y, double dx, double dy) {
         static Line along(ConvexPolygon part) {
             return new Line(part.x(0), part.y(0), -part.normalY(0), part.normalX(0));
@@ -175,9 +176,10 @@ final class OutlineSimplification {
         }
 
         /**
-         * Whether a part lies on the line but for noise.
+         * Returns true if a part is on the line except for noise.
          *
-         * @param doubt about the line's slope, in metres a metre: how much farther off parts may be as they are farther away
+         * @param doubt uncertainty of the line's slope in metres per metre: the permitted offset grows with the
+         * distance
          */
         boolean holds(ConvexPolygon part, double doubt) {
             double cosine = -part.normalY(0) * dx + part.normalX(0) * dy;

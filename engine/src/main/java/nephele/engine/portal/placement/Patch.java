@@ -9,7 +9,7 @@ import nephele.engine.math.Vec3;
  * One flat convex piece of surface, of a solid or of a mesh.
  *
  * @param normal of unit length
- * @param leastWidthMetres between the closest two parallel lines around it, or a little more
+ * @param leastWidthMetres distance between the closest two parallel lines around it, or slightly more
  */
 record Patch(
         List<Vec3> corners,
@@ -18,7 +18,7 @@ record Patch(
         double areaSquareMetres,
         double leastWidthMetres,
         Aabb bounds) {
-    /** {@code null} for what has no area to speak of. */
+    /** Returns {@code null} for a piece of nearly zero area. */
     static Patch of(List<Vec3> corners, boolean portalable) {
         Vec3 doubled = doubledArea(corners);
         Vec3 normal = Directions.unit(doubled);
@@ -49,7 +49,10 @@ record Patch(
         return longest;
     }
 
-    /** Whether it faces the plane's way and none of its corners is off the plane; slivers lean as they will. */
+    /**
+     * Returns true if it faces the plane's direction and none of its corners is off the plane; the normal of a sliver
+     * is ignored.
+     */
     boolean liesOn(PlaneFrame frame) {
         double cosine = normal.dot(frame.normal());
         boolean sliver = leastWidthMetres < Tolerance.SLIVER;

@@ -11,24 +11,27 @@ import nephele.engine.portal.Aperture;
 import nephele.engine.portal.Portal;
 
 /**
- * Where a shot's portal goes: on the first surface hit, at the legal place nearest to the aimed point. Legal is a place
- * where the whole aperture lies in the surface's region and overlaps no other portal. One gun among fixed surfaces, asked
- * again and again; the answer depends on the question only. One for each thread.
+ * Decides where a shot's portal goes: on the first surface hit, at the legal place nearest to the aimed point. A place
+ * is legal if the whole aperture is in the surface's region and overlaps no other portal. One object serves one gun and
+ * fixed surfaces for any number of queries; the answer depends only on the query. One for each thread.
  */
 public final class Placement {
-    /** A ray flatter than this would leave the fitted plane at a place of rounding. */
+    /** Least cosine of incidence; a flatter ray would hit the fitted plane at a place decided by rounding. */
     private static final double LEAST_INCIDENCE = 1e-4;
 
-    /** How much farther each further search for any place reaches. */
+    /** Factor by which each further search for any place extends. */
     private static final double WIDEN = 2;
 
-    /** More limits than this are not searched for any place at all: it would be far off, and a query is short. */
+    /**
+     * Greatest number of limits in a search for any place: beyond, the place would be far away, and a query must be
+     * short.
+     */
     private static final int MOST_LIMITS = 100;
 
-    /** A portal is looked at from so near: what is farther from its wall does not touch it. */
+    /** Distance from which a portal is viewed in {@link #holds}; a portal farther from its wall does not touch it. */
     private static final double HOLDS_FROM_METRES = 0.02;
 
-    /** Re-triangulated, a surface gives the same place within this. */
+    /** Greatest change of place for a surface with another triangulation. */
     private static final double SAME_PLACE_METRES = 5e-5;
 
     private final PlacementSurfaces surfaces;
@@ -44,9 +47,11 @@ public final class Placement {
     }
 
     /**
-     * @param id of the portal to be
-     * @param others that stay open beside it
-     * @param moving what else stops the shot
+     * Returns the result of a shot.
+     *
+     * @param id of the new portal
+     * @param others portals that stay open
+     * @param moving other obstacles of the shot
      */
     public PlacementResult place(String id, ShotRay aim, List<Portal> others, MovingSurfaces moving) {
         Vec3 direction = aim.direction();
@@ -69,7 +74,7 @@ public final class Placement {
         return onRegion(id, region, onPlane(region.frame(), ray, where), aim.view(), others);
     }
 
-    /** Whether a portal lies where a shot straight at its middle would put it, among what is there now. */
+    /** Returns true if a shot straight at a portal's centre would place it where it is, among the current surfaces. */
     public boolean holds(Portal portal, List<Portal> others) {
         Vec3 before = portal.world(0, 0, HOLDS_FROM_METRES);
         PlacementResult again = place(portal.id(), new ShotRay(before, portal.frame()), others, MovingSurfaces.NONE);
@@ -83,7 +88,10 @@ public final class Placement {
         return a.shape() == b.shape() && a.widthMetres() == b.widthMetres() && a.heightMetres() == b.heightMetres();
     }
 
-    /** Where the ray meets the region's own plane: that of the face which it hit is noisier. */
+    /**
+     * Returns the intersection of the ray with the region's own plane, which is less noisy than that of the face that
+     * it hit.
+     */
     private static Vec3 onPlane(PlaneFrame frame, Ray ray, Vec3 hit) {
         Vec3 direction = new Vec3(ray.directionX(), ray.directionY(), ray.directionZ());
         double rate = frame.normal().dot(direction);
@@ -143,7 +151,7 @@ public final class Placement {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /** Everything that decides about centres within {@code metres} of a point. */
+    /** Collects all obstacles that matter for centres within {@code metres} of a point. */
     private void forbid(Region region, ReflectedAperture turned, double x, double y, double metres) {
         forbidden.begin(turned);
         double reachX = metres + turned.reachX();
@@ -163,7 +171,7 @@ public final class Placement {
         }
     }
 
-    /** Another portal counts where it lies on the same plane and looks the same way. */
+    /** Adds another portal, if it is in the same plane and faces the same direction. */
     private void forbid(PlaneFrame frame, Portal other) {
         if (frame.normal().dot(other.normal()) < Tolerance.COPLANAR_COSINE
                 || Math.abs(frame.height(other.centre())) > Tolerance.COPLANAR) {

@@ -10,7 +10,7 @@ import nephele.engine.math.bvh.RayHit;
 import nephele.engine.math.bvh.SpatialIndex;
 
 /**
- * The fixed surfaces of a level, ready for any number of placements: what stops a shot, and the regions that take
+ * The fixed surfaces of a level, prepared for any number of placements: obstacles of shots, and the regions that take
  * portals. Immutable.
  */
 public final class PlacementSurfaces {
@@ -31,7 +31,7 @@ public final class PlacementSurfaces {
         regions = new RegionLimits(this.blockers, blockerIndex, patches).regions(growth.regions());
     }
 
-    /** Solids, and models: convex ones as solids too, the others as sheets. */
+    /** Prepares solids and models: convex models as solids, the others as sheets. */
     public static PlacementSurfaces of(StaticShapes statics) {
         List<Brush> solids = new ArrayList<>(statics.solids());
         solids.addAll(statics.models().solids());
@@ -44,7 +44,11 @@ public final class PlacementSurfaces {
         return of(solids, sheets);
     }
 
-    /** @param sheets flat pieces of meshes */
+    /**
+     * Prepares surfaces.
+     *
+     * @param sheets flat pieces of meshes
+     */
     public static PlacementSurfaces of(List<Brush> solids, List<SurfacePolygon> sheets) {
         List<Blocker> blockers = new ArrayList<>();
         List<Patch> patches = new ArrayList<>();
@@ -54,7 +58,7 @@ public final class PlacementSurfaces {
         }
         for (SurfacePolygon sheet : sheets) {
             Patch patch = Patch.of(sheet.corners(), sheet.portalable());
-            // Thinner ones may face any way; their neighbours reach across.
+            // The normal of a thinner piece may point in any direction; adjacent pieces extend across it.
             if (patch != null && patch.leastWidthMetres() > 2 * Tolerance.CRACK) {
                 blockers.add(Blocker.Sheet.of(patch, patches.size()));
             }
@@ -63,7 +67,7 @@ public final class PlacementSurfaces {
         return new PlacementSurfaces(blockers, patches);
     }
 
-    /** Finds the first surface along a ray; false for none. */
+    /** Finds the first surface along a ray; returns false for none. */
     boolean first(Ray ray, RayHit hit) {
         return blockerIndex.nearest(
                 ray,
@@ -72,14 +76,14 @@ public final class PlacementSurfaces {
                 hit);
     }
 
-    /** The region that a ray meets where it meets a blocker; {@code null} where no portal is allowed. */
+    /** Returns the region that a ray hits on a blocker; {@code null} if no portal is permitted there. */
     Region region(Ray ray, int blocker) {
         int patch = blockers.get(blocker).patch(ray);
         int region = patch < 0 ? RegionGrowth.NONE : regionOfPatch[patch];
         return region == RegionGrowth.NONE ? null : regions.get(region);
     }
 
-    /** How many surfaces take portals. */
+    /** Returns the number of surfaces that take portals. */
     public int regions() {
         return regions.size();
     }

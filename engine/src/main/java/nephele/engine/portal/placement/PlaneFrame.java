@@ -6,13 +6,15 @@ import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 
 /**
- * Measures a plane: x to the right and y up as seen from in front, height along the normal {@code axes.back()}, all in
- * metres from an origin on the plane, so that a surface far out costs no precision.
+ * Coordinates of a plane: x to the right and y up as seen from in front, height along the normal {@code axes.back()},
+ * all in metres from an origin on the plane, so that a far surface loses no precision.
  */
 record PlaneFrame(Vec3 origin, Basis axes) {
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
-    /** With y as near to the world's up as can be; where the plane is level, along an axis of the world. */
+    /**
+     * Returns a frame with y as near as possible to the world's up; on a horizontal plane, along an axis of the world.
+     */
     static PlaneFrame of(Vec3 origin, Vec3 normal) {
         return new PlaneFrame(origin, Portal.facing(normal, UP));
     }
@@ -37,12 +39,12 @@ record PlaneFrame(Vec3 origin, Basis axes) {
         return axis.x() * (p.x() - origin.x()) + axis.y() * (p.y() - origin.y()) + axis.z() * (p.z() - origin.z());
     }
 
-    /** A direction's part along the plane's x. */
+    /** Returns a direction's component along the plane's x. */
     double xOf(Vec3 direction) {
         return axes.right().dot(direction);
     }
 
-    /** A direction's part along the plane's y. */
+    /** Returns a direction's component along the plane's y. */
     double yOf(Vec3 direction) {
         return axes.up().dot(direction);
     }

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** The part of a convex polygon that others do not cover, as convex pieces. */
+/** Computes the part of a convex polygon that others do not cover, as convex pieces. */
 final class PolygonDifference {
-    /** Thinner pieces are rounding, and cracks between the triangles of a mesh. */
+    /** Least width of a piece; thinner ones are rounding, or cracks between the triangles of a mesh. */
     private static final double THINNEST_METRES = Tolerance.CRACK;
 
     private List<ConvexPolygon> pieces;
@@ -15,7 +15,7 @@ final class PolygonDifference {
         pieces = List.of(whole);
     }
 
-    /** Takes away what a polygon covers. */
+    /** Subtracts a polygon. */
     void cover(ConvexPolygon cover) {
         List<ConvexPolygon> left = new ArrayList<>();
         for (ConvexPolygon piece : pieces) {
@@ -39,12 +39,12 @@ final class PolygonDifference {
         }
     }
 
-    /** The least width of the widest piece, about; 0 where all is covered. */
+    /** Returns an estimate of the width of the widest piece; 0 if all is covered. */
     double widthMetres() {
         return pieces.stream().mapToDouble(PolygonDifference::width).max().orElse(0);
     }
 
-    /** Clips by the line along an edge (Sutherland and Hodgman 1974); {@code null} for what is too thin to count. */
+    /** Clips by the line along an edge (Sutherland and Hodgman 1974); {@code null} if the rest is too thin. */
     private static ConvexPolygon cut(ConvexPolygon polygon, ConvexPolygon cover, int edge, int side) {
         double[] kept = new double[4 * polygon.corners()];
         int size = 0;
@@ -70,7 +70,7 @@ final class PolygonDifference {
         return cover.normalX(edge) * x + cover.normalY(edge) * y - cover.distance(edge);
     }
 
-    /** The width of a rectangle; at most by half too little for others. */
+    /** Returns the width of a rectangle; for other shapes at most half too little. */
     private static double width(ConvexPolygon polygon) {
         double doubledArea = 0;
         double longest = 0;

@@ -5,7 +5,7 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.bvh.ItemVisitor;
 import nephele.engine.math.bvh.SpatialIndex;
 
-/** Convex polygons of one plane, found by place. */
+/** Convex polygons of one plane in a spatial index. */
 final class PolygonIndex {
     private final List<ConvexPolygon> shapes;
     private final SpatialIndex index;

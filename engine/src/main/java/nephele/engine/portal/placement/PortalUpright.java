@@ -5,25 +5,29 @@ import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
- * Which way is up for a portal. On a wall, up along the wall: (D × N) × N for D = (0, 1, 0), oriented up. On floors and
- * ceilings the way that the shooter faces, without its part along the normal. Between the two the up turns with the
- * slope by the shorter way, so that it does not jump while a surface tilts.
+ * The up direction of a portal. On a wall it is up along the wall: (D × N) × N for D = (0, 1, 0), oriented up. On
+ * floors and ceilings it is the direction that the shooter faces, without its component along the normal. Between the
+ * two, it rotates with the slope by the shorter way, so that it is continuous while a surface tilts.
  */
 final class PortalUpright {
     private static final Vec3 UP = new Vec3(0, 1, 0);
 
-    /** |N.y| up to which a surface counts as wall: slopes steeper than 30°. */
+    /** |N.y| up to which a surface counts as a wall: slopes steeper than 30°. */
     private static final double WALL = 0.8660254037844386;
 
     /** |N.y| from which a surface counts as floor or ceiling: 10° off level. */
     private static final double LEVEL = 0.984807753012208;
 
-    /** Radians off opposite within which rounding would pick the side to turn to. */
+    /** Angle in radians from opposite directions within which rounding would decide the sense of rotation. */
     private static final double OPPOSITE = 1e-6;
 
     private PortalUpright() {}
 
-    /** @return of unit length and perpendicular to the unit {@code normal} */
+    /**
+     * Returns the up direction.
+     *
+     * @return of unit length and perpendicular to the unit {@code normal}
+     */
     static Vec3 on(Vec3 normal, Basis view) {
         double level = share(Math.abs(normal.y()));
         if (level == 0) {
@@ -36,21 +40,21 @@ final class PortalUpright {
         return turned(alongSurface(UP, normal), ahead, normal, level);
     }
 
-    /** 0 for walls, 1 for floors and ceilings, smooth between. */
+    /** Returns 0 for walls, 1 for floors and ceilings, and smooth values between. */
     private static double share(double steepness) {
         double t = Math.max(0, Math.min(1, (steepness - WALL) / (LEVEL - WALL)));
         return t * t * (3 - 2 * t);
     }
 
     /**
-     * The level direction that the shooter faces. Without roll this is the view's own, and stays so straight down, where
-     * the view has none and the right hand tells.
+     * Returns the horizontal direction that the shooter faces. Without roll it is the view's own; straight down, where
+     * the view has none, the right axis gives it.
      */
     private static Vec3 ahead(Basis view) {
         double x = -view.back().x();
         double z = -view.back().z();
         double steep = 1 - Math.sqrt(x * x + z * z);
-        // D × right, which has no upward part.
+        // D × right, which has no upward component.
         Vec3 ahead = Directions.unit(
                 x + steep * view.right().z(), 0, z - steep * view.right().x());
         return ahead == null ? new Vec3(0, 0, -1) : ahead;
@@ -61,7 +65,10 @@ final class PortalUpright {
         return Directions.unit(direction.addScaled(-off, normal));
     }
 
-    /** Exactly opposite directions turn counter-clockwise seen from in front. */
+    /**
+     * Rotates {@code from} towards {@code to}; exactly opposite directions rotate counter-clockwise as seen from in
+     * front.
+     */
     private static Vec3 turned(Vec3 from, Vec3 to, Vec3 normal, double share) {
         Vec3 left = normal.cross(from);
         double angle = StrictMath.atan2(to.dot(left), to.dot(from));

@@ -13,12 +13,12 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.Portal;
 
-/** The surfaces that a fixed portal lies on, and what stands right before it. */
+/** The surfaces under a fixed portal, and the obstacles directly in front of it. */
 final class PortalWall {
-    /** Overlaps up to this are rounding. */
+    /** Greatest overlap that counts as rounding. */
     private static final double LEAST_METRES = 1e-3;
 
-    /** A narrower strip along an edge is a doorstep or a frame. */
+    /** Least width of a hidden strip that is reported; a narrower one along an edge is a doorstep or a frame. */
     private static final double LEAST_HIDDEN_METRES = 0.05;
 
     private final PlaneFrame frame;
@@ -91,7 +91,7 @@ final class PortalWall {
         }
     }
 
-    /** Whether a part of the portal lies on this face. */
+    /** Adds a face; returns true if it carries a part of the portal. */
     private boolean addFace(List<Vec3> corners, Vec3 normal) {
         Vec3 p = corners.get(0);
         double off = normal.x() * (frame.origin().x() - p.x())
@@ -120,7 +120,7 @@ final class PortalWall {
         isCentreHidden |= holdsCentre;
     }
 
-    /** Whether the author said of this very face that it takes no portals. */
+    /** Returns true if the author marked this very face as not portalable. */
     private static boolean saysNo(Solid said, String face) {
         if (said instanceof Solid.Planes planes) {
             return IntStream.range(0, planes.planes().size())
@@ -138,27 +138,30 @@ final class PortalWall {
         return face != null && Boolean.FALSE.equals(face.portalable());
     }
 
-    /** How wide a part of the portal lies on nothing; 0 for one in free space, of which another rule tells. */
+    /**
+     * Returns the width of the part of the portal without a surface; 0 for one in free space, which another rule
+     * reports.
+     */
     double uncoveredMetres() {
         return isCentreCovered ? uncovered.widthMetres() : 0;
     }
 
-    /** A face below the portal that says that it takes none, or {@code null}. */
+    /** Returns a face under the portal that is marked as not portalable, or {@code null}. */
     String withoutLeave() {
         return withoutLeave;
     }
 
-    /** A face below the portal that is a mirror, or {@code null}. */
+    /** Returns a face under the portal that is a mirror, or {@code null}. */
     String mirror() {
         return mirror;
     }
 
-    /** What stands within a centimetre before the portal, or {@code null}. */
+    /** Returns the obstacle within a centimetre in front of the portal, or {@code null}. */
     String hiddenBy() {
         return hiddenBy;
     }
 
-    /** Whether it stands before the centre, so that the simulation keeps the pair closed. */
+    /** Returns true if an obstacle hides the centre, so that the simulation keeps the pair closed. */
     boolean isCentreHidden() {
         return isCentreHidden;
     }

@@ -3,11 +3,11 @@ package nephele.engine.portal.placement;
 import nephele.engine.portal.Aperture;
 
 /**
- * An aperture as it stands in a plane's frame, reflected in its centre: set against an obstacle's every point it sweeps
- * the centres at which the aperture would reach the obstacle.
+ * An aperture in a plane's frame, reflected at its centre: its Minkowski sum with an obstacle is the set of centres at
+ * which the aperture would reach the obstacle.
  */
 final class ReflectedAperture {
-    /** x, y of each, counter-clockwise from the lowest, of those the leftmost. */
+    /** x, y of each corner, counter-clockwise from the lowest, and among those the leftmost. */
     private final double[] reflected;
 
     private final double reachX;
@@ -52,7 +52,7 @@ final class ReflectedAperture {
         return reflected[2 * (corner % corners()) + 1];
     }
 
-    /** Nothing of the aperture is farther from its centre along x. */
+    /** Returns the greatest extent of the aperture from its centre along x. */
     double reachX() {
         return reachX;
     }

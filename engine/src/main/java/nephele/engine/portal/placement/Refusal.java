@@ -1,21 +1,21 @@
 package nephele.engine.portal.placement;
 
-/** Why a shot makes no portal; the first that applies. */
+/** The reason why a shot makes no portal; the first one that applies. */
 public enum Refusal {
-    /** Nothing at all lies that way. */
+    /** The ray hits nothing. */
     NOTHING_HIT,
-    /** The first surface lies beyond the gun's range. */
+    /** The first surface is beyond the gun's range. */
     OUT_OF_RANGE,
-    /** The first thing hit moves. */
+    /** The first hit is on a dynamic object. */
     MOVING_SURFACE,
-    /** The author allows no portal on the first surface hit. */
+    /** The first surface permits no portal. */
     NOT_PORTALABLE,
-    /** It would fit, were the other portal not there. */
+    /** The aperture would fit without the other portal. */
     OVERLAPS_OTHER,
-    /** The surface has no place for the aperture, however far it were moved. */
+    /** The surface has no place for the aperture at any distance. */
     TOO_SMALL,
-    /** No place is as near to the aim as a portal slides, but there is one, or too much surface to look for one. */
+    /** No place is within the slide distance, but there is one farther away, or too much surface to search. */
     EDGE,
-    /** What stands in the gun's old portals cannot be put on its side of them. */
+    /** A body or player in the gun's old portals cannot be moved to its side of them. */
     OCCUPIED
 }

@@ -4,19 +4,19 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.bvh.ItemList;
 
 /**
- * A connected part of a plane where portals are allowed.
+ * A connected part of a plane where portals are permitted.
  *
- * @param faces their union without the bars is the region
+ * @param faces the region is their union without the bars
  * @param outline segments around that union
- * @param bars what lies in the union and takes no portal: other faces of the plane, and what stands against it
+ * @param bars obstacles in the union: other faces of the plane, and shapes that touch it
  */
 record Region(PlaneFrame frame, PolygonIndex faces, PolygonIndex outline, PolygonIndex bars) {
-    /** Whether a point lies on one of the faces or in a crack between them. */
+    /** Returns true if a point is on one of the faces or in a crack between them. */
     boolean covers(double x, double y, ItemList found) {
         return contains(faces, x, y, Tolerance.CRACK, found);
     }
 
-    /** Whether a point lies on a bar. */
+    /** Returns true if a point is on a bar. */
     boolean isBarred(double x, double y, ItemList found) {
         return contains(bars, x, y, 0, found);
     }

@@ -11,16 +11,17 @@ import nephele.engine.math.bvh.ItemList;
 import nephele.engine.math.bvh.SpatialIndex;
 
 /**
- * Gathers portalable patches that touch and share a plane. Each region grows from its largest patch; then the plane is
- * fitted to what was gathered and the growth repeated, so that how the surface was cut into patches does not matter.
+ * Groups portalable patches that touch and share a plane. Each region grows from its largest patch; then the plane is
+ * fitted to the grown patches and the growth is repeated, so that the result does not depend on the division of the
+ * surface.
  */
 final class RegionGrowth {
-    /** No patch grew into a region. */
+    /** Marks a patch without region. */
     static final int NONE = -1;
 
     private static final int MOST_FITS = 8;
 
-    /** Patches that lie on one plane and touch. */
+    /** Patches in one plane that touch. */
     record Grown(PlaneFrame frame, List<Integer> patches) {}
 
     private final List<Patch> patches;
@@ -31,7 +32,7 @@ final class RegionGrowth {
     private final List<Grown> regions = new ArrayList<>();
     private int visits;
 
-    /** @param patches {@code null} where there is nothing to gather */
+    /** @param patches {@code null} for entries without patch */
     RegionGrowth(List<Patch> patches) {
         this.patches = patches;
         index = SpatialIndex.of(patches.stream()
@@ -54,7 +55,7 @@ final class RegionGrowth {
         return regions;
     }
 
-    /** For each patch the region that it belongs to, or {@link #NONE}. */
+    /** Returns the region of each patch, or {@link #NONE}. */
     int[] regionOf() {
         return regionOf;
     }
@@ -84,7 +85,7 @@ final class RegionGrowth {
         return FittedPlane.of(members.stream().map(patches::get).toList());
     }
 
-    /** In ascending order; the seed always. */
+    /** Returns the patches reached, in ascending order; always includes the seed. */
     private List<Integer> reached(int seed, PlaneFrame frame) {
         visits++;
         visit[seed] = visits;

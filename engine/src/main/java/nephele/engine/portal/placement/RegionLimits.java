@@ -6,9 +6,12 @@ import nephele.engine.math.Aabb;
 import nephele.engine.math.bvh.ItemList;
 import nephele.engine.math.bvh.SpatialIndex;
 
-/** Finds what bounds the regions: outlines, faces of the same plane without leave, and what stands against them. */
+/**
+ * Finds the limits of the regions: outlines, faces of the same plane that are not portalable, and shapes that touch
+ * them.
+ */
 final class RegionLimits {
-    /** What lies less deep in a face only touches it. */
+    /** Depth up to which a shape only touches a face. */
     private static final double TOUCHES = 1e-7;
 
     private final List<Blocker> blockers;

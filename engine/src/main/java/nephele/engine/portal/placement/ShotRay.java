@@ -4,12 +4,12 @@ import nephele.engine.math.Basis;
 import nephele.engine.math.Vec3;
 
 /**
- * From where a shot looks, and how the shooter holds the head: looking straight down, only that says what is ahead.
+ * The ray of a shot and the shooter's view, which defines the direction ahead when looking straight down.
  *
- * @param view looks along −back; without roll its right is level
+ * @param view looks along −back; without roll its right is horizontal
  */
 public record ShotRay(Vec3 eye, Basis view) {
-    /** Of unit length. */
+    /** Returns the direction, of unit length. */
     public Vec3 direction() {
         return view.back().negated();
     }

@@ -14,7 +14,7 @@ import nephele.engine.math.Vec3;
  * @param corners counter-clockwise seen from in front
  */
 public record SurfacePolygon(List<Vec3> corners, boolean portalable) {
-    /** The triangles of a mesh. */
+    /** Returns the triangles of a mesh. */
     public static List<SurfacePolygon> of(TriangleSoup soup, boolean portalable) {
         List<SurfacePolygon> triangles = new ArrayList<>(soup.triangleCount());
         for (int at = 0; at < soup.vertices().length; at += 3) {
@@ -24,7 +24,7 @@ public record SurfacePolygon(List<Vec3> corners, boolean portalable) {
         return triangles;
     }
 
-    /** A triangle of a model. */
+    /** Returns a triangle of a model. */
     static SurfacePolygon of(PlacedModel model, int triangle) {
         WorldTriangles mesh = model.triangles();
         return new SurfacePolygon(

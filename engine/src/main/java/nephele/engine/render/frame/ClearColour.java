@@ -44,7 +44,7 @@ public record ClearColour(float red, float green, float blue) {
         return switch (output) {
             case PLAIN -> (float) radiance;
             case HDR -> (float) Math.min(radiance, LARGEST_HALF);
-            case DIRECT -> (float) ToneMapping.develop(radiance, exposure(environment), environment.toneCurve());
+            case DIRECT -> (float) ToneMapping.displayValue(radiance, exposure(environment), environment.toneCurve());
         };
     }
 

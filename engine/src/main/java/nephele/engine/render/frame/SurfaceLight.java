@@ -30,7 +30,7 @@ public final class SurfaceLight implements GlObject {
     private final LightBlock block;
     private final SunLight sun;
     private final PunctualLighting lights;
-    private final DynamicShadows dynamicObjectShade;
+    private final DynamicShadows dynamicShadows;
     private Environment followed;
 
     SurfaceLight(GlContext gl, Scene scene, FrameRequest request, SharedResources shared) {
@@ -41,7 +41,7 @@ public final class SurfaceLight implements GlObject {
         block = shared.own(new LightBlock(gl));
         sun = new SunLight(request, scene.statics(), anchor());
         lights = new PunctualLighting(gl, request, scene.lights(), anchor());
-        dynamicObjectShade = new DynamicShadows(gl, maps);
+        dynamicShadows = new DynamicShadows(gl, maps);
     }
 
     /**
@@ -81,8 +81,8 @@ public final class SurfaceLight implements GlObject {
     }
 
     /** Returns the shadows of dynamic objects. */
-    public DynamicShadows dynamicObjectShade() {
-        return dynamicObjectShade;
+    public DynamicShadows dynamicShadows() {
+        return dynamicShadows;
     }
 
     /** Returns the map's projection for the current sun; {@code null} without a sun that casts shadows. */
@@ -106,7 +106,7 @@ public final class SurfaceLight implements GlObject {
 
     /** Returns true if shaders need positions in the level. */
     public boolean needsPositions() {
-        return sun.hasShadow() || lights.table() != null || dynamicObjectShade.sun();
+        return sun.hasShadow() || lights.table() != null || dynamicShadows.sun();
     }
 
     public Defines addTo(Defines defines) {
@@ -127,7 +127,7 @@ public final class SurfaceLight implements GlObject {
     }
 
     private Defines addLights(Defines defines) {
-        return lights.addTo(sun.addTo(dynamicObjectShade.addTo(defines)))
+        return lights.addTo(sun.addTo(dynamicShadows.addTo(defines)))
                 .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
     }
 
@@ -150,7 +150,7 @@ public final class SurfaceLight implements GlObject {
     }
 
     private void tieLights(Uniforms uniforms, boolean ofSky) {
-        dynamicObjectShade.tie(uniforms);
+        dynamicShadows.tie(uniforms);
         sun.tie(uniforms);
         lights.tie(uniforms);
         if (sun.shines() || lights.table() != null || level.environment().ambient() != null || ofSky) {
@@ -168,12 +168,12 @@ public final class SurfaceLight implements GlObject {
         reads.bind(shared);
         block.bind();
         lights.bind();
-        dynamicObjectShade.bind();
+        dynamicShadows.bind();
     }
 
     @Override
     public void close() {
-        dynamicObjectShade.close();
+        dynamicShadows.close();
         lights.close();
     }
 }

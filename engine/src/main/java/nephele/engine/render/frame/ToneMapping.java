@@ -7,7 +7,7 @@ public final class ToneMapping {
     private ToneMapping() {}
 
     /** Returns the sRGB display value 0–1 of one channel's linear radiance. */
-    public static double develop(double radiance, double exposure, ToneCurve curve) {
+    public static double displayValue(double radiance, double exposure, ToneCurve curve) {
         return encodeSrgb(toneCurve(Math.max(radiance * exposure, 0), curve));
     }
 

@@ -6,6 +6,6 @@ vec3 radianceOf(vec3 displayed) {
 #ifdef OUTPUT_PLAIN
     return displayed;
 #else
-    return displayed / max(development.x, 1e-6);
+    return displayed / max(toneMapping.x, 1e-6);
 #endif
 }

@@ -5,7 +5,7 @@ layout(std140) uniform Frame {
     vec4 viewRight; // times the tangent of half the horizontal field of view
     vec4 viewUp; // times the tangent of half the vertical field of view
     vec4 viewForward; // w: -1 in a mirrored view, else 1
-    vec4 development; // x: exposure factor
+    vec4 toneMapping; // x: exposure factor
     vec4 viewClip; // for a view through an opening: normal of its clip plane and the eye's distance from it
     vec4 fog; // rgb: radiance, a: extinction per metre
     vec4 mirrorTint; // rgb: product of the tints of the mirrors in front of the view

@@ -26,7 +26,7 @@ float ditherOffset() {
 }
 
 // Applies exposure, tone curve, sRGB and dither, once per pixel; no other code does.
-vec3 develop(vec3 radiance) {
-    vec3 encoded = encodeSrgb(toneCurve(max(radiance * development.x, 0.0)));
+vec3 toneMapped(vec3 radiance) {
+    vec3 encoded = encodeSrgb(toneCurve(max(radiance * toneMapping.x, 0.0)));
     return encoded + ditherOffset() / 255.0;
 }

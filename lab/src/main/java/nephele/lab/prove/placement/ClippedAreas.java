@@ -65,8 +65,8 @@ final class ClippedAreas {
         for (double[] piece : pieces) {
             missing -= overlap(placed, piece);
         }
-        for (double[] dynamicObject : inTheWay) {
-            missing += overlap(placed, dynamicObject);
+        for (double[] obstacle : inTheWay) {
+            missing += overlap(placed, obstacle);
         }
         return missing;
     }

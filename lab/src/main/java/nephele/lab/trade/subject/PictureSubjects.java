@@ -59,7 +59,7 @@ public final class PictureSubjects {
                         + " over a picture that is display-referred already comes out too bright or too dark. So far"
                         + " only the rims of portals and the ghosts of shots are blended: elsewhere both are equal up"
                         + " to dither.",
-                    "the engine's own radiance in linear light, developed in double precision"),
+                    "the engine's own radiance in linear light, tone-mapped in double precision"),
             List.of(),
             OUTPUTS.stream().map(PictureSetting::setting).toList(),
             0,

@@ -66,30 +66,30 @@ final class StillLife {
         int parts = Math.max(1, slices / 4);
         String cut = "_" + slices + "_" + slices;
         return read(floor(parts)
-                + dynamicObject("sphere_1" + cut, new Place(-2.1, 0.8, 0.3, 0.8, 0), look(60, 70, 110, 190))
-                + dynamicObject("torus_0.7_0.32" + cut, new Place(2.2, 0.32, 0.6, 1, 0), look(40, 190, 80, 50))
-                + dynamicObject("cone_0.8_2.2" + cut, new Place(1.4, 0, -1.5, 1, 0), look(20, 90, 160, 80))
-                + dynamicObject("bezier_" + parts, new Place(0, 0, 0, 0.42, -90), look(90, 200, 160, 70)));
+                + model("sphere_1" + cut, new Place(-2.1, 0.8, 0.3, 0.8, 0), look(60, 70, 110, 190))
+                + model("torus_0.7_0.32" + cut, new Place(2.2, 0.32, 0.6, 1, 0), look(40, 190, 80, 50))
+                + model("cone_0.8_2.2" + cut, new Place(1.4, 0, -1.5, 1, 0), look(20, 90, 160, 80))
+                + model("bezier_" + parts, new Place(0, 0, 0, 0.42, -90), look(90, 200, 160, 70)));
     }
 
     /** Returns a scene of three cones: slender, as wide as high, flat. */
     static XmlScene cones(int slices) {
         String cut = "_" + slices + "_16";
         return read(floor(1)
-                + dynamicObject("cone_0.6_2.4" + cut, new Place(-2.2, 0, 0, 1, 0), look(40, 190, 80, 50))
-                + dynamicObject("cone_1_2" + cut, new Place(0, 0, 0, 1, 0), look(40, 90, 160, 80))
-                + dynamicObject("cone_1.2_0.8" + cut, new Place(2.5, 0, 0, 1, 0), look(40, 70, 110, 190)));
+                + model("cone_0.6_2.4" + cut, new Place(-2.2, 0, 0, 1, 0), look(40, 190, 80, 50))
+                + model("cone_1_2" + cut, new Place(0, 0, 0, 1, 0), look(40, 90, 160, 80))
+                + model("cone_1.2_0.8" + cut, new Place(2.5, 0, 0, 1, 0), look(40, 70, 110, 190)));
     }
 
     private static String floor(int divisions) {
-        return dynamicObject("plane_9_" + divisions, new Place(0, 0, 0, 1, 0), look(0, 120, 115, 110));
+        return model("plane_9_" + divisions, new Place(0, 0, 0, 1, 0), look(0, 120, 115, 110));
     }
 
     private static Look look(int shininess, int... rgb) {
         return new Look(rgb, shininess);
     }
 
-    private static String dynamicObject(String shape, Place at, Look look) {
+    private static String model(String shape, Place at, Look look) {
         int gloss = look.shininess > 0 ? 200 : 0;
         return String.format(
                 Locale.ROOT,
@@ -107,8 +107,8 @@ final class StillLife {
                 look.shininess);
     }
 
-    private static XmlScene read(String dynamicObjects) {
-        String text = String.format(Locale.ROOT, AROUND, dynamicObjects);
+    private static XmlScene read(String models) {
+        String text = String.format(Locale.ROOT, AROUND, models);
         return XmlSceneFile.read("still-life.xml", text.getBytes(StandardCharsets.UTF_8));
     }
 

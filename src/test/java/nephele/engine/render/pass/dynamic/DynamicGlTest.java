@@ -24,7 +24,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Bodies and the figure in the picture, on both sides of the portals that they reach through. */
+/** Bodies and the character are drawn on both sides of the portals that they reach through. */
 class DynamicGlTest {
     private static final int WIDTH = 160;
     private static final int HEIGHT = 90;
@@ -50,7 +50,7 @@ class DynamicGlTest {
         return count;
     }
 
-    /** A box body looks like the solid of its shape; so does one that has been moved there. */
+    /** A box body looks like the solid of its shape, also after a move. */
     @Test
     void aBodyCoversWhatItsShapeCovers() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -71,7 +71,9 @@ class DynamicGlTest {
         }
     }
 
-    /** Between a pair of portals that changes nothing a body looks as without them, but for a pixel along the plane. */
+    /**
+     * Between a pair of portals that changes nothing, a body looks as without them, except for a pixel along the plane.
+     */
     @Test
     void straddlingAPairThatChangesNothingChangesNothing() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -94,7 +96,7 @@ class DynamicGlTest {
         }
     }
 
-    /** Pixels that neither they nor any neighbour has in the other picture. */
+    /** Counts pixels whose colour occurs neither there nor at a neighbour in the other picture. */
     private static int unlike(int[] expected, int[] actual) {
         int count = 0;
         for (int y = 1; y + 1 < HEIGHT; y++) {
@@ -115,7 +117,7 @@ class DynamicGlTest {
                 && Math.abs(Offscreen.blue(a) - Offscreen.blue(b)) <= 2;
     }
 
-    /** What sticks out of the exit and what is left before the entry make up the whole. */
+    /** The part in front of the exit and the rest in front of the entry add up to the whole. */
     @Test
     void theSilhouettesOfBothHalvesAddUp() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -124,7 +126,7 @@ class DynamicGlTest {
                 Level level = wall.portal("a", "b", Vec3.ZERO, new Vec3(0, 0, 1), 3, 3)
                         .portal("b", "a", new Vec3(40, 0, 0), new Vec3(1, 0, 0), 3, 3)
                         .level();
-                // Along the planes: neither opening shows.
+                // Along the planes, neither opening is visible.
                 int host = covered(draw(offscreen, level, offscreen.view(new Vec3(2, 0, 0), new Vec3(0, 0, 0))));
                 int image = covered(draw(offscreen, level, offscreen.view(new Vec3(40, 0, 2), new Vec3(40, 0, 0))));
                 Level free = white().cube("white", new Vec3(0, 0, ahead), 1).level();
@@ -136,7 +138,7 @@ class DynamicGlTest {
         }
     }
 
-    /** Without culling everything that moves is drawn, without narrowing what the opening does not show. */
+    /** Without culling every dynamic object is drawn, without narrowing also outside the opening. */
     @Test
     void settingsThatLeaveNothingOutLeaveNoBodyOut() {
         Level level = white().cube("white", new Vec3(0, 0, 9), 1)
@@ -159,7 +161,7 @@ class DynamicGlTest {
         }
     }
 
-    /** A head does not hide the view from within; everybody else sees it. */
+    /** The head is hidden in the view from inside and visible in all others. */
     @Test
     void theHeadIsNotSeenFromWithin() {
         Level level =
@@ -190,7 +192,7 @@ class DynamicGlTest {
         return offscreen.pixels();
     }
 
-    /** Where the sun and a lamp are hidden by a cube that has moved, the ground is dark; exactly there. */
+    /** Where a moved cube hides the sun and a light, the ground is dark, and nowhere else. */
     @Test
     void aMovedCubeCastsTheShadowOfItsShape() {
         Vec3 sun = new Vec3(0.5, 1, 0.3);
@@ -238,7 +240,7 @@ class DynamicGlTest {
         assertTrue(dark > 50, "the picture shows the shadow: " + dark);
     }
 
-    /** Whether a half-line meets the cube, scaled. */
+    /** Returns true if a half-line hits the cube, scaled. */
     private static boolean hits(Vector3d from, Vector3d way, Vector3d centre, Quaterniond turn, double scale) {
         Vector3d o = turn.transformInverse(new Vector3d(from).sub(centre));
         Vector3d d = turn.transformInverse(new Vector3d(way));

@@ -77,7 +77,7 @@ class OverlayPassGlTest {
         assertEquals(191, picture.readBytes().get(0) & 255, 1);
     }
 
-    /** The stem of an l is a rectangle with round ends: its inked area is known. */
+    /** The stem of an l is a rectangle with round ends, so its inked area is known. */
     @ParameterizedTest
     @ValueSource(doubles = {1, 1.5, 2})
     void aStemHasTheInkOfItsPen(double scale) {

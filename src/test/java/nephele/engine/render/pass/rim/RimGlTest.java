@@ -28,7 +28,7 @@ import nephele.engine.scene.PortalPreview;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** What marks portals: seen by who sees colours and by who does not, never black, never flat, and gone when unwanted. */
+/** Rims are distinguishable with and without colour vision, never black or uniform, and can be disabled. */
 class RimGlTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 360;
@@ -66,7 +66,7 @@ class RimGlTest {
         return new Portal("shot", centre, Portal.facing(new Vec3(0, 0, 1), new Vec3(0, 1, 0)), aperture);
     }
 
-    /** Both shots in the wall, leading to each other or nowhere. */
+    /** Returns both shots in the wall, linked or not. */
     private static FrameState shots(boolean linked, double openness) {
         FrameState frameState = FrameState.atStart(wall());
         List<Integer> partners = linked ? List.of(1, 0) : List.of(Portals.CLOSED, Portals.CLOSED);
@@ -95,7 +95,7 @@ class RimGlTest {
         return 0.2126 * Offscreen.red(rgb) + 0.7152 * Offscreen.green(rgb) + 0.0722 * Offscreen.blue(rgb);
     }
 
-    /** The pixel of a point of the rims' luminous strips, which stand 43 mm before the wall. */
+    /** Returns the pixel of a point on the rims' luminous strips, 43 mm in front of the wall. */
     private static int pixel(double x, double y) {
         double scale = HEIGHT / 2.0 / (EYE_METRES - 0.043);
         int column = (int) Math.floor(WIDTH / 2.0 + x * scale);
@@ -103,7 +103,7 @@ class RimGlTest {
         return row * WIDTH + column;
     }
 
-    /** Fog that hides the wall hides what is on it: rims, their glow, membranes and outlines. */
+    /** Fog that hides the wall hides rims, their glow, membranes and outlines. */
     @Test
     void thickFogHidesAFarRim() {
         Level fogged = new TestLevel()
@@ -128,7 +128,7 @@ class RimGlTest {
         }
     }
 
-    /** Without colour: along the sides of the first rim light and dark alternate, along the second's they do not. */
+    /** In luma, light and dark alternate along the sides of the first rim and not along the second's. */
     @Test
     void thePatternsDifferWithoutColour() {
         int[] picture = draw(shots(true, 1), Decoration.ON);
@@ -137,7 +137,7 @@ class RimGlTest {
         assertTrue(first > 3 * second, first + " and " + second);
     }
 
-    /** Standard deviation of the luma up a line. */
+    /** Returns the standard deviation of luma along a vertical line. */
     private static double spread(int[] picture, double x) {
         double sum = 0;
         double squares = 0;
@@ -169,7 +169,7 @@ class RimGlTest {
         return sum / count;
     }
 
-    /** What leads nowhere is neither black nor flat, and moves. */
+    /** The membrane of a portal without a partner is neither black nor uniform, and moves. */
     @Test
     void aClosedPortalWhirls() {
         FrameState frameState = shots(false, 1);
@@ -192,7 +192,7 @@ class RimGlTest {
         assertTrue(moved > 100, moved + " places moved");
     }
 
-    /** An opening portal is drawn about its centre: at half its size nothing is outside of that and its rim. */
+    /** An opening portal grows about its centre: at half its size nothing is outside that and its rim. */
     @Test
     void theRimGrowsWithTheOpening() {
         int[] half = draw(shots(false, 0.5), Decoration.ON);

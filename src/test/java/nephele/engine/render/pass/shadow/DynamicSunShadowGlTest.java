@@ -17,7 +17,7 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** The sun's shadows of things that are far apart. */
+/** Dynamic objects far apart cast shadows of the sun. */
 class DynamicSunShadowGlTest {
     private static final int WIDTH = 160;
     private static final int HEIGHT = 90;
@@ -49,7 +49,7 @@ class DynamicSunShadowGlTest {
         return dark;
     }
 
-    /** @param views one frame each @return pixels in shadow in the last one */
+    /** @param views one frame each @return the number of pixels in shadow in the last one */
     private static int dark(Offscreen offscreen, Level level, View... views) {
         RenderSettings settings = RenderSettings.of(Output.HDR).with(Decoration.OFF);
         try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
@@ -60,7 +60,7 @@ class DynamicSunShadowGlTest {
         }
     }
 
-    /** Nothing moves but the eye: what is near it then has a shadow, however far it is from the first place. */
+    /** Objects near the eye have shadows, however far the eye moves. */
     @Test
     void shadowsAreThereWhereTheEyeGoes() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {
@@ -71,7 +71,7 @@ class DynamicSunShadowGlTest {
         }
     }
 
-    /** What a portal shows 40 m away has its shadow, while things are near the eye as well. */
+    /** Objects seen through a portal 40 m away have shadows, while others are near the eye. */
     @Test
     void shadowsAreThereBehindAPortal() {
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT)) {

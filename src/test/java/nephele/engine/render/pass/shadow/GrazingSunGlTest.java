@@ -16,11 +16,14 @@ import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Faces that the sun grazes, from any side: over a texel of the shadow map their depth rises or falls by many metres. */
+/**
+ * Faces under grazing light from any side are lit correctly: over a texel of the shadow map, their depth changes by
+ * many metres.
+ */
 class GrazingSunGlTest {
     private static final int SIZE = 24;
     private static final double AMBIENT = 0.05;
-    /** Sine of the sun's height over the face. */
+    /** Sine of the sun's elevation over the face. */
     private static final double HEIGHT = 0.05;
 
     private static final Vec3 SIDES = new Vec3(2, 2, 2);
@@ -37,7 +40,7 @@ class GrazingSunGlTest {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
             for (int face = 0; face < 6; face++) {
                 Vec3 sun = sun(face);
-                // Alone no solid could lie in a shadow, and none would be looked up.
+                // A single solid could not be in a shadow, and the map would not be looked up.
                 Vec3 away = new Vec3(-4 * sun.x(), -4 * sun.y(), -4 * sun.z());
                 Level level = level(sun)
                         .box("white", Vec3.ZERO, SIDES)
@@ -67,7 +70,7 @@ class GrazingSunGlTest {
         return axis(face / 2, face % 2 == 0 ? 1 : -1);
     }
 
-    /** Just above the face, 22.5° on from one of its edges; above opposite faces from opposite sides. */
+    /** Returns a direction just above the face, 22.5° from one of its edges; for opposite faces from opposite sides. */
     private static Vec3 sun(int face) {
         double angle = Math.PI / 8 + face % 2 * Math.PI;
         double level = Math.sqrt(1 - HEIGHT * HEIGHT);

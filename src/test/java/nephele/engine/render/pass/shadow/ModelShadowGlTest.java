@@ -11,7 +11,7 @@ import nephele.engine.render.Offscreen;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
 
-/** Shadows that models receive. */
+/** Models receive shadows. */
 class ModelShadowGlTest {
     private static final double HALF_METRES = 1.5;
     private static final double THICK_METRES = 0.1;
@@ -20,7 +20,7 @@ class ModelShadowGlTest {
         new Vec3(0.3, 1, 0.2), new Vec3(1, 0.15, 0.3), new Vec3(0.7, 0.7, -0.7), new Vec3(0.05, 0.2, 1)
     };
 
-    /** Six walls, and models that touch them or nearly do. */
+    /** Returns six walls, and models that touch them or nearly do. */
     private static TestLevel closedRoom(Vec3 sun) {
         double inner = 2 * HALF_METRES;
         double outer = inner + 2 * THICK_METRES;

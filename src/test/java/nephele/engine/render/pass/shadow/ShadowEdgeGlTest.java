@@ -23,7 +23,7 @@ import nephele.engine.scene.light.ShadowFrame;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** Drawn shadows against rays cast on the CPU: who is shaded, who is not, and where the edge runs. */
+/** Drawn shadows equal rays cast on the CPU: the lit and shaded pixels, and the position of edges. */
 class ShadowEdgeGlTest {
     private static final int SIZE = 96;
     private static final double AMBIENT = 0.05;
@@ -71,7 +71,7 @@ class ShadowEdgeGlTest {
                 : new Seen(ray.at(nearest), normal(box, ray.at(nearest)));
     }
 
-    /** There either face may have been drawn. */
+    /** Returns true near an edge, where either face may have been drawn. */
     private boolean isOnEdge(Aabb b, Vec3 p) {
         double near = 0.02;
         Aabb around = Aabb.of(List.of(p)).grown(near);
@@ -96,7 +96,7 @@ class ShadowEdgeGlTest {
         return new Vec3(face / 2 == 0 ? sign : 0, face / 2 == 1 ? sign : 0, face / 2 == 2 ? sign : 0);
     }
 
-    /** 0 shaded, 1 lit, NaN where a margin around the casters decides. */
+    /** Returns 0 for shaded, 1 for lit, NaN if a margin around the casters decides. */
     private double lit(Seen seen, Vec3 toLight, double limit, double margin) {
         Vec3 start = new Vec3(
                 seen.point.x() + 1e-6 * seen.normal.x(),
@@ -115,7 +115,7 @@ class ShadowEdgeGlTest {
         return surely ? 0 : perhaps ? Double.NaN : 1;
     }
 
-    /** Every pixel farther than 1½ texels from a shadow's edge is wholly lit or wholly shaded, as the ray says. */
+    /** Every pixel farther than 1½ texels from a shadow's edge is fully lit or fully shaded, as the ray says. */
     @Test
     void theSunsShadowIsWhereRaysSay() {
         box(0, -0.5, 0, 8, 1, 8);
@@ -144,7 +144,7 @@ class ShadowEdgeGlTest {
         assertTrue(counts[0] > 300 && counts[1] > 10_000, counts[0] + " shaded, " + counts[1] + " lit");
     }
 
-    /** On average over eight places on the texel grid the edge is off by less than a quarter of a texel. */
+    /** On average over eight positions on the texel grid, the error of the edge is below a quarter of a texel. */
     @Test
     void theSunsShadowIsNotDisplaced() {
         double offAlongX = 0;
@@ -156,7 +156,7 @@ class ShadowEdgeGlTest {
                 box(0, -0.5, 0, 8, 1, 8);
                 box(0.0062 * i, 1, 0.0094 * i, 1, 0.2, 1);
                 Level level = level().castingSun(SUN, Math.PI).level();
-                // The edge is cast by the box' lower edge on the sun's side, 0.9 m up.
+                // The edge is the shadow of the box's lower edge on the sun's side, 0.9 m up.
                 double edgeX = 0.0062 * i + 0.5 - 0.9 * SUN.x();
                 double edgeZ = 0.0094 * i + 0.5 - 0.9 * SUN.z();
                 try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, HDR)) {
@@ -170,7 +170,10 @@ class ShadowEdgeGlTest {
         assertEquals(0, offAlongZ / places, quarterTexel, "metres along z");
     }
 
-    /** How far the lit part of a picture 7 cm wide, centred on the edge and from close above it, exceeds one half. */
+    /**
+     * Returns the excess over one half of the lit part of a picture 7 cm wide, centred on the edge and seen from close
+     * above.
+     */
     private static double displacement(Renderer renderer, Offscreen offscreen, Vec3 edge) {
         double height = 0.4;
         Projection projection = new Projection(Math.toRadians(10), 1, 0.05, 100);
@@ -187,7 +190,7 @@ class ShadowEdgeGlTest {
         return (sum / (rgb.length / 3) - 0.5) * width;
     }
 
-    /** A point lamp shades to all six sides. */
+    /** A point light casts shadows to all six sides. */
     @Test
     void aLightsShadowsAreWhereRaysSayOnAllSixSides() {
         for (int axis = 0; axis < 3; axis++) {

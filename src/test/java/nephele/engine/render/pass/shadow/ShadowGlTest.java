@@ -30,6 +30,8 @@ import nephele.engine.scene.light.ShadowCasters;
 import nephele.engine.scene.light.ShadowFrame;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** A shadow's edge is within one shadow texel of the edge that rays in double precision give. */
 class ShadowGlTest {
@@ -53,7 +55,7 @@ class ShadowGlTest {
             Vector3d towards = sun.toVector().normalize();
             ShadowFrame frame = frameOf(level, sun);
             assertTrue(frame.texelMetres() <= 0.0101, "texel " + frame.texelMetres() + " m: the ground is no caster");
-            // A texel of the map, laid on the ground, is stretched by the sun's slope.
+            // A texel of the map, projected on the ground, is stretched by the sun's slope.
             double texel = frame.texelMetres() / towards.y;
             assertEdge(level, "sun " + sun, towards.y, texel, p -> meetsSlab(p, towards, 1e9));
         }
@@ -96,7 +98,10 @@ class ShadowGlTest {
         });
     }
 
-    /** Pixels whose whole surroundings of one texel are in shadow are black, those without any are lit. */
+    /**
+     * Pixels whose neighbourhood of one texel is completely in shadow are black; those without any shadow in it are
+     * lit.
+     */
     private static void assertEdge(
             Level level, String light, double litRadiance, double texel, Predicate<Vec3> shaded) {
         try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
@@ -168,42 +173,25 @@ class ShadowGlTest {
                 .box("m", new Vec3(0, 2.5 + wall / 2, 0), new Vec3(outer, wall, outer));
     }
 
-    /** No leak at any joint: sun from many sides, walls of 10 cm, the eye close to the corners. */
-    @Test
-    void noSunEntersAClosedRoom() {
-        try (Offscreen offscreen = new Offscreen(96, 96)) {
-            for (Vec3 sun : List.of(new Vec3(0.3, 1, 0.2), new Vec3(1, 0.4, -0.7), new Vec3(-0.9, 0.15, 0.1))) {
-                Level level = room(0.1).castingSun(sun, 100).level();
-                assertDark(offscreen, level, "sun " + sun);
-            }
-        }
-    }
-
-    @Test
-    void noSkyLightEntersAClosedRoom() {
-        try (Offscreen offscreen = new Offscreen(96, 96)) {
-            Level level = room(0.2)
-                    .skyLight()
-                    .sky(new Sky.Constant(TestLevel.grey(50)))
-                    .level();
-            assertDark(offscreen, level, "sky");
-        }
-    }
-
-    @Test
-    void noLightShinesThroughWalls() {
+    /** No sun, sky or other light from outside leaks in at any joint of walls of 10 cm. */
+    @ParameterizedTest
+    @CsvSource({"0.3, 1, 0.2", "1, 0.4, -0.7", "-0.9, 0.15, 0.1"})
+    void aClosedRoomIsDark(double x, double y, double z) {
         try (Offscreen offscreen = new Offscreen(96, 96)) {
             Level level = room(0.1)
+                    .castingSun(new Vec3(x, y, z), 100)
+                    .skyLight()
+                    .sky(new Sky.Constant(TestLevel.grey(50)))
                     .light(new Light.Point("above", new Vec3(0.3, 3.2, 0.2), TestLevel.grey(500), 20, true))
                     .light(new Light.Point("beside", new Vec3(2.4, 0.6, 0.3), TestLevel.grey(500), 20, true))
                     .light(new Light.Spot(
                             "into", new Vec3(0, 1, 4), new Vec3(0, 0, -1), TestLevel.grey(500), 20, 40, 60, true))
                     .level();
-            assertDark(offscreen, level, "lamps outside");
+            assertDark(offscreen, level);
         }
     }
 
-    private static void assertDark(Offscreen offscreen, Level level, String light) {
+    private static void assertDark(Offscreen offscreen, Level level) {
         List<Vec3> targets =
                 List.of(new Vec3(2, 0, 2), new Vec3(-2, 2.5, -2), new Vec3(2, 2.5, -2), new Vec3(-2, 0, 2));
         List<View> views = targets.stream()
@@ -215,11 +203,14 @@ class ShadowGlTest {
             for (float value : seen.get(i)) {
                 lit += value > 0 ? 1 : 0;
             }
-            assertEquals(0, lit, light + ", looking at the corner " + targets.get(i) + ": lit components");
+            assertEquals(0, lit, "looking at the corner " + targets.get(i) + ": lit components");
         }
     }
 
-    /** A lamp inside an empty room lights every wall as if nothing could cast: no seam between its six pictures. */
+    /**
+     * A punctual light inside an empty room lights every wall as without shadows: there is no seam between its six
+     * pictures.
+     */
     @Test
     void anEmptyRoomHasNoShadowsAndNoSeams() {
         try (Offscreen offscreen = new Offscreen(96, 96)) {
@@ -245,7 +236,10 @@ class ShadowGlTest {
         }
     }
 
-    /** From what a pixel sees of the room to the next wall: a filter's width from a joint the walls may shade each other. */
+    /**
+     * Returns the distance from a pixel's point in the room to the next wall: within a filter's width of a joint, the
+     * walls may shade each other.
+     */
     private static double distanceToJoint(View view, int x, int y) {
         Vector3d d = view.right().toVector().mul((x + 0.5) / 48 - 1);
         d.fma((y + 0.5) / 48 - 1, view.up().toVector()).sub(view.back().toVector());

@@ -20,7 +20,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
 
-/** What a ray that meets nothing sees. */
+/** The background is drawn correctly. */
 class SkyGlTest {
     private static final List<Vec3> AXES = List.of(
             new Vec3(1, 0, 0),
@@ -70,7 +70,7 @@ class SkyGlTest {
         }
     }
 
-    /** Seen from inside nothing is mirrored: looking along −z, the picture's upper left quarter is white. */
+    /** From inside, the pictures are not mirrored: looking along −z, the picture's upper left quarter is white. */
     @Test
     void skyboxPicturesStandUprightAndUnmirrored() {
         TestAssets assets = faces();
@@ -81,7 +81,8 @@ class SkyGlTest {
             assertEquals(COLOURS[5], ahead[64 * 5 + 5]);
             int[] right = look(offscreen, assets, new Vec3(1, 0, 0));
             assertEquals(0xffffff, right[64 * 58 + 5]);
-            // Up from −z without turning: the bottom edge of the +y picture joins the top edge of the −z picture.
+            // Looking up from −z without a turn, the bottom edge of the +y picture joins the top edge of the −z
+            // picture.
             int[] up = look(offscreen, assets, new Vec3(0, 1, -1e-3));
             assertEquals(0xffffff, up[64 * 58 + 5]);
             int[] down = look(offscreen, assets, new Vec3(0, -1, -1e-3));
@@ -119,7 +120,10 @@ class SkyGlTest {
         }
     }
 
-    /** A sky of one smooth function over all faces shows no seam: neighbouring pixels differ as little as elsewhere. */
+    /**
+     * A sky that is one smooth function over all faces shows no seam: the difference of adjacent pixels is as small as
+     * elsewhere.
+     */
     @Test
     void faceEdgesShowNoSeam() {
         TestAssets assets = new TestAssets();
@@ -191,7 +195,7 @@ class SkyGlTest {
         return assets;
     }
 
-    /** The face's colour, white in the upper left quarter without the middle. */
+    /** Returns the face's colour, white in the upper left quarter except its middle. */
     private static int faceColour(int face, int x, int y) {
         return x < 6 && y < 6 ? 0xffffff : COLOURS[face];
     }

@@ -19,9 +19,9 @@ import nephele.engine.render.frame.Output;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
-/** The sky that lights surfaces is the sky that is drawn. */
+/** The sky that lights surfaces equals the drawn one. */
 class SkyRadianceGlTest {
-    /** Every quarter of every face has its own colour. */
+    /** Returns pictures in which every quarter of every face has its own colour. */
     private static TestAssets pictures() {
         TestAssets assets = new TestAssets();
         for (int face = 0; face < 6; face++) {
@@ -67,7 +67,7 @@ class SkyRadianceGlTest {
         }
     }
 
-    /** A direction through the middle of a quarter of a face, where no filter mixes colours. */
+    /** Returns a direction through the middle of a quarter of a face, where no filter mixes colours. */
     private static Vector3d quarterMiddle(SplittableRandom random, int face) {
         double s = random.nextBoolean() ? 0.5 : -0.5;
         double t = random.nextBoolean() ? 0.45 : -0.45;

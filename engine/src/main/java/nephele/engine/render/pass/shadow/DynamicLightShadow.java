@@ -43,7 +43,7 @@ final class DynamicLightShadow {
         dynamicObjects = new Same(meshes);
         this.depth = depth;
         SurfaceLight surfaceLight = shared.surfaceLight();
-        shade = surfaceLight.dynamicObjectShade();
+        shade = surfaceLight.dynamicShadows();
         List<PunctualLight> lights = surfaceLight.lights().lights();
         LightShadowLayers shadows = surfaceLight.lights().shadows();
         for (int i = 0; i < shadows.layers().size(); i++) {

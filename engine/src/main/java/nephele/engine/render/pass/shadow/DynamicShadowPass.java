@@ -36,7 +36,7 @@ public final class DynamicShadowPass implements Pass {
         this.writes = writes;
         meshes = context.shared().dynamicObjects();
         depth = new DynamicDepthDraw(context, meshes);
-        shade = context.shared().surfaceLight().dynamicObjectShade();
+        shade = context.shared().surfaceLight().dynamicShadows();
         sun = shade.sun() ? new DynamicSunShadow(context, meshes) : null;
         lights = shade.lights() ? new DynamicLightShadow(context, meshes, depth) : null;
     }

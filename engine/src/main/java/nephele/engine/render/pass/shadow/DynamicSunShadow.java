@@ -33,7 +33,7 @@ final class DynamicSunShadow {
     DynamicSunShadow(LoadContext context, DynamicMeshes meshes) {
         gl = context.gl();
         this.meshes = meshes;
-        shade = context.shared().surfaceLight().dynamicObjectShade();
+        shade = context.shared().surfaceLight().dynamicShadows();
         anchor = context.shared().surfaceLight().anchor();
         int side = Math.max(256, context.quality().shadowTexels() / SMALLER);
         sunMap = new DynamicSunProjection(side);
