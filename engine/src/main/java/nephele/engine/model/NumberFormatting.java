@@ -10,7 +10,7 @@ public final class NumberFormatting {
         return isWhole(value) ? Long.toString((long) value) : Double.toString(value);
     }
 
-    /** Formats a float; as a double it would show digits that nobody wrote. */
+    /** Formats a float; as a double it would show digits that were not written. */
     public static String of(float value) {
         return isWhole(value) ? Long.toString((long) value) : Float.toString(value);
     }

@@ -17,7 +17,7 @@ import org.joml.Vector3dc;
 
 /**
  * The materials of bodies. A box has its texture's middle in the middle of each face; a round body has a whole number
- * of repeats around it, and the middle at half its height. The twin of {@code thing.frag}.
+ * of repeats around it, and the middle at half its height. The twin of {@code dynamic.frag}.
  */
 final class BodySurfaces {
     private final List<Clothed> bodies;

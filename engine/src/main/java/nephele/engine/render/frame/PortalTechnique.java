@@ -8,7 +8,7 @@ public enum PortalTechnique {
     TEXTURE,
     /** Draws into the picture, copies the whole of it and draws over it, as before framebuffer objects existed. */
     COPY,
-    /** As COPY, but only the part that the opening needs is copied. */
+    /** Copies only the part that the opening needs, otherwise like COPY. */
     COPY_AREA;
 
     /** Returns true if the content of an opening is a picture before the opening is drawn. */

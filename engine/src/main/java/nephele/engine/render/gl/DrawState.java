@@ -17,7 +17,7 @@ public final class DrawState {
         LESS_OR_EQUAL(GL_LEQUAL, false, true),
         /** Passes if this very surface is the nearest. */
         EQUAL(GL_EQUAL, false, true),
-        /** As {@link #EQUAL}, but depth and colour stay unchanged; only the stencil is written. */
+        /** Passes as {@link #EQUAL} does, but depth and colour stay unchanged; only the stencil is written. */
         EQUAL_ONLY_STENCIL(GL_EQUAL, false, false),
         ALWAYS_AND_WRITE(GL_ALWAYS, true, true),
         ALWAYS_AND_WRITE_ONLY_DEPTH(GL_ALWAYS, true, false);
@@ -60,7 +60,7 @@ public final class DrawState {
          */
         OPENING,
         /**
-         * As {@link #OPENING} for a whole face: in front of it by the error from snapping the corners of both to the
+         * Like {@link #OPENING}, for a whole face: in front of it by the error from snapping the corners of both to the
          * pixel grid.
          */
         WHOLE_FACE,
@@ -83,7 +83,7 @@ public final class DrawState {
     public enum Cull {
         NONE,
         BACK,
-        /** As {@link #BACK}, in a mirrored view. */
+        /** Culls like {@link #BACK} in a mirrored view. */
         FRONT
     }
 
