@@ -7,11 +7,13 @@ import nephele.engine.math.Vec3;
  * mean of their coefficients; their restitution is the greater of the two.
  */
 public sealed interface Body {
+    /** Returns the id, unique among bodies. */
     String id();
 
     /** Returns the centre of mass at the start, in metres. */
     Vec3 centre();
 
+    /** Returns the mass, greater than 0. */
     double massKilograms();
 
     /** Returns the id of the material, or {@code null} for the default grey. */

@@ -7,10 +7,13 @@ public sealed interface Light {
     /** Upper bound of the depth pictures of all shadow-casting lights of a level. */
     int MOST_SHADOW_PICTURES = 512;
 
+    /** Returns the id, unique among lights. */
     String id();
 
+    /** Returns the position in metres. */
     Vec3 position();
 
+    /** Returns the radiant intensity, linear RGB, in watts per steradian. */
     Vec3 radiantIntensity();
 
     /**

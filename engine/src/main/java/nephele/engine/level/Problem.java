@@ -19,6 +19,7 @@ public record Problem(Severity severity, String path, String message) {
         WARNING
     }
 
+    /** Returns a problem that prevents play. */
     public static Problem error(String path, String message) {
         return new Problem(Severity.ERROR, path, message);
     }
@@ -27,6 +28,7 @@ public record Problem(Severity severity, String path, String message) {
         return new Problem(Severity.WARNING, path, message);
     }
 
+    /** Returns true if the problem prevents play. */
     public boolean isError() {
         return severity == Severity.ERROR;
     }

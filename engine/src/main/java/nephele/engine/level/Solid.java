@@ -11,6 +11,7 @@ import nephele.engine.math.Vec3;
 public sealed interface Solid {
     String id();
 
+    /** Returns the id of the default material of the faces, or {@code null} for grey. */
     String material();
 
     boolean portalable();

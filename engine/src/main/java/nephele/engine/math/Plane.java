@@ -29,6 +29,7 @@ public record Plane(double nx, double ny, double nz, double distance) {
         return new Plane(unitNormal.x(), unitNormal.y(), unitNormal.z(), unitNormal.dot(point));
     }
 
+    /** Returns the same plane with the opposite normal. */
     public Plane opposite() {
         return new Plane(-nx, -ny, -nz, -distance);
     }

@@ -15,6 +15,7 @@ public record Vec3(double x, double y, double z) {
         return new Vec3(v.x(), v.y(), v.z());
     }
 
+    /** Returns −v. */
     public Vec3 negated() {
         return new Vec3(-x, -y, -z);
     }
@@ -28,6 +29,7 @@ public record Vec3(double x, double y, double z) {
         return new Vec3(x - v.x, y - v.y, z - v.z);
     }
 
+    /** Returns factor · v. */
     public Vec3 scaled(double factor) {
         return new Vec3(x * factor, y * factor, z * factor);
     }
@@ -42,14 +44,17 @@ public record Vec3(double x, double y, double z) {
         return new Vec3(x + (to.x - x) * share, y + (to.y - y) * share, z + (to.z - z) * share);
     }
 
+    /** Returns the dot product. */
     public double dot(Vec3 v) {
         return x * v.x + y * v.y + z * v.z;
     }
 
+    /** Returns the cross product, this × v. */
     public Vec3 cross(Vec3 v) {
         return new Vec3(y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x);
     }
 
+    /** Returns the Euclidean length. */
     public double length() {
         return Math.sqrt(dot(this));
     }

@@ -11,6 +11,7 @@ public record FramePlan(List<Step> steps) {
     /** A registered feature; {@code required} is empty if nothing requires it. */
     public record Step(RenderFeature feature, List<Required> required) {}
 
+    /** Returns the plan of a request for all registered features. */
     public static FramePlan of(FrameRequest request) {
         return of(request, RenderFeatures.ALL);
     }

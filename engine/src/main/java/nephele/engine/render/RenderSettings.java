@@ -71,10 +71,12 @@ public record RenderSettings(
         return node == null || node.parent() == null || narrowing == Narrowing.OFF ? null : node.frustum();
     }
 
+    /** Returns settings with quality HIGH. */
     public static RenderSettings of(Output output) {
         return of(output, Quality.HIGH);
     }
 
+    /** Returns settings with this output and quality, with decoration, without the character. */
     public static RenderSettings of(Output output, Quality quality) {
         return new RenderSettings(
                 output,
@@ -98,14 +100,17 @@ public record RenderSettings(
         return new RenderSettings(output, quality, culling, newNarrowing, decoration, deepest, figure);
     }
 
+    /** Returns these settings with another decoration. */
     public RenderSettings with(Decoration newDecoration) {
         return new RenderSettings(output, quality, culling, narrowing, newDecoration, deepest, figure);
     }
 
+    /** Returns these settings with another content of openings beyond the view budget. */
     public RenderSettings with(Deepest newDeepest) {
         return new RenderSettings(output, quality, culling, narrowing, decoration, newDeepest, figure);
     }
 
+    /** Returns these settings with another presence of the player's character. */
     public RenderSettings with(CharacterPresence newCharacter) {
         return new RenderSettings(output, quality, culling, narrowing, decoration, deepest, newCharacter);
     }

@@ -117,6 +117,7 @@ public final class Renderer implements AutoCloseable {
         frame = new FrameContext(portals);
     }
 
+    /** Returns the scene that this renderer draws. */
     public Scene scene() {
         return scene;
     }

@@ -92,10 +92,12 @@ public final class PosedScene {
         }
     }
 
+    /** Returns the number of models. */
     public int modelCount() {
         return models.size();
     }
 
+    /** Returns a model by its number, from 0. */
     public XmlModel model(int number) {
         return models.get(number).what;
     }

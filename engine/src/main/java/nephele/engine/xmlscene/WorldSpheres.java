@@ -17,6 +17,7 @@ public final class WorldSpheres {
     private final double[] spheres;
     private final double rounding;
 
+    /** Creates spheres for vertices that are drawn in double precision. */
     public WorldSpheres(int count) {
         this(count, ROUNDING);
     }

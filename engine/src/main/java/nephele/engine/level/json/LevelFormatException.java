@@ -32,6 +32,7 @@ public final class LevelFormatException extends RuntimeException {
         return file;
     }
 
+    /** Returns all problems of the file. */
     public List<Problem> problems() {
         return problems;
     }

@@ -16,6 +16,7 @@ public final class FourLineCheck {
     /** For each side of each triangle the adjacent triangle; −1 for none. */
     private final int[] beyond;
 
+    /** Finds the neighbours of all triangles of a surface. */
     public FourLineCheck(TriangleSoup soup) {
         this.soup = soup;
         beyond = neighbours(soup);

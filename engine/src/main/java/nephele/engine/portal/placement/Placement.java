@@ -41,6 +41,7 @@ public final class Placement {
     private final NearestPoint nearest = new NearestPoint(forbidden);
     private final ItemList found = new ItemList();
 
+    /** Creates a placement for one gun among fixed surfaces. */
     public Placement(PlacementSurfaces surfaces, Gun gun) {
         this.surfaces = surfaces;
         this.gun = gun;

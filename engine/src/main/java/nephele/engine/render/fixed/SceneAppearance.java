@@ -27,18 +27,22 @@ public record SceneAppearance(Shading shading, Set<LightTerm> terms, Axes axes, 
         terms = Set.copyOf(terms);
     }
 
+    /** Returns this appearance with another shading. */
     public SceneAppearance with(Shading newShading) {
         return new SceneAppearance(newShading, terms, axes, culling);
     }
 
+    /** Returns this appearance with other light terms. */
     public SceneAppearance with(Set<LightTerm> newTerms) {
         return new SceneAppearance(shading, newTerms, axes, culling);
     }
 
+    /** Returns this appearance with other axes. */
     public SceneAppearance with(Axes newAxes) {
         return new SceneAppearance(shading, terms, newAxes, culling);
     }
 
+    /** Returns this appearance with other culling. */
     public SceneAppearance with(Culling newCulling) {
         return new SceneAppearance(shading, terms, axes, newCulling);
     }

@@ -22,6 +22,7 @@ public record Quality(
     public static final Quality HIGH = new Quality(1, 4096, 1, PortalTechnique.STENCIL, 12, 1);
     public static final Quality ULTRA = new Quality(8, 4096, 4, PortalTechnique.STENCIL, 32, 1);
 
+    /** Returns this quality with another anisotropy. */
     public Quality withAnisotropy(int newAnisotropy) {
         return new Quality(newAnisotropy, shadowTexels, samples, portalTechnique, viewBudget, portalResolution);
     }
@@ -30,18 +31,22 @@ public record Quality(
         return new Quality(anisotropy, newTexels, samples, portalTechnique, viewBudget, portalResolution);
     }
 
+    /** Returns this quality with another number of samples a pixel. */
     public Quality withSamples(int newSamples) {
         return new Quality(anisotropy, shadowTexels, newSamples, portalTechnique, viewBudget, portalResolution);
     }
 
+    /** Returns this quality with another technique for views through openings. */
     public Quality withPortalTechnique(PortalTechnique newTechnique) {
         return new Quality(anisotropy, shadowTexels, samples, newTechnique, viewBudget, portalResolution);
     }
 
+    /** Returns this quality with another view budget. */
     public Quality withViewBudget(int newBudget) {
         return new Quality(anisotropy, shadowTexels, samples, portalTechnique, newBudget, portalResolution);
     }
 
+    /** Returns this quality with another resolution of openings' own pictures. */
     public Quality withPortalResolution(double newResolution) {
         return new Quality(anisotropy, shadowTexels, samples, portalTechnique, viewBudget, newResolution);
     }

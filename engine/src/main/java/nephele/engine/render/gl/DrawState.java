@@ -299,10 +299,12 @@ public final class DrawState {
         return draws;
     }
 
+    /** Returns the number of triangles submitted since {@link #resetCounts}. */
     public long triangles() {
         return triangles;
     }
 
+    /** Sets the counts of draw calls and triangles to 0. */
     public void resetCounts() {
         draws = 0;
         triangles = 0;

@@ -7,11 +7,17 @@ public final class FullScreenTriangle implements GlObject {
     private final GlContext gl;
     private final GlHandle vertexArray;
 
+    /**
+     * Creates the triangle.
+     *
+     * @param name its name in messages
+     */
     public FullScreenTriangle(GlContext gl, String name) {
         this.gl = gl;
         vertexArray = new GlHandle(gl, GlKind.VERTEX_ARRAY, name, glGenVertexArrays(), id -> glDeleteVertexArrays(id));
     }
 
+    /** Draws with the current program, over the whole viewport. */
     public void draw() {
         gl.bindings().vertexArray(vertexArray.id());
         if (gl.state().listener() != null) {

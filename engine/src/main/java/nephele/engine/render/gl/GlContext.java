@@ -77,6 +77,7 @@ public final class GlContext implements AutoCloseable {
         state.assumeNothing();
     }
 
+    /** Returns the capabilities of this context. */
     public GpuLimits limits() {
         return limits;
     }
@@ -85,6 +86,7 @@ public final class GlContext implements AutoCloseable {
         return live;
     }
 
+    /** Returns the draw state, the only object that sets it. */
     public DrawState state() {
         return state;
     }

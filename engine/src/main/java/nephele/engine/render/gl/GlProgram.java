@@ -33,6 +33,7 @@ public final class GlProgram<U> {
         return uniforms;
     }
 
+    /** Makes this the current program. */
     public void use() {
         gl.bindings().program(id);
     }

@@ -175,10 +175,12 @@ public final class RenderTarget implements GlObject {
         return target;
     }
 
+    /** Returns the width in pixels. */
     public int width() {
         return width;
     }
 
+    /** Returns the height in pixels. */
     public int height() {
         return height;
     }

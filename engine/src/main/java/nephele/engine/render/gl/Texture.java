@@ -26,6 +26,7 @@ public final class Texture implements GlObject {
 
     /** The texels of one layer, and the number of layers or slices. */
     public record Extent(int width, int height, int layers) {
+        /** Returns the extent of a texture with one layer. */
         public static Extent flat(int width, int height) {
             return new Extent(width, height, 1);
         }
@@ -180,6 +181,7 @@ public final class Texture implements GlObject {
         }
     }
 
+    /** Binds the texture to a unit for the following draws. */
     public void bind(TextureUnit unit) {
         gl.bindings().texture(unit, shape.target, handle.id());
     }

@@ -11,6 +11,7 @@ public interface StepTimer extends StepListener, AutoCloseable {
     /** Returns the mean time of one step since the last {@link #reset}; 0 before it was timed. */
     double meanMs(int step);
 
+    /** Discards the measured times. */
     void reset();
 
     /** Returns the name of the clock, for readers of the figures. */

@@ -18,6 +18,7 @@ public final class OverlayCanvas {
     private double scale = 1;
     private long version;
 
+    /** Creates an empty canvas. */
     public OverlayCanvas(Lettering lettering) {
         this.lettering = lettering;
     }

@@ -11,6 +11,7 @@ public record OverlayColour(float red, float green, float blue, float alpha) {
         return new OverlayColour((rgb >> 16 & 255) / 255f, (rgb >> 8 & 255) / 255f, (rgb & 255) / 255f, 1);
     }
 
+    /** Returns this colour with another alpha, 0 to 1. */
     public OverlayColour withAlpha(double newAlpha) {
         return new OverlayColour(red, green, blue, (float) newAlpha);
     }

@@ -35,6 +35,7 @@ public final class OverlayPass implements AutoCloseable {
     private OverlayCanvas uploaded;
     private long uploadedVersion;
 
+    /** Creates the pass; its OpenGL objects follow with the first draw. */
     public OverlayPass(GlContext gl, Lettering lettering) {
         this.gl = gl;
         this.lettering = lettering;
