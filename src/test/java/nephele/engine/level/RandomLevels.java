@@ -109,7 +109,7 @@ final class RandomLevels {
         return value >= written.min() && value <= written.max() ? value : written.min();
     }
 
-    private String text(TextRule rule) {
+    private String text(TextKind rule) {
         return switch (rule) {
             case NAME -> TEXTS[random.nextInt(TEXTS.length)];
             case PROSE -> TEXTS[random.nextInt(TEXTS.length)] + "\n\tmore";

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 class MirrorGlTest {
     private static final int WIDTH = 160;
     private static final int HEIGHT = 120;
-    private static final double PLANE = -3;
+    private static final double PLANE_METRES = -3;
     private static final List<Vec3> COLOURS =
             List.of(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3(1, 1, 0));
     private static final List<Vec3> CENTRES =
@@ -47,7 +47,7 @@ class MirrorGlTest {
             Vec3 size = new Vec3(0.5 + 0.3 * i, 0.9, 0.7 + 0.2 * i);
             level.box("m" + i, c, size);
             if (behind) {
-                level.box("m" + i, new Vec3(c.x(), c.y(), 2 * PLANE - c.z()), size);
+                level.box("m" + i, new Vec3(c.x(), c.y(), 2 * PLANE_METRES - c.z()), size);
             }
         }
         if (!behind) {
@@ -81,7 +81,7 @@ class MirrorGlTest {
             Level twice = boxes(new Vec3(1, 1, 1), true);
             List<View> views = List.of(
                     offscreen.view(new Vec3(0.2, 0.3, 1.9), new Vec3(-0.1, 0, -3)),
-                    offscreen.view(new Vec3(0.9, 0.3, PLANE + 1e-3), new Vec3(0.5, 0.2, -4)),
+                    offscreen.view(new Vec3(0.9, 0.3, PLANE_METRES + 1e-3), new Vec3(0.5, 0.2, -4)),
                     offscreen.view(new Vec3(-4, 0.3, -1.5), new Vec3(4, 0.1, -3.2)));
             for (View view : views) {
                 int[] expected = offscreen.pixels(twice, TestAssets.NONE, view, by(PortalTechnique.STENCIL));
@@ -115,8 +115,8 @@ class MirrorGlTest {
      */
     @Test
     void oneSeesOneself() {
-        Vec3 eye = new Vec3(0, 1.65, PLANE + 1);
-        Vec3 image = new Vec3(0, 1.65, PLANE - 1);
+        Vec3 eye = new Vec3(0, 1.65, PLANE_METRES + 1);
+        Vec3 image = new Vec3(0, 1.65, PLANE_METRES - 1);
         Level mirrored = room().material(
                         new Material("silver", new Vec3(1, 1, 1), null, null, null, null, Vec3.ZERO, 1, true))
                 .solid(mirror(new Vec3(6, 6, 1)))
@@ -130,38 +130,40 @@ class MirrorGlTest {
             }
             int[] empty = new int[direct.length];
             int covered = differing(expected, empty);
-            assertTrue(covered > 200, covered + " pixels of the figure");
+            assertTrue(covered > 200, covered + " pixels of the character");
             assertTrue(expected[HEIGHT / 2 * WIDTH + WIDTH / 2] != 0, "the head");
-            assertTrue(differing(expected, direct) > covered / 5, "the figure is not symmetrical");
+            assertTrue(differing(expected, direct) > covered / 5, "the character is not symmetrical");
             int[] seen = withCharacter(offscreen, mirrored, offscreen.view(eye, image));
             int wrong = differing(expected, seen);
             assertTrue(wrong <= covered / 20, wrong + " of " + covered + " pixels");
             int[] fromBehind = withCharacter(
-                    offscreen, mirrored, offscreen.view(new Vec3(1, 1.8, PLANE + 2.5), new Vec3(0, 1, PLANE)));
-            assertTrue(differing(fromBehind, empty) > covered, "the figure and its image");
+                    offscreen,
+                    mirrored,
+                    offscreen.view(new Vec3(1, 1.8, PLANE_METRES + 2.5), new Vec3(0, 1, PLANE_METRES)));
+            assertTrue(differing(fromBehind, empty) > covered, "the character and its image");
         }
     }
 
     private static int[] withCharacter(Offscreen offscreen, Level level, View view) {
         RenderSettings settings = by(PortalTechnique.STENCIL).with(CharacterPresence.POSSIBLE);
         FrameState frameState = FrameState.atStart(level);
-        frameState.figure(
-                new FrameState.Posture(new Vec3(0, 0.9, PLANE + 1), new Vec3(0, 1, 0), 0.4, 0, 1.8, 0.2, 0.7, 0, 0, 0));
+        frameState.character(new FrameState.Posture(
+                new Vec3(0, 0.9, PLANE_METRES + 1), new Vec3(0, 1, 0), 0.4, 0, 1.8, 0.2, 0.7, 0, 0, 0));
         try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings)) {
             renderer.draw(view, frameState, offscreen.picture);
-            offscreen.gl.requireNoError("figure");
+            offscreen.gl.requireNoError("character");
             return offscreen.pixels();
         }
     }
 
-    /** Returns a wall whose face in {@link #PLANE} is a mirror. */
+    /** Returns a wall whose face in {@link #PLANE_METRES} is a mirror. */
     private static Solid mirror(Vec3 size) {
         return new Solid.Box(
                 "mirror",
                 "m0",
                 false,
                 TextureMapping.WORLD,
-                new Vec3(0, 0, PLANE - 0.5),
+                new Vec3(0, 0, PLANE_METRES - 0.5),
                 size,
                 Map.of(BoxFace.PLUS_Z, new Solid.Face("silver", null)));
     }

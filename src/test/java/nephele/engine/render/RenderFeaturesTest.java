@@ -113,9 +113,9 @@ class RenderFeaturesTest {
         assertFalse(isHeldDrawn(new TestLevel().level(), CharacterPresence.POSSIBLE));
     }
 
-    private static boolean isHeldDrawn(Level level, CharacterPresence figure) {
+    private static boolean isHeldDrawn(Level level, CharacterPresence character) {
         return FramePlan.of(FrameRequest.of(
-                        level, StaticShapes.of(level, NoFiles.AT_ALL), Output.DIRECT, Quality.HIGH, figure))
+                        level, StaticShapes.of(level, NoFiles.AT_ALL), Output.DIRECT, Quality.HIGH, character))
                 .explain()
                 .contains("dynamic.held: required by player: a body that is held");
     }

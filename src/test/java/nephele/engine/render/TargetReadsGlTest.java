@@ -65,12 +65,12 @@ class TargetReadsGlTest {
 
     @ParameterizedTest
     @EnumSource
-    void everyTargetReadIsWrittenEarlier(CharacterPresence figure) {
+    void everyTargetReadIsWrittenEarlier(CharacterPresence character) {
         try (Offscreen offscreen = new Offscreen(8, 8)) {
             levels().forEach((name, level) -> {
                 Set<Target> written = EnumSet.noneOf(Target.class);
                 Scene scene = Scene.of(level, TestAssets.NONE);
-                FrameRequest request = FrameRequest.of(level, scene.statics(), Output.HDR, Quality.LOW, figure);
+                FrameRequest request = FrameRequest.of(level, scene.statics(), Output.HDR, Quality.LOW, character);
                 try (SharedResources shared = new SharedResources(offscreen.gl, scene, request)) {
                     for (FramePlan.Step step : FramePlan.of(request).steps()) {
                         if (step.feature().stage() == Stage.IN_VIEWS_AFTER_OPAQUE) {
@@ -107,8 +107,8 @@ class TargetReadsGlTest {
 
     /** @param expected names of the passes that bind textures */
     private static void assertBinding(
-            Offscreen offscreen, BoundTargets bound, Level level, CharacterPresence figure, Set<String> expected) {
-        RenderSettings settings = RenderSettings.of(Output.PLAIN, Quality.LOW).with(figure);
+            Offscreen offscreen, BoundTargets bound, Level level, CharacterPresence character, Set<String> expected) {
+        RenderSettings settings = RenderSettings.of(Output.PLAIN, Quality.LOW).with(character);
         Set<String> binding = new HashSet<>();
         for (WatchedPass pass : drawWatched(offscreen, bound, level, settings)) {
             if (!pass.bound().isEmpty()) {

@@ -58,7 +58,7 @@ class FrameAllocationGlTest {
                 if (frameState.bodies() > 0) {
                     frameState.held(0, held.get(frame), 1);
                 }
-                frameState.figure(postures.get(frame));
+                frameState.character(postures.get(frame));
                 renderer.draw(views.get(frame), frameState, picture);
             }
             long bytes = (stopwatch.allocatedBytes() - before) / FRAMES;

@@ -41,8 +41,8 @@ final class ApertureProximity {
                 || !overlaps(portal.frame().up(), y, way, halfY)) {
             return false;
         }
-        cut(height);
-        return isBehind() ? isThrough() : !endsAround(height, way);
+        measureBehind(height);
+        return isPartBehind() ? isThrough() : !endsAround(height, way);
     }
 
     /**
@@ -56,8 +56,8 @@ final class ApertureProximity {
         }
         x += dot(portal.frame().right(), way);
         y += dot(portal.frame().up(), way);
-        cut(atEnd);
-        return isBehind() && !isThrough();
+        measureBehind(atEnd);
+        return isPartBehind() && !isThrough();
     }
 
     private static double dot(Vec3 axis, Vector3dc v) {
@@ -70,7 +70,7 @@ final class ApertureProximity {
                 && from + Math.max(0, along) + shape.support(1, axis) >= -half;
     }
 
-    private boolean isBehind() {
+    private boolean isPartBehind() {
         return leastX <= mostX;
     }
 
@@ -90,7 +90,7 @@ final class ApertureProximity {
      *
      * @param height of the shape's centre in front of the plane
      */
-    private void cut(double height) {
+    private void measureBehind(double height) {
         leastX = Double.POSITIVE_INFINITY;
         mostX = Double.NEGATIVE_INFINITY;
         leastY = Double.POSITIVE_INFINITY;

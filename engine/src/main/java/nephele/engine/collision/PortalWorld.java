@@ -49,8 +49,7 @@ public final class PortalWorld {
         return new PortalWorld(statics, Portals.NONE);
     }
 
-    /** Returns the world with these portals; closed are those where the exit is obstructed. */
-    /** Builds the world, with those pairs closed of which an exit is blocked by a solid. */
+    /** Returns the world with these portals; pairs with an exit that is blocked by a solid are closed. */
     public static PortalWorld of(CollisionWorld statics, Portals portals) {
         return new PortalWorld(statics, withValidExits(statics, portals));
     }

@@ -10,7 +10,7 @@ import nephele.engine.math.Vec3;
  * @param verticalFovDegrees 0 if {@code horizontalFovDegrees} is given
  */
 public record Camera(
-        @Written(required = true, text = TextRule.ID) String id,
+        @Written(required = true, text = TextKind.ID) String id,
         @Written(required = true) Vec3 position,
         @Written(required = true) Vec3 target,
         @Written(absent = "[0, 1, 0]") Vec3 up,

@@ -5,7 +5,7 @@ import nephele.engine.math.Vec3;
 
 /** A cloud: its extent, its density and the technique that draws it. */
 public record Cloud(
-        @Written(required = true, text = TextRule.ID) String id,
+        @Written(required = true, text = TextKind.ID) String id,
         @Written(beside = true) Extent extent,
         @Written(absent = "\"auto\"") CloudTechnique technique,
         @Written(absent = "{\"kind\": \"ellipsoid\"}") Density density,
@@ -29,7 +29,7 @@ public record Cloud(
     /** The density of a cloud, 0 to 1 inside the extent; multiplied by {@code extinctionPerMetre}. */
     public sealed interface Density {
         /** {@code "kind": "image"}: a grey picture that gives the density as seen from above. */
-        record Image(@Written(required = true, text = TextRule.ASSET) String file) implements Density {}
+        record Image(@Written(required = true, text = TextKind.ASSET) String file) implements Density {}
 
         /** {@code "kind": "ellipsoid"}: 1 inside the inscribed ellipsoid. */
         record Ellipsoid() implements Density {}
@@ -45,7 +45,7 @@ public record Cloud(
                 implements Density {}
 
         /** {@code "kind": "grid"}: a Mitsuba {@code .vol} version 3 file. */
-        record Grid(@Written(required = true, text = TextRule.ASSET) String file) implements Density {}
+        record Grid(@Written(required = true, text = TextKind.ASSET) String file) implements Density {}
     }
 
     /** One soft ball; its centre is relative to the extent's centre. */

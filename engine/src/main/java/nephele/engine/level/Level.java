@@ -8,7 +8,7 @@ import java.util.List;
  */
 public record Level(
         @Written(absent = "\"\"") String name,
-        @Written(absent = "\"\"", text = TextRule.PROSE) String description,
+        @Written(absent = "\"\"", text = TextKind.PROSE) String description,
         @Written(absent = "{}") Environment environment,
         @Written PlayerStart player,
         @Written(most = 1000) List<Camera> cameras,

@@ -34,7 +34,7 @@ public sealed interface Light {
 
     /** {@code "kind": "point"}. */
     record Point(
-            @Written(required = true, text = TextRule.ID) String id,
+            @Written(required = true, text = TextKind.ID) String id,
             @Written(required = true) Vec3 position,
             @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,
             @Written(absent = "20", min = 0) double rangeMetres,
@@ -43,7 +43,7 @@ public sealed interface Light {
 
     /** {@code "kind": "spot"}; cone angles are half angles from the axis, with full intensity inside the inner cone. */
     record Spot(
-            @Written(required = true, text = TextRule.ID) String id,
+            @Written(required = true, text = TextKind.ID) String id,
             @Written(required = true) Vec3 position,
             @Written(required = true) Vec3 direction,
             @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,

@@ -16,12 +16,12 @@ import nephele.engine.math.Vec3;
  * @param mirror true if flat faces of solids are plane mirrors that reflect {@code baseColour} of the light
  */
 public record Material(
-        @Written(required = true, text = TextRule.ID) String id,
+        @Written(required = true, text = TextKind.ID) String id,
         @Written(absent = "[1, 1, 1]", min = 0, max = 1) Vec3 baseColour,
-        @Written(text = TextRule.ASSET) String texture,
+        @Written(text = TextKind.ASSET) String texture,
         @Written(min = 0, max = 1) Double roughness,
         @Written(min = 0, max = 1) Double metallic,
-        @Written(text = TextRule.ASSET) String normalTexture,
+        @Written(text = TextKind.ASSET) String normalTexture,
         @Written(absent = "[0, 0, 0]", min = 0, max = 1e9) Vec3 emission,
         @Written(absent = "1", min = 1e-3) double textureMetres,
         @Written boolean mirror) {

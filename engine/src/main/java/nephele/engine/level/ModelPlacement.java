@@ -10,11 +10,11 @@ import nephele.engine.math.Vec3;
  * @param portalable true if shots open portals on its flat parts
  */
 public record ModelPlacement(
-        @Written(required = true, text = TextRule.ID) String id,
-        @Written(required = true, text = TextRule.ASSET) String file,
-        @Written(text = TextRule.ID) String parent,
+        @Written(required = true, text = TextKind.ID) String id,
+        @Written(required = true, text = TextKind.ASSET) String file,
+        @Written(text = TextKind.ID) String parent,
         @Written(most = 1000) List<TransformStep> transform,
-        @Written(text = TextRule.ID) String material,
+        @Written(text = TextKind.ID) String material,
         @Written boolean portalable) {
 
     /** One transform step; steps apply in file order, the first one outermost. */

@@ -4,8 +4,8 @@ import nephele.engine.math.Vec3;
 
 /** A portal that exists at the start of the level. */
 public record PortalSpec(
-        @Written(required = true, text = TextRule.ID) String id,
-        @Written(required = true, text = TextRule.ID) String linkedTo,
+        @Written(required = true, text = TextKind.ID) String id,
+        @Written(required = true, text = TextKind.ID) String linkedTo,
         @Written(required = true) Vec3 centre,
         @Written(required = true) Vec3 normal,
         @Written(absent = "[0, 1, 0]") Vec3 up,

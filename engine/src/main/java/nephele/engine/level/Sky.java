@@ -22,7 +22,7 @@ public sealed interface Sky {
      */
     record Skybox(
             @Written(absent = "\"faces\"") SkyboxLayout layout,
-            @Written(required = true, text = TextRule.ASSET, most = 6) List<String> files)
+            @Written(required = true, text = TextKind.ASSET, most = 6) List<String> files)
             implements Sky {}
 
     /** {@code "kind": "atmosphere"}: computed scattering. */

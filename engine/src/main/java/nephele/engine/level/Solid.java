@@ -20,8 +20,8 @@ public sealed interface Solid {
 
     /** {@code "kind": "box"}, axis-aligned; {@code faces} by name: +x −x +y −y +z −z (written {@code "+y"}). */
     record Box(
-            @Written(required = true, text = TextRule.ID) String id,
-            @Written(text = TextRule.ID) String material,
+            @Written(required = true, text = TextKind.ID) String id,
+            @Written(text = TextKind.ID) String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true) Vec3 centre,
@@ -31,8 +31,8 @@ public sealed interface Solid {
 
     /** {@code "kind": "planes"}: the intersection of half-spaces normal · p ≤ distanceMetres; bounded and not empty. */
     record Planes(
-            @Written(required = true, text = TextRule.ID) String id,
-            @Written(text = TextRule.ID) String material,
+            @Written(required = true, text = TextKind.ID) String id,
+            @Written(text = TextKind.ID) String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true, most = 64) List<PlaneFace> planes)
@@ -44,8 +44,8 @@ public sealed interface Solid {
      * @param rising the horizontal side with the full height; the height falls to zero at the opposite side
      */
     record Wedge(
-            @Written(required = true, text = TextRule.ID) String id,
-            @Written(text = TextRule.ID) String material,
+            @Written(required = true, text = TextKind.ID) String id,
+            @Written(text = TextKind.ID) String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true) Vec3 centre,
@@ -60,8 +60,8 @@ public sealed interface Solid {
      * @param centre the centre of the whole prism
      */
     record Prism(
-            @Written(required = true, text = TextRule.ID) String id,
-            @Written(text = TextRule.ID) String material,
+            @Written(required = true, text = TextKind.ID) String id,
+            @Written(text = TextKind.ID) String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true) Vec3 centre,
@@ -71,12 +71,12 @@ public sealed interface Solid {
             implements Solid {}
 
     /** The properties of a face that differ from its solid's; {@code null} members inherit. */
-    record Face(@Written(text = TextRule.ID) String material, @Written Boolean portalable) {}
+    record Face(@Written(text = TextKind.ID) String material, @Written Boolean portalable) {}
 
     /** One bounding plane; {@code null} members inherit from the solid. */
     record PlaneFace(
             @Written(required = true) Vec3 normal,
             @Written(required = true) double distanceMetres,
-            @Written(text = TextRule.ID) String material,
+            @Written(text = TextKind.ID) String material,
             @Written Boolean portalable) {}
 }

@@ -24,7 +24,7 @@ public @interface Written {
     double max() default 1e7;
 
     /** The kind of a text. */
-    TextRule text() default TextRule.NAME;
+    TextKind text() default TextKind.NAME;
 
     /** Greatest number of entries of a list. */
     int most() default 10_000;

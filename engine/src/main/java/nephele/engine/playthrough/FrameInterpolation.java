@@ -88,11 +88,11 @@ final class FrameInterpolation {
     }
 
     /** Sets the player's character and the time. */
-    void figure(PlayerPose pose, AnimationState animation, double seconds) {
+    void character(PlayerPose pose, AnimationState animation, double seconds) {
         PlayerPose.Body body = pose.body();
         frameState.seconds(seconds);
         Vector3d middle = middle(body, animation.heightMetres());
-        frameState.figure(beyondPortals(
+        frameState.character(beyondPortals(
                 body.centre(),
                 new FrameState.Posture(
                         Vec3.of(middle),

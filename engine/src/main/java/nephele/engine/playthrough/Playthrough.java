@@ -203,7 +203,7 @@ public final class Playthrough {
         live.frameState().previews(aiming.previews(after));
         live.world(before, after, share, ages);
         live.held(after, heldFromCamera(share), heldClarity);
-        live.figure(seen().player(), animationBefore.towards(animationAfter, share), seconds);
+        live.character(seen().player(), animationBefore.towards(animationAfter, share), seconds);
         return live.frameState();
     }
 

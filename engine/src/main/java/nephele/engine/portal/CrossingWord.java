@@ -5,7 +5,8 @@ import nephele.engine.math.Hash64;
 
 /**
  * The portals between two places, in order and without any pair that goes through and back: a reduced word of the free
- * group that has the portals as letters and their partners as inverses. A value.
+ * group that has the portals as letters and their partners as inverses. {@link #then} and {@link #afterEntering} keep
+ * it reduced. A value.
  */
 public final class CrossingWord {
     public static final CrossingWord EMPTY = new CrossingWord(new int[0]);
@@ -37,7 +38,10 @@ public final class CrossingWord {
         return new CrossingWord(longer);
     }
 
-    /** Returns the word from here when the place where it begins has itself gone through {@code portal}. */
+    /**
+     * Returns the word from here when the place where it begins has itself gone through {@code portal}; shorter if that
+     * is the first one.
+     */
     public CrossingWord afterEntering(int portal, Portals portals) {
         if (entries.length > 0 && entries[0] == portal) {
             return entries.length == 1 ? EMPTY : new CrossingWord(Arrays.copyOfRange(entries, 1, entries.length));

@@ -206,7 +206,10 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
     }
 
-    /** Copies a view that was not drawn directly into its own picture; the scissor limits the copied pixels. */
+    /**
+     * Copies a view that was not drawn directly into its own picture; the scissor limits the copied pixels except with
+     * {@link PortalTechnique#COPY}.
+     */
     private void copy(RenderTarget drawn, RenderTarget own) {
         if (technique() == PortalTechnique.COPY) {
             gl.state().noScissor();

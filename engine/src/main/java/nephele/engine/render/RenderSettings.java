@@ -16,7 +16,7 @@ public record RenderSettings(
         Narrowing narrowing,
         Decoration decoration,
         Deepest deepest,
-        CharacterPresence figure) {
+        CharacterPresence character) {
     /** The method of culling solids outside a view; pictures do not differ. */
     public enum Culling {
         /** Draws everything. */
@@ -57,9 +57,9 @@ public record RenderSettings(
 
     /** The content of the openings beyond the view budget. */
     public enum Deepest {
-        /** The previous picture; without one, a membrane before the wall of the opening. */
+        /** The previous picture; without one, the sky of the view behind the opening and a membrane over it. */
         HISTORY,
-        /** A colour that nothing else has, see {@code Renderer.MARK}. */
+        /** A colour that nothing else has, see {@code NestedViews.MARK}. */
         MARK
     }
 
@@ -89,25 +89,25 @@ public record RenderSettings(
     }
 
     public RenderSettings with(Quality newQuality) {
-        return new RenderSettings(output, newQuality, culling, narrowing, decoration, deepest, figure);
+        return new RenderSettings(output, newQuality, culling, narrowing, decoration, deepest, character);
     }
 
     public RenderSettings with(Culling newCulling) {
-        return new RenderSettings(output, quality, newCulling, narrowing, decoration, deepest, figure);
+        return new RenderSettings(output, quality, newCulling, narrowing, decoration, deepest, character);
     }
 
     public RenderSettings with(Narrowing newNarrowing) {
-        return new RenderSettings(output, quality, culling, newNarrowing, decoration, deepest, figure);
+        return new RenderSettings(output, quality, culling, newNarrowing, decoration, deepest, character);
     }
 
     /** Returns these settings with another decoration. */
     public RenderSettings with(Decoration newDecoration) {
-        return new RenderSettings(output, quality, culling, narrowing, newDecoration, deepest, figure);
+        return new RenderSettings(output, quality, culling, narrowing, newDecoration, deepest, character);
     }
 
     /** Returns these settings with another content of openings beyond the view budget. */
     public RenderSettings with(Deepest newDeepest) {
-        return new RenderSettings(output, quality, culling, narrowing, decoration, newDeepest, figure);
+        return new RenderSettings(output, quality, culling, narrowing, decoration, newDeepest, character);
     }
 
     /** Returns these settings with another presence of the player's character. */

@@ -53,7 +53,7 @@ public final class Renderer implements AutoCloseable {
         this.settings = settings;
         this.features = features;
         FrameRequest request = FrameRequest.of(
-                scene.level(), scene.statics(), settings.output(), settings.quality(), settings.figure());
+                scene.level(), scene.statics(), settings.output(), settings.quality(), settings.character());
         this.shared = new SharedResources(gl, scene, request);
         this.environment = shared.surroundings();
         this.linear = new LinearTarget(gl);

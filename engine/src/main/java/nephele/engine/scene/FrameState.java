@@ -32,7 +32,7 @@ public final class FrameState {
     private Portals portals;
     private double[] openness;
     private int[] colours;
-    private Posture figure;
+    private Posture character;
     private List<PortalPreview> previews = List.of();
     private int held = NOTHING;
     private Vec3 heldFromEye = Vec3.ZERO;
@@ -141,12 +141,12 @@ public final class FrameState {
     }
 
     /** Returns the posture of the player's character, {@code null} if no character is drawn. */
-    public Posture figure() {
-        return figure;
+    public Posture character() {
+        return character;
     }
 
-    public void figure(Posture now) {
-        figure = now;
+    public void character(Posture now) {
+        character = now;
     }
 
     /** Returns the body that its holder's eye sees, or {@link #NOTHING}; it is drawn transparent. */

@@ -16,7 +16,7 @@ import nephele.engine.sim.state.SimState;
 import org.joml.Vector3d;
 
 /**
- * Applies the enabled {@link nephele.engine.sim.state.Assist}s. They depend on the state and the input alone, so replays with assists repeat as
+ * Applies the enabled {@link Assist}s. They depend on the state and the input alone, so replays with assists repeat as
  * exactly as those without.
  */
 public final class Assists {

@@ -117,7 +117,7 @@ final class EditContinuation {
     }
 
     /**
-     * Returns the holding with the new portal indices, or {@link nephele.engine.sim.state.HeldBody#NOTHING} if one of its portals is now gone or
+     * Returns the holding with the new portal indices, or {@link HeldBody#NOTHING} if one of its portals is now gone or
      * closed.
      */
     private static HeldBody held(HeldBody holding, Portals before, Portals after) {

@@ -15,7 +15,7 @@ import nephele.engine.portal.placement.FixedPortalRules;
  * All rules that {@code check} applies to a level: the rules of its records, then those of the world built from them.
  */
 public final class WorldRules {
-    /** The rules of the placed world, in the order in which their problems are reported. */
+    /** The rules of the placed world, in the order in which their problems are reported; skipped without bodies and portals. */
     public static final List<PlacedRule> PLACED = List.of(StartRules.FREE, FixedPortalRules.SEEN);
 
     private WorldRules() {}
@@ -45,8 +45,9 @@ public final class WorldRules {
     }
 
     /**
-     * Returns the errors that every command reports when it opens a level: all but those of pictures and meshes, which
-     * are reported when these are read.
+     * Returns the errors that every command reports when it opens a level: those of the records' structure and of
+     * bodies that do not start free. Errors of pictures and meshes are reported when these are read; the other rules
+     * are left to {@link #check}.
      *
      * @param statics the level's static shapes; requested only if the starts of bodies have to be checked
      */

@@ -31,7 +31,7 @@ class CoursePicturesGlTest {
     private static final int TITLE_ROWS = 31;
 
     /** Size of the window's round corners, which cover the picture. */
-    private static final int CORNER = 8;
+    private static final int CORNER_PIXELS = 8;
 
     private static final SceneAppearance WIREFRAME =
             SceneAppearance.USUAL.with(Shading.WIREFRAME).with(SceneAppearance.Axes.SHOWN);
@@ -113,7 +113,7 @@ class CoursePicturesGlTest {
 
     private static boolean isCorner(int i, int rows) {
         int x = i % SIZE;
-        return i / SIZE >= rows - CORNER && (x < CORNER || x >= SIZE - CORNER);
+        return i / SIZE >= rows - CORNER_PIXELS && (x < CORNER_PIXELS || x >= SIZE - CORNER_PIXELS);
     }
 
     private static boolean hasNeighbour(int[] picture, int at, IntPredicate wanted) {

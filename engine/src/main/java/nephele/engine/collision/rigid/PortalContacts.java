@@ -16,7 +16,8 @@ import org.joml.Vector3d;
 
 /**
  * The portals on which each shape is active in a tick, and the images with which others collide: the active shape
- * mapped through the portal into the space in front of the partner. Reused.
+ * mapped through the portal into the space in front of the partner. It concerns contacts between bodies only; for
+ * contacts with walls the solids themselves are cut, {@link PortalWorld#openedFor}. Reused.
  */
 final class PortalContacts {
     private final Poses poses;

@@ -5,14 +5,14 @@ import nephele.engine.collision.rigid.body.Bodies;
 import nephele.engine.collision.rigid.body.BodyPortalState;
 import nephele.engine.portal.Portals;
 
-/** The mutable bodies of one tick, from which the next {@link nephele.engine.collision.rigid.body.Bodies} are made. */
+/** The mutable bodies of one tick, from which the next {@link Bodies} are made. */
 final class TickBodies {
     double[] motion = new double[0];
     float[] rest = new float[0];
     int count;
     /** Masks of the portals on which each body is active; {@code null} without portals. */
     long[] active;
-    /** The crossings, in the layout of {@link nephele.engine.collision.rigid.body.BodyPortalState}; {@code null} while there are none. */
+    /** The crossings, in the layout of {@link BodyPortalState}; {@code null} while there are none. */
     private byte[] entered;
     /** Number of portals that each body had gone through before this part of the tick. */
     private int[] enteredBefore = new int[0];

@@ -2,10 +2,10 @@ package nephele.engine.level.json;
 
 import java.util.Locale;
 import nephele.engine.asset.AssetId;
-import nephele.engine.level.TextRule;
+import nephele.engine.level.TextKind;
 
 /** The format of text, by its kind. */
-record TextFormat(TextRule rule, String fallback) implements ValueFormat {
+record TextFormat(TextKind kind, String fallback) implements ValueFormat {
     /** Letters without a glyph (Hangul fillers) and the empty Braille pattern. */
     private static final String BLANK_LETTERS = "\u115f\u1160\u3164\uffa0\u2800";
 
@@ -19,30 +19,30 @@ record TextFormat(TextRule rule, String fallback) implements ValueFormat {
     }
 
     private String objection(String text) {
-        if (text.length() < rule.shortest() || text.length() > rule.longest()) {
-            return "a text of " + rule.shortest() + " to " + rule.longest() + " characters is wanted, this one has "
+        if (text.length() < kind.shortest() || text.length() > kind.longest()) {
+            return "a text of " + kind.shortest() + " to " + kind.longest() + " characters is wanted, this one has "
                     + text.length();
         }
-        if (rule == TextRule.ASSET) {
+        if (kind == TextKind.ASSET) {
             return AssetId.rejectionReason(text);
         }
-        if (rule == TextRule.SHA256) {
+        if (kind == TextKind.SHA256) {
             return text.matches("[0-9a-fA-F]*") ? null : "64 hexadecimal digits are wanted";
         }
         for (int i = 0; i < text.length(); i++) {
             char c = text.charAt(i);
-            if (rule == TextRule.ID && isInvisible(c)) {
+            if (kind == TextKind.ID && isInvisible(c)) {
                 return String.format(
                         Locale.ROOT,
                         "an id holds no invisible characters, this one has U+%04X at position %d",
                         (int) c,
                         i);
             }
-            if (Character.isISOControl(c) && !(rule == TextRule.PROSE && (c == '\n' || c == '\t'))) {
+            if (Character.isISOControl(c) && !(kind == TextKind.PROSE && (c == '\n' || c == '\t'))) {
                 return "the text holds a control character at position " + i;
             }
         }
-        return rule == TextRule.ID && isBlank(text) ? "an id needs a character that can be seen" : null;
+        return kind == TextKind.ID && isBlank(text) ? "an id needs a character that can be seen" : null;
     }
 
     @Override
@@ -54,9 +54,9 @@ record TextFormat(TextRule rule, String fallback) implements ValueFormat {
     public JsonValue.Members schema(SchemaDefinitions definitions) {
         var schema = new JsonValue.Members()
                 .with("type", new JsonValue.Text("string"))
-                .with("minLength", new JsonValue.Number(rule.shortest()))
-                .with("maxLength", new JsonValue.Number(rule.longest()));
-        return switch (rule) {
+                .with("minLength", new JsonValue.Number(kind.shortest()))
+                .with("maxLength", new JsonValue.Number(kind.longest()));
+        return switch (kind) {
             case ASSET -> schema.with("pattern", new JsonValue.Text("^[A-Za-z0-9._][A-Za-z0-9._/-]*$"));
             case ID -> schema.with("pattern", new JsonValue.Text("\\S"));
             case SHA256 -> schema.with("pattern", new JsonValue.Text("^[0-9a-fA-F]{64}$"));

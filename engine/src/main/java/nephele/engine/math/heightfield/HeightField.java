@@ -236,7 +236,7 @@ public final class HeightField {
 
     /**
      * Returns the distance in metres by which a ray may miss a triangle and still hit it due to rounding. The signed
-     * volumes of {@link nephele.engine.math.RayTriangleIntersection} are products of up to three coordinates relative to the ray's origin: for
+     * volumes of {@link RayTriangleIntersection} are products of up to three coordinates relative to the ray's origin: for
      * coordinates up to L and edges of at least one cell c, their zero is off by a few ε L² / c, ε = 2⁻⁵³.
      */
     private double rounding(Ray ray) {

@@ -15,7 +15,7 @@ public final class ModelFiles {
      *
      * @param file its name, which decides the format: .3d, .obj, .gltf or .glb
      * @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none
-     * @throws nephele.engine.model.ModelFileException if the file is malformed, too large or of unknown format
+     * @throws ModelFileException if the file is malformed, too large or of unknown format
      */
     public static Mesh read(String file, byte[] bytes, Function<String, byte[]> neighbour) {
         String name = file.toLowerCase(Locale.ROOT);

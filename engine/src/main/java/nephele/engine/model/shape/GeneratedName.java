@@ -24,7 +24,7 @@ public final class GeneratedName {
      *
      * @param neighbour returns the bytes of a file in the same folder, {@code null} if there is none; a teapot.patch
      *     there overrides the one that ships
-     * @throws nephele.engine.model.ModelFileException if the name has the generator's form but invalid numbers
+     * @throws ModelFileException if the name has the generator's form but invalid numbers
      */
     public static Optional<Shape> shape(String fileName, Function<String, byte[]> neighbour) {
         Matcher matcher = NAME.matcher(fileName);

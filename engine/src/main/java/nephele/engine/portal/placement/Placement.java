@@ -12,8 +12,10 @@ import nephele.engine.portal.Portal;
 
 /**
  * Decides where a shot's portal goes: on the first surface hit, at the legal place nearest to the aimed point. A place
- * is legal if the whole aperture is in the surface's region and overlaps no other portal. One object serves one gun and
- * fixed surfaces for any number of queries; the answer depends only on the query. One for each thread.
+ * is legal if the whole aperture is in the surface's region and overlaps no other portal. {@link ForbiddenCentres} holds
+ * the obstacles (the region's outline, what bars it, other portals), grown by the reflected aperture; {@link
+ * NearestPoint} picks the nearest centre outside all of them. One object serves one gun and fixed surfaces for any
+ * number of queries; the answer depends only on the query. One for each thread.
  */
 public final class Placement {
     /** Least cosine of incidence; a flatter ray would hit the fitted plane at a place decided by rounding. */
@@ -72,7 +74,7 @@ public final class Placement {
         if (region == null) {
             return new PlacementResult.Refused(Refusal.NOT_PORTALABLE, where);
         }
-        return onRegion(id, region, onPlane(region.frame(), ray, where), aim.view(), others);
+        return fitOnRegion(id, region, onPlane(region.frame(), ray, where), aim.view(), others);
     }
 
     /** Returns true if a shot straight at a portal's centre would place it where it is, among the current surfaces. */
@@ -103,7 +105,7 @@ public final class Placement {
         return hit.addScaled(-back, direction);
     }
 
-    private PlacementResult onRegion(String id, Region region, Vec3 where, Basis view, List<Portal> others) {
+    private PlacementResult fitOnRegion(String id, Region region, Vec3 where, Basis view, List<Portal> others) {
         PlaneFrame frame = region.frame();
         double x = frame.x(where);
         double y = frame.y(where);
@@ -114,9 +116,9 @@ public final class Placement {
         double upX = frame.xOf(up);
         double upY = frame.yOf(up);
         ReflectedAperture turned = new ReflectedAperture(gun.aperture(), upX, upY);
-        forbid(region, turned, x, y, gun.slideMetres());
+        collectObstacles(region, turned, x, y, gun.slideMetres());
         for (Portal other : others) {
-            forbid(frame, other);
+            addObstacle(frame, other);
         }
         if (nearest.find(region, x, y, gun.slideMetres())) {
             Basis axes = new Basis(frame.worldDirection(upY, -upX), up, frame.normal());
@@ -128,7 +130,7 @@ public final class Placement {
 
     private Refusal refusal(Region region, ReflectedAperture turned, double x, double y, boolean maybeOthers) {
         if (maybeOthers) {
-            forbid(region, turned, x, y, gun.slideMetres());
+            collectObstacles(region, turned, x, y, gun.slideMetres());
             if (nearest.find(region, x, y, gun.slideMetres())) {
                 return Refusal.OVERLAPS_OTHER;
             }
@@ -138,7 +140,7 @@ public final class Placement {
         double reach = gun.slideMetres();
         while (reach < farthest) {
             reach = small ? farthest : Math.min(WIDEN * reach, farthest);
-            forbid(region, turned, x, y, reach);
+            collectObstacles(region, turned, x, y, reach);
             if (forbidden.polygons() > MOST_LIMITS || nearest.find(region, x, y, reach)) {
                 return Refusal.EDGE;
             }
@@ -153,7 +155,7 @@ public final class Placement {
     }
 
     /** Collects all obstacles that matter for centres within {@code metres} of a point. */
-    private void forbid(Region region, ReflectedAperture turned, double x, double y, double metres) {
+    private void collectObstacles(Region region, ReflectedAperture turned, double x, double y, double metres) {
         forbidden.begin(turned);
         double reachX = metres + turned.reachX();
         double reachY = metres + turned.reachY();
@@ -173,7 +175,7 @@ public final class Placement {
     }
 
     /** Adds another portal, if it is in the same plane and faces the same direction. */
-    private void forbid(PlaneFrame frame, Portal other) {
+    private void addObstacle(PlaneFrame frame, Portal other) {
         if (frame.normal().dot(other.normal()) < Tolerance.COPLANAR_COSINE
                 || Math.abs(frame.height(other.centre())) > Tolerance.COPLANAR) {
             return;

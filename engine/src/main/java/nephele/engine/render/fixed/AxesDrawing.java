@@ -18,7 +18,7 @@ import nephele.engine.render.gl.shader.Uniforms.Vector3;
 /** Draws the world's axes, with the depth test. They span the picture from any eye position. */
 final class AxesDrawing implements AutoCloseable {
     /** Length of each half, as in the pictures of the course that the scenes come from. */
-    private static final float LEAST_LENGTH = 100;
+    private static final float LEAST_LENGTH_UNITS = 100;
 
     private static final float LENGTH_PER_DISTANCE = 5;
 
@@ -60,7 +60,7 @@ final class AxesDrawing implements AutoCloseable {
         inputs.eye().set(eye.x(), eye.y(), eye.z());
         double distance =
                 Math.sqrt((double) eye.x() * eye.x() + (double) eye.y() * eye.y() + (double) eye.z() * eye.z());
-        inputs.length().set(Math.max(LEAST_LENGTH, LENGTH_PER_DISTANCE * (float) distance));
+        inputs.length().set(Math.max(LEAST_LENGTH_UNITS, LENGTH_PER_DISTANCE * (float) distance));
         inputs.clipFromRelative().set(eye.clipFromRelative());
         program.use();
         lines.draw();

@@ -32,8 +32,9 @@ public final class FixedSceneDrawing implements AutoCloseable {
     public record Source(XmlScene scene, SceneFiles files) {}
 
     /**
-     * The sources of a drawing. @param entity {@code null} for none
+     * The sources of a drawing.
      *
+     * @param entity {@code null} for none
      * @param background {@code null} for none
      */
     public record Sources(Source scene, Source entity, Picture background) {}

@@ -23,11 +23,11 @@ final class LightTable {
         return packed;
     }
 
-    /** @param before the next light of the chain, −1 for its end */
-    void put(int number, XmlLight light, Matrix4dc worldFromLight, int before) {
+    /** @param next the next light of the chain, −1 for its end */
+    void put(int number, XmlLight light, Matrix4dc worldFromLight, int next) {
         int at = FLOATS * number;
         packed[at + 7] = ALL_AROUND;
-        packed[at + 9] = before;
+        packed[at + 9] = next;
         if (light instanceof XmlLight.Directional directional) {
             direction(at, directional.towards(), worldFromLight);
             packed[at + 3] = 0;

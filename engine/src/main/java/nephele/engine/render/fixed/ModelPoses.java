@@ -28,7 +28,7 @@ final class ModelPoses implements AutoCloseable {
     private static final double ROUNDING = 0x1p-21;
 
     /** Distance beyond which a float's square is infinite; nothing there is visible. */
-    private static final double FARTHEST = 1e18;
+    private static final double FARTHEST_UNITS = 1e18;
 
     private final PosedScene posed;
     private final ModelOrder order;
@@ -90,7 +90,7 @@ final class ModelPoses implements AutoCloseable {
 
     boolean maySee(int number, Frustum frustum) {
         double reach = Math.abs(spheres.x(number)) + Math.abs(spheres.y(number)) + Math.abs(spheres.z(number));
-        return reach + spheres.radius(number) < FARTHEST && spheres.maySee(number, frustum);
+        return reach + spheres.radius(number) < FARTHEST_UNITS && spheres.maySee(number, frustum);
     }
 
     void bindStaying() {

@@ -68,7 +68,7 @@ public final class FrameContext {
         return picture;
     }
 
-    /** Returns the solids that the view may see; {@code null} in a scene without solids. */
+    /** Returns the solids that the view may see; {@code null} in a scene without solids, or if only the sky is drawn. */
     public VisibleSet visible() {
         return visible;
     }

@@ -9,17 +9,18 @@ import nephele.engine.scene.dynamic.CharacterPresence;
  * The request that a renderer's frames fulfil: everything on which the choice of passes depends.
  *
  * @param lightMaps textures with which the level is lit
- * @param figure whether the player's character, and what it holds, can appear
+ * @param character whether the player's character, and what it holds, can appear
  */
-public record FrameRequest(Level level, LightMaps lightMaps, Output output, Quality quality, CharacterPresence figure) {
+public record FrameRequest(
+        Level level, LightMaps lightMaps, Output output, Quality quality, CharacterPresence character) {
     /**
      * Returns a request.
      *
      * @param statics the shapes that follow from the level
      */
     public static FrameRequest of(
-            Level level, StaticShapes statics, Output output, Quality quality, CharacterPresence figure) {
-        return new FrameRequest(level, LightMaps.of(level, statics, figure), output, quality, figure);
+            Level level, StaticShapes statics, Output output, Quality quality, CharacterPresence character) {
+        return new FrameRequest(level, LightMaps.of(level, statics, character), output, quality, character);
     }
 
     /** Returns a request with quality HIGH and without a character. */
@@ -32,6 +33,6 @@ public record FrameRequest(Level level, LightMaps lightMaps, Output output, Qual
     }
 
     public boolean mayShowCharacter() {
-        return figure == CharacterPresence.POSSIBLE;
+        return character == CharacterPresence.POSSIBLE;
     }
 }

@@ -96,7 +96,7 @@ public final class SharedResources implements GlObject {
     }
 
     /**
-     * Returns the block of {@code frame.glsl}, bound at {@link nephele.engine.render.resource.FrameUniforms#BINDING}.
+     * Returns the block of {@code frame.glsl}, bound at {@link FrameUniforms#BINDING}.
      */
     public FrameUniforms frameUniforms() {
         if (frameUniforms == null) {
@@ -145,7 +145,7 @@ public final class SharedResources implements GlObject {
     /** Returns the dynamic objects on the GPU. */
     public DynamicMeshes dynamicObjects() {
         if (dynamicObjects == null) {
-            DynamicObjects all = DynamicObjects.of(scene.level(), scene.materials(), request.figure());
+            DynamicObjects all = DynamicObjects.of(scene.level(), scene.materials(), request.character());
             SkyProbes sky = LightRequirements.skyShines(scene.level()) ? new SkyProbes(scene.statics()) : null;
             dynamicObjects = own(new DynamicMeshes(gl, all, surfaceLight().anchor(), sky));
         }

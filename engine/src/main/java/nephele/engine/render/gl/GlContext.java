@@ -113,7 +113,7 @@ public final class GlContext implements AutoCloseable {
      * Throws if OpenGL has recorded an error since the last call.
      *
      * @param doing the activity, for the message
-     * @throws nephele.engine.render.gl.shader.GlException that names {@code doing}
+     * @throws GlException that names {@code doing}
      */
     public void requireNoError(String doing) {
         int error = glGetError();

@@ -10,7 +10,7 @@ import nephele.engine.render.gl.shader.Uniforms;
  * holds no data of a level: every draw sets all uniforms first, except samplers and blocks, which are bound to fixed
  * places by name.
  *
- * @param <U> its uniforms, a record made from {@link nephele.engine.render.gl.shader.Uniforms}
+ * @param <U> its uniforms, a record made from {@link Uniforms}
  */
 public final class GlProgram<U> {
     private final GlContext gl;

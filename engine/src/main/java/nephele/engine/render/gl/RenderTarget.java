@@ -186,8 +186,8 @@ public final class RenderTarget implements GlObject {
     }
 
     /**
-     * Returns the colours for a later pass to sample; {@code null} for the window, multisampled targets and depth
-     * alone.
+     * Returns the colours for a later pass to sample; {@code null} for the window, multisampled targets, layers
+     * and depth alone.
      */
     public Texture colour() {
         return colour;

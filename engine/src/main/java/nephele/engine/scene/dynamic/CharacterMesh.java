@@ -50,15 +50,15 @@ final class CharacterMesh {
      */
     static Range[] add(Builder mesh, int fineness) {
         int first = mesh.indexCount();
-        CharacterMesh figure = new CharacterMesh(mesh, fineness);
+        CharacterMesh character = new CharacterMesh(mesh, fineness);
         for (CharacterPart each : CharacterPart.ALL) {
             if (each == CharacterPart.HEAD) {
                 break;
             }
-            figure.add(each);
+            character.add(each);
         }
         Range headless = mesh.since(first);
-        figure.add(CharacterPart.HEAD);
+        character.add(CharacterPart.HEAD);
         return new Range[] {mesh.since(first), headless};
     }
 

@@ -15,7 +15,7 @@ final class DynamicChanges {
     private final Vector3d centre = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
     private Portals portals;
-    private Posture figure;
+    private Posture character;
     private double seconds;
 
     DynamicChanges(int bodies) {
@@ -45,9 +45,9 @@ final class DynamicChanges {
     }
 
     private boolean isCharacterNew(FrameState frameState) {
-        boolean isNew = frameState.figure() != null && seconds != frameState.seconds()
-                || !Objects.equals(frameState.figure(), figure);
-        figure = frameState.figure();
+        boolean isNew = frameState.character() != null && seconds != frameState.seconds()
+                || !Objects.equals(frameState.character(), character);
+        character = frameState.character();
         seconds = frameState.seconds();
         return isNew;
     }

@@ -112,11 +112,11 @@ public final class DynamicInstances {
     }
 
     private void addCharacter(FrameState frameState) {
-        if (frameState.figure() == null) {
+        if (frameState.character() == null) {
             return;
         }
-        pose.compute(frameState.figure(), frameState.seconds());
-        Vec3 middle = frameState.figure().centre();
+        pose.compute(frameState.character(), frameState.seconds());
+        Vec3 middle = frameState.character().centre();
         anchorOfCharacter.set(middle.x(), middle.y(), middle.z());
         places.begin(CharacterPart.ALL.length);
         for (CharacterPart part : CharacterPart.ALL) {

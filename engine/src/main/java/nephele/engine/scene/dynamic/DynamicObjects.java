@@ -41,7 +41,7 @@ public record DynamicObjects(
 
     private record Key(boolean round, SolidBatch.Kind kind) {}
 
-    public static DynamicObjects of(Level level, SceneMaterials known, CharacterPresence figure) {
+    public static DynamicObjects of(Level level, SceneMaterials known, CharacterPresence character) {
         Builder mesh = new Builder();
         Range[] box = {BodyMeshes.box(mesh)};
         Range[] round = BodyMeshes.round(mesh);
@@ -67,7 +67,7 @@ public record DynamicObjects(
             members.add(bodies.stream().mapToInt(i -> i).toArray());
         });
         List<Surface> materials = new ArrayList<>(known.surfaces());
-        if (figure == CharacterPresence.POSSIBLE) {
+        if (character == CharacterPresence.POSSIBLE) {
             members.add(new int[] {FIGURE});
             groups.add(characterGroup(mesh, materials));
         }

@@ -10,7 +10,7 @@ public final class BakedSky {
     private BakedSky() {}
 
     /**
-     * Reads the visibility if it was baked before, otherwise bakes and stores it ({@link nephele.engine.scene.light.bake.SkyVisibilityCache}). May run
+     * Reads the visibility if it was baked before, otherwise bakes and stores it ({@link SkyVisibilityCache}). May run
      * on a thread of its own while the level is edited; {@link nephele.engine.scene.Scene#edited} accepts the result
      * then.
      *

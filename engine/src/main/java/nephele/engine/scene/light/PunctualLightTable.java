@@ -43,7 +43,7 @@ public record PunctualLightTable(
         if (!LightRequirements.lights(level)) {
             return null;
         }
-        List<PunctualLight> lights = lamps(level.lights());
+        List<PunctualLight> lights = punctual(level.lights());
         if (before == null) {
             return of(lights, statics.bounds(), statics, null);
         }
@@ -56,10 +56,10 @@ public record PunctualLightTable(
      * @param bounds of the surfaces to light
      */
     static PunctualLightTable of(List<Light> lights, Aabb bounds, StaticShapes statics) {
-        return of(lamps(lights), bounds, statics, null);
+        return of(punctual(lights), bounds, statics, null);
     }
 
-    private static List<PunctualLight> lamps(List<Light> lights) {
+    private static List<PunctualLight> punctual(List<Light> lights) {
         return lights.stream()
                 .flatMap(light -> PunctualLight.of(light).stream())
                 .toList();

@@ -3,7 +3,7 @@ package nephele.engine.sim.replay;
 import java.util.List;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
-import nephele.engine.level.TextRule;
+import nephele.engine.level.TextKind;
 import nephele.engine.level.Written;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.json.LevelJson;
@@ -27,7 +27,7 @@ import nephele.engine.sim.state.SimState;
 public record Replay(
         @Written(required = true) String level,
         @Written String levelName,
-        @Written(text = TextRule.SHA256) String levelSha256,
+        @Written(text = TextKind.SHA256) String levelSha256,
         @Written(absent = "120", min = SimSettings.LEAST_TICKS_PER_SECOND, max = SimSettings.MOST_TICKS_PER_SECOND)
                 int ticksPerSecond,
         @Written List<Assist> assists,

@@ -166,28 +166,28 @@ class DynamicGlTest {
     void theHeadIsNotSeenFromWithin() {
         Level level =
                 white().box("white", new Vec3(0, -0.5, 0), new Vec3(20, 1, 20)).level();
-        Posture figure = new Posture(new Vec3(0, 0.9, 0), new Vec3(0, 1, 0), 0, 0, 1.8, 0, 0, 0, 0, 0);
+        Posture character = new Posture(new Vec3(0, 0.9, 0), new Vec3(0, 1, 0), 0, 0, 1.8, 0, 0, 0, 0, 0);
         RenderSettings played = settings(Output.DIRECT).with(CharacterPresence.POSSIBLE);
         try (Offscreen offscreen = new Offscreen(WIDTH, HEIGHT);
                 Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
             View within = offscreen.view(new Vec3(0, 1.65, 0), new Vec3(0, 1.65, -1));
             View before = offscreen.view(new Vec3(0, 1.65, -1), new Vec3(0, 1.65, 0));
             int[] alone = with(renderer, offscreen, within, level, null);
-            assertArrayEquals(alone, with(renderer, offscreen, within, level, figure));
+            assertArrayEquals(alone, with(renderer, offscreen, within, level, character));
             int[] empty = with(renderer, offscreen, before, level, null);
-            int[] seen = with(renderer, offscreen, before, level, figure);
+            int[] seen = with(renderer, offscreen, before, level, character);
             int middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
             View backwards = offscreen.view(new Vec3(0, 1.65, 0.2), new Vec3(0, 1.65, -1));
             int[] bare = with(renderer, offscreen, backwards, level, null);
             assertEquals(
-                    bare[middle], with(renderer, offscreen, backwards, level, figure)[middle], "the helmet's back");
+                    bare[middle], with(renderer, offscreen, backwards, level, character)[middle], "the helmet's back");
             assertNotEquals(empty[middle], seen[middle], "the visor");
         }
     }
 
-    private static int[] with(Renderer renderer, Offscreen offscreen, View view, Level level, Posture figure) {
+    private static int[] with(Renderer renderer, Offscreen offscreen, View view, Level level, Posture character) {
         FrameState frameState = FrameState.atStart(level);
-        frameState.figure(figure);
+        frameState.character(character);
         renderer.draw(view, frameState, offscreen.picture);
         return offscreen.pixels();
     }

@@ -24,7 +24,7 @@ class GrazingSunGlTest {
     private static final int SIZE = 24;
     private static final double AMBIENT = 0.05;
     /** Sine of the sun's elevation over the face. */
-    private static final double HEIGHT = 0.05;
+    private static final double ELEVATION_SINE = 0.05;
 
     private static final Vec3 SIDES = new Vec3(2, 2, 2);
 
@@ -73,11 +73,14 @@ class GrazingSunGlTest {
     /** Returns a direction just above the face, 22.5° from one of its edges; for opposite faces from opposite sides. */
     private static Vec3 sun(int face) {
         double angle = Math.PI / 8 + face % 2 * Math.PI;
-        double level = Math.sqrt(1 - HEIGHT * HEIGHT);
+        double level = Math.sqrt(1 - ELEVATION_SINE * ELEVATION_SINE);
         Vec3 n = normal(face);
         Vec3 a = axis((face / 2 + 1) % 3, level * Math.cos(angle));
         Vec3 b = axis((face / 2 + 2) % 3, level * Math.sin(angle));
-        return new Vec3(HEIGHT * n.x() + a.x() + b.x(), HEIGHT * n.y() + a.y() + b.y(), HEIGHT * n.z() + a.z() + b.z());
+        return new Vec3(
+                ELEVATION_SINE * n.x() + a.x() + b.x(),
+                ELEVATION_SINE * n.y() + a.y() + b.y(),
+                ELEVATION_SINE * n.z() + a.z() + b.z());
     }
 
     private static void assertLit(Offscreen offscreen, Level level, int face, Vec3 sun) {
@@ -92,7 +95,10 @@ class GrazingSunGlTest {
             for (int i = 0; i < rgb.length; i += 3) {
                 int pixel = i / 3;
                 assertEquals(
-                        AMBIENT + HEIGHT, rgb[i], 1e-3, () -> "pixel " + pixel + " of face " + face + ", sun " + sun);
+                        AMBIENT + ELEVATION_SINE,
+                        rgb[i],
+                        1e-3,
+                        () -> "pixel " + pixel + " of face " + face + ", sun " + sun);
             }
         }
     }

@@ -17,7 +17,7 @@ final class FontAtlas {
     /** Free texels around a letter: the range of the field, so that adjacent letters never mix. */
     static final int MARGIN_TEXELS = 6;
 
-    /** Side of a block of texels that are fully inside; fills panels. */
+    /** Side of a square block of texels that are fully inside; fills panels. */
     static final int SOLID_TEXELS = 4;
 
     private static final double LOWEST_HUNDREDTHS = -26;

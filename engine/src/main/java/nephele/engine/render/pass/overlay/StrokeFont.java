@@ -14,7 +14,7 @@ final class StrokeFont {
     static final double SPACING_HUNDREDTHS = 19.5;
     static final double SPACE_EM = 0.29;
     static final double CAPITAL_HEIGHT_HUNDREDTHS = 70;
-    private static final double MARK_LIFT_OVER_CAPITALS = 20;
+    private static final double MARK_LIFT_OVER_CAPITALS_HUNDREDTHS = 20;
 
     private final Map<Integer, Glyph> glyphs = new LinkedHashMap<>();
 
@@ -67,6 +67,6 @@ final class StrokeFont {
         var mark = glyphs.get(baseAndMark.codePointAt(baseAndMark.indexOf('+') + 1));
         boolean below = mark.codePoint() == '¸';
         boolean lifted = Character.isUpperCase(base.codePoint()) && !below;
-        return base.with(mark, codePoint, lifted ? MARK_LIFT_OVER_CAPITALS : 0);
+        return base.with(mark, codePoint, lifted ? MARK_LIFT_OVER_CAPITALS_HUNDREDTHS : 0);
     }
 }

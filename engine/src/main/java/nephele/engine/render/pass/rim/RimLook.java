@@ -35,7 +35,7 @@ final class RimLook {
     double opacity;
 
     double seconds;
-    /** 0 and 1 for the shots, 2 for portals of the level. */
+    /** 0 and 1 for the shots, 2 for portals and mirrors of the level. */
     int kind;
 
     int cells;

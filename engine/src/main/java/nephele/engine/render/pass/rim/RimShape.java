@@ -26,7 +26,7 @@ final class RimShape implements AutoCloseable {
     private static final double[] GLOW = {0.1, 0.002, REACH_METRES, 0.002};
     private static final double MEMBRANE_METRES = 0.003;
     /** Greatest length of a mitre at a corner, in widths of the band. */
-    private static final double LONGEST_MITRE = 1.6;
+    private static final double LONGEST_MITRE_BANDS = 1.6;
 
     private static final double CELL_METRES = 0.21;
     private static final VertexFormat FORMAT = VertexFormat.of(Attribute.FLOAT4, Attribute.FLOAT4);
@@ -100,7 +100,7 @@ final class RimShape implements AutoCloseable {
         double x = aperture.edgeNormalX(corner) + aperture.edgeNormalX(before);
         double y = aperture.edgeNormalY(corner) + aperture.edgeNormalY(before);
         double square = x * x + y * y;
-        double longer = Math.min(2 / square, LONGEST_MITRE / Math.sqrt(square));
+        double longer = Math.min(2 / square, LONGEST_MITRE_BANDS / Math.sqrt(square));
         put(bytes, aperture.cornerX(corner), aperture.cornerY(corner), x * longer, y * longer);
     }
 

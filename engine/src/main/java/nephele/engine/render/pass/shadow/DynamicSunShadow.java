@@ -19,7 +19,7 @@ import org.joml.Matrix4d;
 /** The sun's depth map of dynamic objects. */
 final class DynamicSunShadow {
     /** Ratio of the static map's side length in metres to this map's. */
-    private static final int SMALLER = 4;
+    private static final int SIDE_DIVISOR = 4;
 
     private final GlContext gl;
     private final DynamicMeshes meshes;
@@ -35,7 +35,7 @@ final class DynamicSunShadow {
         this.meshes = meshes;
         shade = context.shared().surfaceLight().dynamicShadows();
         anchor = context.shared().surfaceLight().anchor();
-        int side = Math.max(256, context.quality().shadowTexels() / SMALLER);
+        int side = Math.max(256, context.quality().shadowTexels() / SIDE_DIVISOR);
         sunMap = new DynamicSunProjection(side);
         Texture.Extent extent = new Texture.Extent(side, side, 1);
         Texture map = context.own(new Texture(

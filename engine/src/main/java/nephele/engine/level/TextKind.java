@@ -3,7 +3,7 @@ package nephele.engine.level;
 import nephele.engine.asset.AssetId;
 
 /** Kinds of text in a file, with their limits of length in characters. */
-public enum TextRule {
+public enum TextKind {
     /** One line of text for readers. */
     NAME(0, 200),
     /** Several lines of text for readers. */
@@ -18,7 +18,7 @@ public enum TextRule {
     private final int shortest;
     private final int longest;
 
-    TextRule(int shortest, int longest) {
+    TextKind(int shortest, int longest) {
         this.shortest = shortest;
         this.longest = longest;
     }
