@@ -237,7 +237,7 @@ class PlacedModelsTest {
         assertTrue(thrown.getMessage().contains("gone.gltf"), thrown.getMessage());
     }
 
-    /** Of a thousand different meshes, where a level may have one, at most two are generated. */
+    /** At most two of a thousand different meshes are generated where a level may have one. */
     @Test
     void tooManyTrianglesAreNotAllMade() {
         StringBuilder models = new StringBuilder();
