@@ -88,6 +88,8 @@ public final class RoomLevel {
                 List.copyOf(portals),
                 List.of(),
                 List.copyOf(bodies),
-                gun);
+                gun,
+                List.of(),
+                Map.of());
     }
 }

@@ -20,6 +20,7 @@ public final class TestLevel {
     private final List<PortalSpec> portals = new ArrayList<>();
     private final List<Body> bodies = new ArrayList<>();
     private final List<ModelPlacement> models = new ArrayList<>();
+    private final List<Exit> exits = new ArrayList<>();
 
     /** Adds a sun without shadows. */
     public TestLevel sun(Vec3 towards, double irradiance) {
@@ -123,6 +124,11 @@ public final class TestLevel {
         return this;
     }
 
+    public TestLevel exit(Exit exit) {
+        exits.add(exit);
+        return this;
+    }
+
     public Level level() {
         Environment environment = new Environment(sun, sky, ambient, exposureStops, toneCurve, fog, List.of());
         return new Level(
@@ -137,7 +143,9 @@ public final class TestLevel {
                 List.copyOf(portals),
                 List.copyOf(models),
                 List.copyOf(bodies),
-                null);
+                null,
+                List.copyOf(exits),
+                Map.of());
     }
 
     public static Vec3 grey(double value) {

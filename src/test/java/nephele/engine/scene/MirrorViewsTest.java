@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Map;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.Stopwatch;
@@ -18,7 +19,8 @@ class MirrorViewsTest {
 
     private static FrameState nothing() {
         return FrameState.atStart(new Level(
-                "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null));
+                "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null,
+                List.of(), Map.of()));
     }
 
     /** Returns a mirror of 2 m by 2 m in a plane of constant z, facing +z or −z. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalShape;
@@ -36,7 +37,8 @@ class ViewTreeTest {
             partners.add(i ^ 1);
         }
         FrameState frameState = FrameState.atStart(new Level(
-                "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null));
+                "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null,
+                List.of(), Map.of()));
         frameState.portals(new Portals(List.of(portals), partners));
         return frameState;
     }

@@ -20,7 +20,7 @@ import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Plays a replay without graphics and prints the state's hash. */
+/** Plays a replay without graphics and prints the state's hash, and the tick in which the level ended. */
 @picocli.CommandLine.Command
 final class SimulateCommand implements Command {
     @Parameters(arity = "1", paramLabel = "LEVEL", description = "A level file.")
@@ -67,6 +67,9 @@ final class SimulateCommand implements Command {
             lines.println(TickHashes.line(last));
         }
         lines.flush();
+        if (last.world().exit().isReached()) {
+            terminal.err().println("exit " + last.world().exit().tick());
+        }
         return last;
     }
 }

@@ -35,7 +35,7 @@ public final class IdLevel {
 
     private IdLevel() {}
 
-    /** Returns the level with its surfaces in the colours of {@link #colour}, under flat light and without lights. */
+    /** Returns the level with its surfaces in the colours of {@link #colour}, under flat light, without lights and exits. */
     public static Level of(Level level) {
         var materials = new ArrayList<Material>();
         var solids = new ArrayList<Solid>();
@@ -62,7 +62,9 @@ public final class IdLevel {
             materials.add(new Material(MIRROR, ONE, null, null, null, null, Vec3.ZERO, 1, true));
         }
         var flatLight = new Environment(null, null, ONE, 0, ToneCurve.CLIP, null, List.of());
-        return level.with(flatLight, List.of()).with(materials, solids, bodies, models);
+        return level.with(flatLight, List.of())
+                .with(materials, solids, bodies, models)
+                .withExits(List.of());
     }
 
     /**

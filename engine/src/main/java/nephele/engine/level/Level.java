@@ -1,10 +1,13 @@
 package nephele.engine.level;
 
 import java.util.List;
+import java.util.Map;
 
 /**
  * A level as its author wrote it, version 1. Every section is optional in the file: an absent list is empty here, an
  * absent environment is the empty one, an absent player or portal gun is {@code null}. Contains no derived data.
+ *
+ * @param aim the task of the level in a line for the player, in each language
  */
 public record Level(
         @Written(absent = "\"\"") String name,
@@ -18,7 +21,9 @@ public record Level(
         @Written(most = 1000) List<PortalSpec> portals,
         @Written List<ModelPlacement> models,
         @Written List<Body> bodies,
-        @Written PortalGun portalGun) {
+        @Written PortalGun portalGun,
+        @Written(most = 8) List<Exit> exits,
+        @Written(text = TextKind.NAME) Map<Language, String> aim) {
     /** Returns a level with an environment and cameras and nothing else. */
     public static Level of(String name, String description, Environment environment, List<Camera> cameras) {
         return new Level(
@@ -33,7 +38,9 @@ public record Level(
                 List.of(),
                 List.of(),
                 List.of(),
-                null);
+                null,
+                List.of(),
+                Map.of());
     }
 
     /** Returns this level with other portals. */
@@ -50,7 +57,9 @@ public record Level(
                 otherPortals,
                 models,
                 bodies,
-                portalGun);
+                portalGun,
+                exits,
+                aim);
     }
 
     /** Returns this level with another environment and other lights. */
@@ -67,7 +76,9 @@ public record Level(
                 portals,
                 models,
                 bodies,
-                portalGun);
+                portalGun,
+                exits,
+                aim);
     }
 
     /** Returns this level with other materials and solids. */
@@ -98,6 +109,27 @@ public record Level(
                 portals,
                 otherModels,
                 otherBodies,
-                portalGun);
+                portalGun,
+                exits,
+                aim);
+    }
+
+    /** Returns this level with other exits. */
+    public Level withExits(List<Exit> otherExits) {
+        return new Level(
+                name,
+                description,
+                environment,
+                player,
+                cameras,
+                materials,
+                solids,
+                lights,
+                portals,
+                models,
+                bodies,
+                portalGun,
+                otherExits,
+                aim);
     }
 }

@@ -33,6 +33,7 @@ final class EyePath {
     private final Portals portals;
     private final ReflectingFaces mirrors;
     private final List<Reflected> reflected = new ArrayList<>();
+    private final List<Segment> segments = new ArrayList<>();
     private final Vector3d tint = new Vector3d();
     private final PortalCrossing crossing = new PortalCrossing();
     private final RayHit hit = new RayHit();
@@ -50,6 +51,15 @@ final class EyePath {
      * @param lost share of light that all mirrors before it transmit and that it absorbs
      */
     record Reflected(double metres, Vector3dc lost) {}
+
+    /**
+     * A straight part of the path.
+     *
+     * @param direction unit vector
+     * @param metresBefore length of the path from the eye to the origin
+     * @param tint product of the tints of the mirrors before it
+     */
+    record Segment(Vec3 origin, Vec3 direction, double metres, double metresBefore, Vector3dc tint) {}
 
     EyePath(TracedItems surfaces, Portals portals, ReflectingFaces mirrors) {
         this.surfaces = surfaces;
@@ -73,13 +83,16 @@ final class EyePath {
         metres = Double.POSITIVE_INFINITY;
         pathHash = 0;
         reflected.clear();
+        segments.clear();
         tint.set(1);
         for (int crossings = 0; crossings < MOST_CROSSINGS; crossings++) {
             ray = TracedItems.ray(origin, direction);
             double left = far - walked;
             boolean isMet = surfaces.nearest(ray, Math.max(near - walked, 0), left, likely, hit);
             double free = (isMet ? hit.distance() : left) + FLUSH_METRES / length;
-            if (!crossing.find(portals, origin, direction, STRAIGHT, free)) {
+            boolean isCrossing = crossing.find(portals, origin, direction, STRAIGHT, free);
+            addSegment(isCrossing ? crossing.seconds() : isMet ? hit.distance() : left, walked, length);
+            if (!isCrossing) {
                 if (isMet && isReflected(walked * length, length)) {
                     walked += hit.distance();
                     continue;
@@ -97,6 +110,11 @@ final class EyePath {
             transform.direction(direction);
         }
         return false;
+    }
+
+    private void addSegment(double depth, double depthBefore, double length) {
+        Vec3 unit = Vec3.of(direction).scaled(1 / length);
+        segments.add(new Segment(Vec3.of(origin), unit, depth * length, depthBefore * length, new Vector3d(tint)));
     }
 
     /** Reflects the path if it hits a mirror. */
@@ -126,6 +144,11 @@ final class EyePath {
     /** Returns the mirrors on the path in order. */
     List<Reflected> reflected() {
         return reflected;
+    }
+
+    /** Returns the straight parts of the path in order, to its end or to the far limit. */
+    List<Segment> segments() {
+        return segments;
     }
 
     /** Returns the last segment of the path; its parameter starts at the last portal or mirror. */

@@ -24,6 +24,7 @@ public final class TracedLevel {
     private final Optional<FogTransmittance> fog;
     private final Portals portals;
     private final ReflectingFaces mirrors;
+    private final ExitLight exits;
 
     private TracedLevel(
             Level level, StaticShapes statics, AssetSource assets, Portals portals, ColourDecoding decoding) {
@@ -37,6 +38,7 @@ public final class TracedLevel {
         sky = SkyRadiance.of(level.environment().sky(), id -> PictureDecoder.decode(id, assets.bytes(id)), decoding);
         fog = FogTransmittance.of(level.environment());
         light = new Illumination(level, sky);
+        exits = new ExitLight(level);
         shafts = new Shafts(rays, light.shafts());
     }
 
@@ -71,6 +73,15 @@ public final class TracedLevel {
 
     Vector3d sky(Vector3dc away) {
         return sky.map(all -> all.from(away.x(), away.y(), away.z())).orElseGet(Vector3d::new);
+    }
+
+    ExitLight exits() {
+        return exits;
+    }
+
+    /** Returns the share of light that passes the fog along a path of this length. */
+    double transmittance(double metres) {
+        return fog.map(all -> all.transmittance(metres)).orElse(1.0);
     }
 
     Vector3d throughFog(Vector3d radiance, double metres) {

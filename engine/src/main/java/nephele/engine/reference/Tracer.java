@@ -23,6 +23,12 @@ final class Tracer {
 
     /** Returns the radiance that reaches the eye along a ray, see {@link Pinhole#direction}. */
     Vector3d radiance(Vector3d direction, PixelSample sample) {
+        Vector3d radiance = fromSurface(direction, sample);
+        level.exits().addTo(radiance, path, level);
+        return radiance;
+    }
+
+    private Vector3d fromSurface(Vector3d direction, PixelSample sample) {
         if (path.trace(from, direction, eye.nearMetres(), eye.farMetres())) {
             Vec3 place = path.ray().at(path.end());
             Vector3d toEye = new Vector3d(path.direction()).normalize(-1);

@@ -69,7 +69,9 @@ final class PassOrder {
         List<Pass> all = passes(entry ->
                 entry.feature.stage() == Stage.IN_VIEWS || entry.feature.stage() == Stage.IN_VIEWS_AFTER_OPAQUE);
         List<Pass> skies = passes(entry -> entry.feature.role() == Role.SKY);
-        return new ViewPasses(all, skies, begin(Stage.IN_VIEWS_AFTER_OPAQUE) - first);
+        List<Pass> readers = passes(
+                entry -> entry.feature.stage() == Stage.IN_VIEWS_AFTER_OPAQUE && ViewCopies.isRead(entry.pass.reads()));
+        return new ViewPasses(all, skies, begin(Stage.IN_VIEWS_AFTER_OPAQUE) - first, readers);
     }
 
     /** Returns the targets that any pass reads. */

@@ -3,6 +3,7 @@ package nephele.engine.render;
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.dynamic.DynamicPass;
+import nephele.engine.render.pass.exit.ExitPass;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
 import nephele.engine.render.pass.rim.RimPass;
@@ -34,6 +35,7 @@ public final class RenderFeatures {
             PortalPass.FEATURE,
             UnfilledPass.FEATURE,
             // In each view after its opaque surfaces.
+            ExitPass.FEATURE,
             DynamicPass.HELD,
             // After everything else.
             ToneMapPass.FEATURE);

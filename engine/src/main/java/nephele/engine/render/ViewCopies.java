@@ -25,9 +25,14 @@ final class ViewCopies implements AutoCloseable {
         this.read = read;
     }
 
+    /** Returns true if a pass reads copies. */
+    static boolean isRead(Set<Target> read) {
+        return read.contains(Target.VIEW_DEPTH) || read.contains(Target.VIEW_COLOUR);
+    }
+
     /** Returns true if there is anything to copy. */
     boolean areRead() {
-        return depth() || colour();
+        return isRead(read);
     }
 
     /** Returns such copies for views of another size. */

@@ -9,8 +9,9 @@ import nephele.engine.render.frame.Pass;
  *
  * @param skies those passes that draw the background
  * @param opaque the number of passes before {@link nephele.engine.render.frame.Stage#IN_VIEWS_AFTER_OPAQUE}
+ * @param readers those passes that read copies of their view
  */
-record ViewPasses(List<Pass> passes, List<Pass> skies, int opaque) {
+record ViewPasses(List<Pass> passes, List<Pass> skies, int opaque, List<Pass> readers) {
     /** Draws a view, with copies of it for the passes that read them. */
     void draw(FrameContext frame, ViewCopies copies) {
         for (int i = 0; i < passes.size(); i++) {
@@ -20,9 +21,18 @@ record ViewPasses(List<Pass> passes, List<Pass> skies, int opaque) {
 
     /** Draws one step of a view. */
     void draw(int index, FrameContext frame, ViewCopies copies) {
-        if (index == opaque) {
+        if (index == opaque && isCopyRead(frame)) {
             copies.take(frame.surface());
         }
         passes.get(index).draw(frame);
+    }
+
+    private boolean isCopyRead(FrameContext frame) {
+        for (int i = 0; i < readers.size(); i++) {
+            if (readers.get(i).draws(frame)) {
+                return true;
+            }
+        }
+        return false;
     }
 }

@@ -9,6 +9,7 @@ import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portal;
 import nephele.engine.portal.Portals;
 import nephele.engine.sim.carry.PortalOccupants;
+import nephele.engine.sim.state.ExitState;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.HeldBody;
 import nephele.engine.sim.state.PortalWorldCache;
@@ -20,7 +21,7 @@ import nephele.engine.sim.state.WorldState;
 /**
  * Continues a running game in an edited level. The fixed portals of the edited level replace the earlier ones. A shot
  * portal stays if its whole aperture is still where a shot could place it, and closes otherwise. Bodies and players in
- * a portal that closes are treated as when a portal is moved.
+ * a portal that closes are treated as when a portal is moved. Exits can be entered again.
  */
 final class EditContinuation {
     private final SimLevel level;
@@ -108,12 +109,13 @@ final class EditContinuation {
         return Bodies.of(states);
     }
 
-    private static SimState moved(SimState settled, GunPortals shots, Portals before, Portals after) {
+    private SimState moved(SimState settled, GunPortals shots, Portals before, Portals after) {
         WorldState around = settled.world();
         TickTrace trace = TickTrace.of(around.trace().pressed(), CrossingWord.EMPTY, List.of());
         HeldBody holding = held(around.holding(), before, after);
         Portals portals = after.size() == 0 ? Portals.NONE : after;
-        return settled.with(new WorldState(around.bodies(), portals, shots, holding, trace));
+        ExitState exit = ExitState.start(level.exits());
+        return settled.with(new WorldState(around.bodies(), portals, shots, holding, trace, exit));
     }
 
     /**

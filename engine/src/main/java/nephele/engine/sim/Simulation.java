@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.PortalWorld;
+import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.math.Vec3;
@@ -14,6 +15,7 @@ import nephele.engine.sim.carry.PlayerActions;
 import nephele.engine.sim.player.PlayerPortalCrossing;
 import nephele.engine.sim.player.PlayerStep;
 import nephele.engine.sim.state.Action;
+import nephele.engine.sim.state.ExitState;
 import nephele.engine.sim.state.FaultLog;
 import nephele.engine.sim.state.GunPortals;
 import nephele.engine.sim.state.PlayerInput;
@@ -45,6 +47,7 @@ public final class Simulation {
     private final Assists assists;
     private final int actionsOfHands;
     private final double lowest;
+    private final List<Exit> exits;
     private final FaultLog faults;
 
     /** Creates the simulation of a level without models. */
@@ -61,6 +64,7 @@ public final class Simulation {
     public Simulation(SimLevel level, SimSettings settings, FaultLog faults) {
         this.settings = settings;
         this.faults = faults;
+        exits = level.exits();
         var statics = level.statics();
         double seconds = 1.0 / settings.ticksPerSecond();
         worlds = new PortalWorldCache(statics);
@@ -118,18 +122,29 @@ public final class Simulation {
      *   <li>the hands: shots change the portals, a body is picked up, dropped or thrown;
      *   <li>the player looks, walks or flies;
      *   <li>the held body is driven, and all bodies move;
-     *   <li>the line to the held body is updated, or breaks.
+     *   <li>the line to the held body is updated, or breaks;
+     *   <li>the level ends if the player is in an exit for the first time.
      * </ol>
      */
     public SimState step(SimState before, PlayerInput input) {
-        List<TickEvent> events = actionsOfHands == 0 ? List.of() : new ArrayList<>(0);
+        List<TickEvent> events = actionsOfHands == 0 && exits.isEmpty() ? List.of() : new ArrayList<>(0);
         SimState acted = actionsOfHands == 0 ? before : hands.act(before, input, events);
         SimState walked = movePlayer(acted, input);
         SimState moved = assists.limited(bodiesTick.step(walked, playerStep.pushes(), hands.drive(acted, input)));
         CrossingWord crossed = walked.world().trace().playerCrossed();
         SimState followed = hands.follow(moved, crossed, events);
+        ExitState exit = exit(followed, events);
         TickTrace trace = TickTrace.of(input.actions() & actionsOfHands, crossed, events);
-        return followed.with(followed.world().with(trace));
+        return followed.with(followed.world().with(trace).with(exit));
+    }
+
+    private ExitState exit(SimState state, List<TickEvent> events) {
+        ExitState before = state.world().exit();
+        ExitState now = before.after(state.tick(), state.player().centre(), exits);
+        if (now != before) {
+            events.add(new TickEvent.ExitReached(now.exit()));
+        }
+        return now;
     }
 
     /** Moves the player. A tick with a result that is not finite is undone and leaves the player at rest. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
@@ -55,7 +56,9 @@ public record LevelDraft(Level level, List<XmlWarning> warnings) {
                 List.of(),
                 placements.placed(),
                 List.of(),
-                new PortalGun(1.2, 2.1, PortalShape.ARCH, 500));
+                new PortalGun(1.2, 2.1, PortalShape.ARCH, 500),
+                List.of(),
+                Map.of());
         warnings.sort(Comparator.comparingInt(XmlWarning::line));
         return new LevelDraft(level, List.copyOf(warnings));
     }

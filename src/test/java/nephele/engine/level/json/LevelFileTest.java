@@ -10,6 +10,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
 import nephele.engine.level.FaultyFiles;
 import nephele.engine.level.Level;
 import org.junit.jupiter.api.BeforeEach;
@@ -149,7 +151,9 @@ class LevelFileTest {
                 OLD.portals(),
                 OLD.models(),
                 OLD.bodies(),
-                null);
+                null,
+                List.of(),
+                Map.of());
         assertThrows(LevelFormatException.class, () -> LevelFile.save(file, broken));
         assertArrayEquals(before, Files.readAllBytes(file));
     }

@@ -40,7 +40,9 @@ class MirrorRulesTest {
                 List.of(),
                 List.of(),
                 bodies,
-                null);
+                null,
+                List.of(),
+                Map.of());
     }
 
     private static List<String> paths(Level level) {

@@ -40,6 +40,7 @@ class PortalLightProofGlTest {
                 "levels/samples/sun-shadow.json",
                 "levels/samples/material-roughness.json",
                 "levels/samples/sky-skybox-faces.json",
+                "levels/samples/exits.json",
                 "levels/01-courtyard.json"
             })
     void litPicturesLookLikeTheTwins(String level) throws Exception {

@@ -28,6 +28,11 @@ public record FogTransmittance(double extinctionPerMetre, Vec3 radiance) {
      * @param metres distance from the eye to the source of {@code behind}; may be infinite
      */
     public Vector3d over(Vector3d behind, double metres) {
-        return radiance.toVector().lerp(behind, StrictMath.exp(-extinctionPerMetre * metres));
+        return radiance.toVector().lerp(behind, transmittance(metres));
+    }
+
+    /** Returns the share of radiance that passes the fog. */
+    public double transmittance(double metres) {
+        return StrictMath.exp(-extinctionPerMetre * metres);
     }
 }

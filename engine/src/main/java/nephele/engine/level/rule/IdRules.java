@@ -10,6 +10,7 @@ import java.util.function.Function;
 import nephele.engine.level.Body;
 import nephele.engine.level.Camera;
 import nephele.engine.level.Cloud;
+import nephele.engine.level.Exit;
 import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
@@ -29,6 +30,7 @@ final class IdRules {
         unique("portals", level.portals(), PortalSpec::id, report);
         unique("models", level.models(), ModelPlacement::id, report);
         unique("bodies", level.bodies(), Body::id, report);
+        unique("exits", level.exits(), Exit::id, report);
     };
 
     static final LevelRule MATERIALS = (level, assets, report) -> {

@@ -27,6 +27,7 @@ public final class LevelRules {
             BodyRules.REACH,
             PlayerRules.FREE,
             PlayerRules.SOMEWHERE,
+            ExitRules.REACHABLE,
             EnvironmentRules.NOT_YET);
 
     /** All rules; the last ones read every picture and every mesh. */

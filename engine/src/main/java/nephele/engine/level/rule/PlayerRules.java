@@ -25,7 +25,7 @@ final class PlayerRules {
         }
         Vec3 feet = level.player().feet();
         LevelRule.each("solids", level.solids(), (path, solid) -> {
-            if (mayReach(solid, feet, 0) && holdsAxis(solid, feet)) {
+            if (isStandingIn(solid, feet)) {
                 report.accept(Problem.error(
                         "player.feet", "the player starts inside " + path + " ('" + solid.id() + "'): move the start"));
             }
@@ -56,6 +56,11 @@ final class PlayerRules {
 
     private static List<Plane> planes(Brush brush) {
         return brush.shape().faces().stream().map(ConvexPolyhedron.Face::plane).toList();
+    }
+
+    /** Returns true if a player with the feet here would be inside a solid. */
+    static boolean isStandingIn(Solid solid, Vec3 feet) {
+        return mayReach(solid, feet, 0) && holdsAxis(solid, feet);
     }
 
     /** Returns false for most solids that are out of reach, without deriving their shape. */

@@ -14,6 +14,13 @@ public interface Pass {
         return Set.of(Target.SURFACE);
     }
 
+    /**
+     * Returns false if {@link #draw} would leave this view as it is. A view is copied only for passes that draw in it.
+     */
+    default boolean draws(FrameContext frame) {
+        return true;
+    }
+
     /** Draws one view. Allocates almost nothing: the whole frame may allocate 2 KiB. */
     void draw(FrameContext frame);
 }

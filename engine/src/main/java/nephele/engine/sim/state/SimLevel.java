@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Objects;
 import nephele.engine.collision.CollisionWorld;
 import nephele.engine.collision.rigid.body.BodyTable;
+import nephele.engine.level.Exit;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.placed.PlacedLevel;
@@ -21,8 +22,10 @@ import nephele.engine.portal.placement.PlacementSurfaces;
  * @param start where the player starts; {@code null} becomes the origin
  * @param portals the fixed ones
  * @param gun the placement of shot portals, {@code null} if the player has no gun
+ * @param exits cylinders that end the level
  */
-public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodies, Portals portals, Placement gun) {
+public record SimLevel(
+        CollisionWorld statics, PlayerStart start, BodyTable bodies, Portals portals, Placement gun, List<Exit> exits) {
     private static final PlayerStart ORIGIN = new PlayerStart(Vec3.ZERO, 0, 0);
     private static final BodyTable NO_BODIES = new BodyTable(List.of());
 
@@ -45,7 +48,7 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
     }
 
     private static SimLevel of(Level level, CollisionWorld world, Placement gun) {
-        return new SimLevel(world, level.player(), BodyTable.of(level), Portals.of(level), gun);
+        return new SimLevel(world, level.player(), BodyTable.of(level), Portals.of(level), gun, level.exits());
     }
 
     private static Placement gun(Level level, StaticShapes statics) {
@@ -75,15 +78,16 @@ public record SimLevel(CollisionWorld statics, PlayerStart start, BodyTable bodi
 
     /** Returns a level of solids and portals. */
     public static SimLevel of(CollisionWorld statics, PlayerStart start, Portals portals) {
-        return new SimLevel(statics, start, NO_BODIES, portals, null);
+        return new SimLevel(statics, start, NO_BODIES, portals, null, List.of());
     }
 
     /** Returns the world state at tick 0. */
     public WorldState begin(PortalWorldCache worlds) {
+        ExitState exit = ExitState.start(exits);
         if (bodies.size() == 0 && portals.size() == 0) {
-            return WorldState.NOTHING;
+            return WorldState.NOTHING.with(exit);
         }
         Portals open = worlds.of(portals).portals();
-        return new WorldState(bodies.start(), open, GunPortals.NONE, HeldBody.NOTHING, TickTrace.NONE);
+        return new WorldState(bodies.start(), open, GunPortals.NONE, HeldBody.NOTHING, TickTrace.NONE, exit);
     }
 }

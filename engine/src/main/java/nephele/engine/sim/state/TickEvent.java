@@ -44,6 +44,14 @@ public sealed interface TickEvent {
         }
     }
 
+    /** The player entered an exit: the level has ended. Happens once. */
+    record ExitReached(int exit) implements TickEvent {
+        @Override
+        public long hash(long seed) {
+            return Hash64.combine(Hash64.combine(seed, 5), exit);
+        }
+    }
+
     /** The player tried to pick up a body and none was in reach. */
     record NothingInReach() implements TickEvent {
         @Override

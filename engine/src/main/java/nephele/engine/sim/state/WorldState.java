@@ -15,31 +15,38 @@ import nephele.engine.portal.Portals;
  * @param shots the indices of the gun's portals
  * @param holding what the player holds
  * @param trace what the last tick did
+ * @param exit whether the level has ended
  */
-public record WorldState(Bodies bodies, Portals portals, GunPortals shots, HeldBody holding, TickTrace trace) {
-    public static final WorldState NOTHING =
-            new WorldState(Bodies.NONE, Portals.NONE, GunPortals.NONE, HeldBody.NOTHING, TickTrace.NONE);
+public record WorldState(
+        Bodies bodies, Portals portals, GunPortals shots, HeldBody holding, TickTrace trace, ExitState exit) {
+    public static final WorldState NOTHING = new WorldState(
+            Bodies.NONE, Portals.NONE, GunPortals.NONE, HeldBody.NOTHING, TickTrace.NONE, ExitState.NONE);
 
     public WorldState with(Bodies changed) {
-        return changed == bodies ? this : new WorldState(changed, portals, shots, holding, trace);
+        return changed == bodies ? this : new WorldState(changed, portals, shots, holding, trace, exit);
     }
 
     public WorldState with(HeldBody changed) {
-        return new WorldState(bodies, portals, shots, changed, trace);
+        return new WorldState(bodies, portals, shots, changed, trace, exit);
     }
 
     public WorldState with(Portals changed, GunPortals now) {
-        return new WorldState(bodies, changed, now, holding, trace);
+        return new WorldState(bodies, changed, now, holding, trace, exit);
     }
 
     public WorldState with(TickTrace changed) {
-        return changed == trace ? this : new WorldState(bodies, portals, shots, holding, changed);
+        return changed == trace ? this : new WorldState(bodies, portals, shots, holding, changed, exit);
+    }
+
+    /** Returns this state with another state of the exits. */
+    public WorldState with(ExitState changed) {
+        return changed == exit ? this : new WorldState(bodies, portals, shots, holding, trace, changed);
     }
 
     public long hash(long seed) {
         long hash = bodies.size() == 0 ? seed : bodies.hash(seed);
         hash = portals.size() == 0 ? hash : joined(hash, portals);
-        return trace.hash(holding.hash(shots.hash(hash)));
+        return exit.hash(trace.hash(holding.hash(shots.hash(hash))));
     }
 
     /** Joins the portals' centres, frames and links to a hash; apertures belong to the level and never change. */

@@ -80,7 +80,9 @@ final class Town {
                 portals(),
                 models(width, depth),
                 bodies(width, depth),
-                null);
+                null,
+                List.of(),
+                Map.of());
     }
 
     private static Camera camera(double width, double depth) {

@@ -95,7 +95,9 @@ public final class DoorwayRooms {
                 List.copyOf(rooms.portals),
                 List.of(),
                 List.of(cube),
-                null);
+                null,
+                List.of(),
+                Map.of());
     }
 
     private static List<Material> paints() {

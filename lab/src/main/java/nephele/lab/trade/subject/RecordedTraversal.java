@@ -67,7 +67,9 @@ final class RecordedTraversal {
                         portal("b", "a", exit, normal, up)),
                 List.of(),
                 List.of(),
-                null);
+                null,
+                List.of(),
+                Map.of());
     }
 
     private static PortalSpec portal(String id, String to, Vec3 centre, Vec3 normal, Vec3 up) {

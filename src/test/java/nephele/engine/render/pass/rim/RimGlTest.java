@@ -54,7 +54,9 @@ class RimGlTest {
                 List.of(),
                 List.of(),
                 List.of(),
-                GUN);
+                GUN,
+                List.of(),
+                Map.of());
     }
 
     private static Solid box(String id, Vec3 centre, Vec3 size) {

@@ -1,0 +1,174 @@
+package nephele.engine.render.pass.exit;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
+import nephele.engine.level.Exit;
+import nephele.engine.level.appearance.ExitCurtain;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Frustum;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.SharedResources;
+import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.frame.TargetReads;
+import nephele.engine.render.gl.DrawState.Blend;
+import nephele.engine.render.gl.DrawState.Cull;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.GlProgram;
+import nephele.engine.render.gl.shader.ShaderSource;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+import nephele.engine.render.resource.FrameUniforms;
+import nephele.engine.scene.View;
+import org.joml.Matrix4d;
+
+/**
+ * Adds the light of exits' curtains to each view, as far as surfaces do not hide it. Radiance is added in linear light:
+ * by blending into a linear target, or by decoding the drawn pixel and encoding the sum for output DIRECT.
+ */
+public final class ExitPass implements Pass {
+    public static final RenderFeature FEATURE =
+            new RenderFeature("exit", Stage.IN_VIEWS_AFTER_OPAQUE, ExitPass::requiredBy);
+
+    private static final String FOLDER = "/nephele/engine/render/pass/exit/";
+
+    private final GlContext gl;
+    private final SharedResources shared;
+    private final TargetReads reads;
+    private final Blend blend;
+    private final List<Exit> exits;
+    private final List<Aabb> bounds;
+    private final Frustum whole = Frustum.reusable(6);
+    private final Matrix4d clipFromRelative = new Matrix4d();
+    private final PrismMesh prism;
+    private final GlProgram<Places> program;
+
+    private record Places(
+            Uniforms.Whole drawnExit,
+            Uniforms.Scalar seconds,
+            List<Uniforms.Vector4> feetAndRadius,
+            List<Uniforms.Scalar> heightMetres) {
+        static Places of(Uniforms uniforms, int exits) {
+            return new Places(
+                    uniforms.whole("drawnExit"),
+                    uniforms.scalar("seconds"),
+                    IntStream.range(0, exits)
+                            .mapToObj(i -> uniforms.vector4("feetAndRadius[" + i + "]"))
+                            .toList(),
+                    IntStream.range(0, exits)
+                            .mapToObj(i -> uniforms.scalar("heightMetres[" + i + "]"))
+                            .toList());
+        }
+    }
+
+    private ExitPass(LoadContext context) {
+        gl = context.gl();
+        shared = context.shared();
+        boolean decodes = context.output() == Output.DIRECT;
+        reads = decodes ? TargetReads.of(Target.VIEW_DEPTH, Target.VIEW_COLOUR) : TargetReads.of(Target.VIEW_DEPTH);
+        blend = decodes ? Blend.REPLACE : Blend.ADD;
+        exits = context.scene().level().exits();
+        bounds = exits.stream().map(ExitPass::bounds).toList();
+        prism = context.own(new PrismMesh(gl));
+        Map<String, String> defines = Defines.of(context)
+                .with("SHELL_SHARE", ExitCurtain.SHELL_SHARE)
+                .with("EXITS", exits.size())
+                .values();
+        program = new GlProgram<>(
+                gl,
+                ShaderSource.load(FOLDER + "exit.vert", defines),
+                ShaderSource.load(FOLDER + "exit.frag", defines),
+                uniforms -> {
+                    uniforms.block("Frame", FrameUniforms.BINDING);
+                    uniforms.sampler("viewDepth", TextureUnit.VIEW_DEPTH);
+                    if (decodes) {
+                        uniforms.sampler("viewColour", TextureUnit.VIEW_COLOUR);
+                    }
+                    return Places.of(uniforms, exits.size());
+                });
+    }
+
+    private static List<Required> requiredBy(FrameRequest request) {
+        return request.level().exits().isEmpty()
+                ? List.of()
+                : List.of(new Required("exits: curtains of light", ExitPass::new));
+    }
+
+    private static Aabb bounds(Exit exit) {
+        double r = exit.radiusMetres();
+        return new Aabb(
+                exit.feet().x() - r,
+                exit.feet().y(),
+                exit.feet().z() - r,
+                exit.feet().x() + r,
+                exit.feet().y() + exit.heightMetres(),
+                exit.feet().z() + r);
+    }
+
+    @Override
+    public Set<Target> reads() {
+        return reads.declared();
+    }
+
+    @Override
+    public boolean draws(FrameContext frame) {
+        for (int i = 0; i < bounds.size(); i++) {
+            if (limits(frame).mayIntersect(bounds.get(i))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private Frustum limits(FrameContext frame) {
+        if (frame.limits() != null) {
+            return frame.limits();
+        }
+        View view = frame.view();
+        whole.restart(view.eyeX(), view.eyeY(), view.eyeZ());
+        whole.keepAll(view.clipFromRelative(clipFromRelative));
+        return whole;
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        if (!draws(frame)) {
+            return;
+        }
+        frame.surface().bind();
+        gl.state().set(Depth.OFF, blend, Cull.BACK, frame.clipDistances());
+        reads.bind(shared);
+        program.use();
+        program.uniforms().seconds().set((float) frame.frameState().seconds());
+        for (int i = 0; i < exits.size(); i++) {
+            place(i, frame.view());
+        }
+        for (int i = 0; i < exits.size(); i++) {
+            program.uniforms().drawnExit().set(i);
+            prism.draw();
+        }
+    }
+
+    private void place(int exit, View view) {
+        Exit placed = exits.get(exit);
+        program.uniforms()
+                .feetAndRadius()
+                .get(exit)
+                .set(
+                        (float) (placed.feet().x() - view.eyeX()),
+                        (float) (placed.feet().y() - view.eyeY()),
+                        (float) (placed.feet().z() - view.eyeZ()),
+                        (float) placed.radiusMetres());
+        program.uniforms().heightMetres().get(exit).set((float) placed.heightMetres());
+    }
+}

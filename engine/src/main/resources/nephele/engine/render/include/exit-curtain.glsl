@@ -1,0 +1,34 @@
+// The light of an exit along a ray. Twin: level.appearance.ExitCurtain.
+
+// SHELL_SHARE is the define ExitCurtain.SHELL_SHARE: thickness of the shell as a share of the radius.
+const float BASE = 0.3;
+const vec3 LOW_COLOUR = vec3(1.0, 0.86, 0.58);
+const vec3 HIGH_COLOUR = vec3(0.72, 0.92, 1.0);
+
+// Returns the emission per metre of a point in the shell, in linear display values.
+//
+// fromFeet: from the base's centre. size: radius and height
+vec3 curtainEmission(vec3 fromFeet, vec2 size, float seconds) {
+    float height = clamp(fromFeet.y / size.y, 0.0, 1.0);
+    float left = 1.0 - height;
+    float fade = left * left * (1.0 + 2.0 * exp(-24.0 * height));
+    float angle = atan(fromFeet.z, fromFeet.x);
+    float waves = 1.0
+        + 0.4 * sin(5.0 * angle + 0.7 * seconds)
+        + 0.3 * sin(12.0 * angle - 1.1 * seconds)
+        + 0.2 * sin(23.0 * angle + 1.6 * seconds);
+    return BASE / (SHELL_SHARE * size.x) * fade * waves * mix(LOW_COLOUR, HIGH_COLOUR, height);
+}
+
+// A part of a ray in multiples of its direction; empty if y <= x.
+vec2 overlapOf(vec2 a, vec2 b) {
+    return vec2(max(a.x, b.x), min(a.y, b.y));
+}
+
+// Returns where a ray from the origin is within a slab: offset + rate * t in 0..width.
+vec2 withinSlab(float offset, float rate, float width) {
+    float safe = abs(rate) < 1e-9 ? 1e-9 : rate;
+    float a = -offset / safe;
+    float b = (width - offset) / safe;
+    return vec2(min(a, b), max(a, b));
+}

@@ -1,0 +1,92 @@
+// Adds the light of exits' curtains between the eye and the surface behind them: the ray's two ways through a shell,
+// each integrated at the two points of Gauss and Legendre.
+//
+// Output DIRECT replaces the pixel by a sum, so that sum has every exit's light; the other outputs add one exit's.
+#include "output.glsl"
+#include "displayed.glsl"
+#include "exits.glsl"
+#include "exit-curtain.glsl"
+#ifdef OUTPUT_DIRECT
+#include "radiance-of-pixel.glsl"
+uniform sampler2D viewColour;
+#else
+uniform int drawnExit;
+#endif
+
+in vec3 relativePosition;
+
+uniform float seconds;
+uniform sampler2D viewDepth;
+
+// Distance along the view's axis: recovers the projection's two numbers from its product with the rotation.
+float axisMetres(float windowDepth) {
+    vec3 third = vec3(clipFromRelative[0].z, clipFromRelative[1].z, clipFromRelative[2].z);
+    return clipFromRelative[3].z / (2.0 * windowDepth - 1.0 - dot(third, viewForward.xyz));
+}
+
+// Returns the light of a part of the ray, in multiples of its direction, within one shell.
+vec3 lightOfPart(vec2 part, vec3 direction, int exit) {
+    if (part.y <= part.x) {
+        return vec3(0.0);
+    }
+    float unit = length(direction);
+    vec3 light = vec3(0.0);
+    for (int i = 0; i < 2; i++) {
+        float place = mix(part.x, part.y, i == 0 ? 0.2113249 : 0.7886751);
+        vec3 fromFeet = place * direction - feetAndRadius[exit].xyz;
+        vec3 emission = curtainEmission(fromFeet, vec2(feetAndRadius[exit].w, heightMetres[exit]), seconds);
+#ifdef FOG
+        emission *= exp(-fog.a * place * unit);
+#endif
+        light += emission;
+    }
+    return 0.5 * (part.y - part.x) * unit * light;
+}
+
+// visible: the part of the ray in front of the surface
+vec3 lightOf(int exit, vec3 direction, vec2 visible) {
+    vec4 at = feetAndRadius[exit];
+    float flatUnit = max(length(direction.xz), 1e-6 * length(direction));
+    vec2 heading = direction.xz / flatUnit;
+    float along = dot(heading, at.xz);
+    float beside = heading.x * at.z - heading.y * at.x;
+    float inner = (1.0 - SHELL_SHARE) * at.w;
+    float halfOuter = sqrt(max(at.w * at.w - beside * beside, 0.0));
+    float halfInner = sqrt(max(inner * inner - beside * beside, 0.0));
+    vec2 inside = overlapOf(visible, withinSlab(-at.y, direction.y, heightMetres[exit]));
+    vec2 before = vec2(along - halfOuter, along - halfInner) / flatUnit;
+    vec2 after = vec2(along + halfInner, along + halfOuter) / flatUnit;
+    return lightOfPart(overlapOf(before, inside), direction, exit) + lightOfPart(overlapOf(after, inside), direction, exit);
+}
+
+void main() {
+    vec3 direction = relativePosition;
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec2 visible = vec2(0.0, axisMetres(texelFetch(viewDepth, at, 0).r) / dot(direction, viewForward.xyz));
+#ifdef PORTALS
+    float towardsClip = dot(viewClip.xyz, direction);
+    if (towardsClip > 0.0) {
+        visible.x = max(visible.x, -viewClip.w / towardsClip);
+    }
+#endif
+    vec3 light = vec3(0.0);
+#ifdef OUTPUT_DIRECT
+    for (int exit = 0; exit < EXITS; exit++) {
+        light += lightOf(exit, direction, visible);
+    }
+#else
+    light = lightOf(drawnExit, direction, visible);
+#endif
+    if (light.r <= 0.0) {
+        discard;
+    }
+    vec3 radiance = radianceOf(light);
+#ifdef MIRRORS
+    radiance *= mirrorTint.rgb;
+#endif
+#ifdef OUTPUT_DIRECT
+    pixel = vec4(toneMapped(radianceOfPixel(texelFetch(viewColour, at, 0).rgb) + radiance), 1.0);
+#else
+    pixel = vec4(radiance, 1.0);
+#endif
+}

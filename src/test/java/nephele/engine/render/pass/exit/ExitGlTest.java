@@ -1,0 +1,132 @@
+package nephele.engine.render.pass.exit;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import nephele.engine.asset.TestAssets;
+import nephele.engine.level.Exit;
+import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
+import nephele.engine.level.TestLevel;
+import nephele.engine.level.ToneCurve;
+import nephele.engine.level.appearance.ExitCurtain;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.Offscreen;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.ToneMapping;
+import nephele.engine.scene.View;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Curtains of exits add the integral of their emission to what is behind them, and surfaces hide them. */
+class ExitGlTest {
+    private static final int SIZE = 48;
+    private static final Exit EXIT = new Exit("exit", new Vec3(0, -1, -4), 1, 2.5);
+    private static final Vec3 AHEAD = new Vec3(0, 0, -4);
+
+    private static TestLevel level() {
+        return new TestLevel().sky(new Sky.Constant(new Vec3(0.05, 0.1, 0.2))).exit(EXIT);
+    }
+
+    /** Returns the integral of the emission along a ray in fine steps. */
+    private static Vec3 integral(Exit exit, Vec3 eye, Vec3 direction) {
+        ExitCurtain curtain = new ExitCurtain(exit, 0);
+        Vec3 sum = Vec3.ZERO;
+        double step = 0.002;
+        for (double metres = step / 2; metres < 12; metres += step) {
+            sum = sum.addScaled(step, curtain.emissionPerMetre(eye.addScaled(metres, direction)));
+        }
+        return sum;
+    }
+
+    /** Returns the unit direction through the middle of a pixel of a square view with a field of 90° along −z. */
+    private static Vec3 direction(int pixel) {
+        double x = (2 * (pixel % SIZE) + 1.0) / SIZE - 1;
+        double y = (2 * (pixel / SIZE) + 1.0) / SIZE - 1;
+        Vec3 towards = new Vec3(x, y, -1);
+        return towards.scaled(1 / towards.length());
+    }
+
+    @Test
+    void theLightIsTheIntegralOfTheEmission() {
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            for (double forward : new double[] {0, 3.6}) {
+                Vec3 eye = new Vec3(0, 0, -forward);
+                View view = offscreen.view(eye, new Vec3(0, 0, -9));
+                float[] rgb = offscreen.radiance(level().level(), TestAssets.NONE, view);
+                double error = 0;
+                double light = 0;
+                for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
+                    Vec3 expected = integral(EXIT, eye, direction(pixel));
+                    error += Math.abs(0.05 + expected.x() - rgb[3 * pixel])
+                            + Math.abs(0.2 + expected.z() - rgb[3 * pixel + 2]);
+                    light += expected.x() + expected.z();
+                }
+                assertTrue(light > 50, "light " + light);
+                assertTrue(error < 0.06 * light, error + " of " + light);
+            }
+        }
+    }
+
+    /** Output DIRECT decodes and encodes 8 bits; it agrees with tone mapping of the linear sum within two codes. */
+    @ParameterizedTest
+    @EnumSource(ToneCurve.class)
+    void bothOutputsAgree(ToneCurve curve) {
+        double exposure = 2;
+        Level level = level().toneMapping(curve, 1)
+                .exit(new Exit("behind", new Vec3(0.5, -1, -6), 1, 3))
+                .level();
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            View view = offscreen.view(Vec3.ZERO, AHEAD);
+            int[] direct =
+                    offscreen.pixels(level, TestAssets.NONE, view, RenderSettings.of(Output.DIRECT, Quality.HIGH));
+            float[] linear = offscreen.radiance(level, TestAssets.NONE, view);
+            for (int i = 0; i < direct.length; i++) {
+                double expected = 255 * ToneMapping.displayValue(linear[3 * i], exposure, curve);
+                assertEquals(expected, Offscreen.red(direct[i]), 2.1, "pixel " + i);
+            }
+        }
+    }
+
+    @Test
+    void surfacesHideTheLight() {
+        Level open = level().level();
+        Level hidden =
+                level().box(null, new Vec3(0, 0, -2), new Vec3(20, 20, 0.1)).level();
+        Level bare = new TestLevel()
+                .sky(new Sky.Constant(new Vec3(0.05, 0.1, 0.2)))
+                .box(null, new Vec3(0, 0, -2), new Vec3(20, 20, 0.1))
+                .level();
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            View view = offscreen.view(Vec3.ZERO, AHEAD);
+            List<Output> outputs = List.of(Output.HDR, Output.DIRECT);
+            for (Output output : outputs) {
+                RenderSettings settings = RenderSettings.of(output, Quality.HIGH);
+                int[] seen = offscreen.pixels(open, TestAssets.NONE, view, settings);
+                assertTrue(Offscreen.red(seen[SIZE * SIZE / 2 + SIZE / 2]) > 100);
+                assertArrayEquals(
+                        offscreen.pixels(bare, TestAssets.NONE, view, settings),
+                        offscreen.pixels(hidden, TestAssets.NONE, view, settings));
+            }
+        }
+    }
+
+    /** A view away from the exit is the same as that of the level without it. */
+    @Test
+    void anExitOutsideTheViewChangesNothing() {
+        Level without =
+                new TestLevel().sky(new Sky.Constant(new Vec3(0.05, 0.1, 0.2))).level();
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            View view = offscreen.view(Vec3.ZERO, new Vec3(0, 0, 4));
+            RenderSettings settings = RenderSettings.of(Output.DIRECT, Quality.HIGH);
+            assertArrayEquals(
+                    offscreen.pixels(without, TestAssets.NONE, view, settings),
+                    offscreen.pixels(level().level(), TestAssets.NONE, view, settings));
+        }
+    }
+}
