@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -39,6 +40,10 @@ class CommandLineFrontTest {
         var answer = Captured.run(name, "anything", "--at-all");
         assertEquals(3, answer.exitCode());
         assertTrue(answer.err().contains("not built yet"), answer.err());
+        assertTrue(Captured.run("--help")
+                .out()
+                .lines()
+                .anyMatch(line -> line.startsWith("  " + name + " ") && line.endsWith("(not built yet)")));
     }
 
     @Test
@@ -47,6 +52,26 @@ class CommandLineFrontTest {
         assertEquals(2, answer.exitCode());
         assertTrue(answer.err().contains("did you mean `play`"), answer.err());
         assertFalse(Captured.run("xyzzy").err().contains("did you mean"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "play --fulscreen, --fullscreen",
+        "render levels/01-courtyard.json --out x.png --sise=8x8, --size",
+        "bench --calibate, --calibrate"
+    })
+    void aMistypedOptionGetsAProposal(String line, String meant) {
+        var answer = Captured.run(line.split(" "));
+        assertEquals(2, answer.exitCode());
+        assertTrue(answer.err().contains("did you mean `" + meant + "`?"), answer.err());
+        assertFalse(Captured.run("play", "--xyzzy").err().contains("did you mean"));
+    }
+
+    @Test
+    void theVersionIsALine() {
+        var answer = Captured.run("--version");
+        assertEquals(0, answer.exitCode());
+        assertTrue(answer.out().matches("nephele .+, Java 1.+\\n"), answer.out());
     }
 
     @Test

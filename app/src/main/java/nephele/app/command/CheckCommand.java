@@ -14,7 +14,7 @@ import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
 import picocli.CommandLine.Parameters;
 
-/** Prints the problems of levels, one a line. */
+/** Prints the problems of levels, one a line, and says so if a level has no error. */
 @picocli.CommandLine.Command
 final class CheckCommand implements Command {
     @Parameters(arity = "1..*", paramLabel = "LEVEL", description = "Level files.")
@@ -22,14 +22,21 @@ final class CheckCommand implements Command {
 
     @Override
     public ExitCode run(Terminal terminal) {
-        boolean anyError = false;
+        boolean isEachGood = true;
         for (var level : levels) {
-            for (var problem : problems(level)) {
-                terminal.out().println(problem.line(level));
-                anyError |= problem.isError();
+            var problems = problems(level);
+            problems.forEach(problem -> terminal.out().println(problem.line(level)));
+            boolean isGood = problems.stream().noneMatch(Problem::isError);
+            if (isGood) {
+                terminal.out().println(level + ": good" + warnings(problems.size()));
             }
+            isEachGood &= isGood;
         }
-        return anyError ? ExitCode.INPUT : ExitCode.DONE;
+        return isEachGood ? ExitCode.DONE : ExitCode.INPUT;
+    }
+
+    private static String warnings(int count) {
+        return count == 0 ? "" : count == 1 ? ", with a warning" : ", with " + count + " warnings";
     }
 
     private static List<Problem> problems(String file) {

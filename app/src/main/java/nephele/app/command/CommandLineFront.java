@@ -1,7 +1,6 @@
 package nephele.app.command;
 
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 import nephele.engine.level.CloudTechnique;
@@ -13,11 +12,11 @@ import nephele.engine.terminal.Terminal;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Maps arguments to an exit code: finds the command, lets picocli read its options, runs it and reports failures. */
 public final class CommandLineFront {
     private static final int NAME_WIDTH = 10;
-    private static final int FARTHEST_TYPING_ERROR = 2;
 
     private final Terminal terminal;
 
@@ -42,6 +41,10 @@ public final class CommandLineFront {
         if (words.isEmpty() || words.get(0).equals("--help") || words.get(0).equals("-h")) {
             (words.isEmpty() ? terminal.err() : terminal.out()).print(overview());
             return words.isEmpty() ? ExitCode.USAGE : ExitCode.DONE;
+        }
+        if (words.get(0).equals("--version")) {
+            terminal.out().println(Version.line());
+            return ExitCode.DONE;
         }
         var entry = Commands.named(words.get(0));
         if (entry.isEmpty()) {
@@ -83,7 +86,7 @@ public final class CommandLineFront {
             }
             return command.run(terminal);
         } catch (ParameterException wrongUsage) {
-            terminal.err().println("nephele " + entry.name() + ": " + wrongUsage.getMessage());
+            terminal.err().println("nephele " + entry.name() + ": " + wrongUsage.getMessage() + proposal(wrongUsage));
             terminal.err().println("`nephele " + entry.name() + " --help` lists what it takes.");
             return ExitCode.USAGE;
         } catch (Exception | LinkageError | OutOfMemoryError | StackOverflowError failure) {
@@ -92,41 +95,34 @@ public final class CommandLineFront {
         }
     }
 
+    /** Returns a question about an unknown option that resembles a known one. */
+    private static String proposal(ParameterException wrongUsage) {
+        if (!(wrongUsage instanceof UnmatchedArgumentException unmatched)) {
+            return "";
+        }
+        var known = unmatched.getCommandLine().getCommandSpec().optionsMap().keySet();
+        return unmatched.getUnmatched().stream()
+                .filter(word -> word.startsWith("-"))
+                .map(word -> NearestWord.proposal(word.replaceFirst("=.*", ""), known.stream()))
+                .filter(text -> !text.isEmpty())
+                .findFirst()
+                .orElse("");
+    }
+
     private static String overview() {
         var lines = Commands.ALL.stream()
                 .map(entry -> "  " + padded(entry.name()) + entry.summary() + "\n")
                 .collect(Collectors.joining());
         return "Usage: nephele COMMAND [ARGUMENT...]\n\n" + lines
-                + "\n`nephele COMMAND --help` tells more. Exit codes: 0 done, 1 the input has errors,"
-                + " 2 wrong usage, 3 the environment lacks something.\n";
+                + "\n"
+                + "`nephele COMMAND --help` tells more, `nephele --version` the version. Exit codes: 0 done, 1 the"
+                + " input has errors, 2 wrong usage, 3 the environment lacks something.\n";
     }
 
     private static String unknown(String word) {
-        var nearest = Commands.ALL.stream()
-                .map(CommandEntry::name)
-                .min(Comparator.comparingInt(name -> editDistance(name, word)))
-                .filter(name -> editDistance(name, word) <= FARTHEST_TYPING_ERROR)
-                .map(name -> "; did you mean `" + name + "`?")
-                .orElse("");
-        return "unknown command `" + word + "`" + nearest + "\n`nephele --help` lists the commands.";
-    }
-
-    /** Returns the edit distance of Levenshtein (1966): the least number of letters to insert, remove or replace. */
-    private static int editDistance(String a, String b) {
-        int[] previous = new int[b.length() + 1];
-        for (int j = 0; j <= b.length(); j++) {
-            previous[j] = j;
-        }
-        for (int i = 1; i <= a.length(); i++) {
-            int[] current = new int[b.length() + 1];
-            current[0] = i;
-            for (int j = 1; j <= b.length(); j++) {
-                int change = previous[j - 1] + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
-                current[j] = Math.min(change, 1 + Math.min(previous[j], current[j - 1]));
-            }
-            previous = current;
-        }
-        return previous[b.length()];
+        return "unknown command `" + word + "`"
+                + NearestWord.proposal(word, Commands.ALL.stream().map(CommandEntry::name))
+                + "\n`nephele --help` lists the commands.";
     }
 
     private static String padded(String name) {

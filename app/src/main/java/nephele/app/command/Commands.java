@@ -19,12 +19,12 @@ public final class Commands {
             new CommandEntry("bench", "Measure a level's frames", () -> new BenchCommand()),
             new CommandEntry(
                     "prove", "Run the proofs at full count and write docs/proofs.md", () -> new ProveCommand()),
-            new CommandEntry("edit", "Edit a level: edit [LEVEL]", () -> new UnimplementedCommand()),
+            new CommandEntry("edit", "Edit a level: edit [LEVEL] (not built yet)", () -> new UnimplementedCommand()),
             new CommandEntry(
                     "trade", "Report speed against accuracy: trade [SUBJECT...] --out DIR", () -> new TradeCommand()),
             new CommandEntry(
                     "bake",
-                    "Bake the sky into a skybox, and whatever a level caches: bake LEVEL",
+                    "Bake the sky into a skybox, and whatever a level caches: bake LEVEL (not built yet)",
                     () -> new UnimplementedCommand()),
             new CommandEntry(
                     "generate", "Make a primitive mesh: generate SHAPE NUMBER... OUT.3d", () -> new GenerateCommand()),

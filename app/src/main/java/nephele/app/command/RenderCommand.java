@@ -50,7 +50,10 @@ final class RenderCommand implements Command {
             description = "The environment's clock in seconds (default: 0).")
     private double timeSeconds;
 
-    @Option(names = "--technique", paramLabel = "NAME", description = "Draw all clouds with this technique.")
+    @Option(
+            names = "--technique",
+            paramLabel = "NAME",
+            description = "Draw all clouds with this technique (not built yet).")
     private CloudTechnique technique;
 
     @Mixin
