@@ -43,6 +43,7 @@ final class PackageTable {
         USES.put("render.pass", List.of("render.frame"));
         USES.put("render", with("render.pass", HEADLESS));
         USES.put("terminal", List.of());
+        USES.put("userfile", List.of("asset"));
         USES.put("named", List.of("terminal", "scene", "sim"));
         USES.put("playthrough", List.of("named"));
         USES.put("draw", List.of("render", "named"));

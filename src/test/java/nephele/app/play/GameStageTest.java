@@ -24,6 +24,13 @@ class GameStageTest {
             GameStage.MENU,
             GameStage.STARTING,
             GameStage.RUNNING,
+            GameStage.ENDED,
+            GameStage.STARTING,
+            GameStage.RUNNING,
+            GameStage.MENU,
+            GameStage.TITLE,
+            GameStage.RESTARTING,
+            GameStage.RUNNING,
             GameStage.LEAVING
         }) {
             machine.change(stage);
@@ -69,7 +76,8 @@ class GameStageTest {
                     case INITIALISING -> new GameStage[0];
                     case RUNNING -> new GameStage[] {GameStage.STARTING, GameStage.RUNNING};
                     case RESTARTING -> new GameStage[] {GameStage.STARTING, GameStage.RUNNING, GameStage.RESTARTING};
-                    case MENU, STARTING, LEAVING -> new GameStage[] {stage};
+                    case ENDED -> new GameStage[] {GameStage.STARTING, GameStage.RUNNING, GameStage.ENDED};
+                    case TITLE, MENU, STARTING, LEAVING -> new GameStage[] {stage};
                 };
         for (var step : way) {
             machine.change(step);

@@ -3,12 +3,15 @@ package nephele.app.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import nephele.app.settings.GameSettings;
+import nephele.app.settings.Settings;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Level;
 import nephele.engine.named.LevelName;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.sim.Simulation;
+import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.SimSettings;
 import nephele.engine.sim.state.SimState;
 import org.junit.jupiter.api.Test;
@@ -17,8 +20,11 @@ class LiveInputTest {
     private final Level level =
             new LevelName("levels/samples/walking.json").open().level();
     private final Input input = new Input();
+    private GameSettings settings = GameSettings.DEFAULT;
     private final Playthrough playthrough = new Playthrough(
-            level, new Playthrough.Beginning("walking.json", SimSettings.DEFAULT, null), new LiveInput(input));
+            level,
+            new Playthrough.Beginning("walking.json", SimSettings.DEFAULT, null),
+            new LiveInput(input, () -> settings));
 
     @Test
     void theRecordingOfHandsRepeatsTheGame() {
@@ -61,5 +67,29 @@ class LiveInputTest {
         playthrough.tick();
         assertEquals(
                 -Math.toRadians(0.8), playthrough.state().player().heading().yawRadians() - before, 1e-9);
+    }
+
+    @Test
+    void mouseSpeedAndInversionHoldAtOnce() {
+        LiveInput hands = new LiveInput(input, () -> settings);
+        input.look(0, 0);
+        input.look(100, 50);
+        var usual = hands.next();
+        settings = settings.with(Settings.MOUSE_SPEED, 2.0).with(Settings.INVERT_MOUSE, Settings.Switch.ON);
+        input.look(200, 100);
+        var faster = hands.next();
+        assertEquals(2 * usual.turnLeftMillidegrees(), faster.turnLeftMillidegrees());
+        assertEquals(-2 * usual.turnUpMillidegrees(), faster.turnUpMillidegrees());
+    }
+
+    @Test
+    void aToggledCrouchLastsUntilTheNextPress() {
+        settings = settings.with(Settings.CROUCH, Settings.Crouch.TOGGLE);
+        LiveInput hands = new LiveInput(input, () -> settings);
+        boolean[] expected = {true, true, true, false, false};
+        for (int i = 0; i < expected.length; i++) {
+            input.key(Control.CROUCH, i == 0 || i == 1 || i == 3);
+            assertEquals(expected[i], hands.next().holds(Action.CROUCH), "tick " + i);
+        }
     }
 }

@@ -4,64 +4,130 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
+import java.util.List;
+import java.util.Optional;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Menu;
+import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.MenuPanel;
-import nephele.app.play.hud.SettingsPage;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Progress;
+import nephele.app.settings.Settings;
+import nephele.app.settings.UserFolders;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.engine.sim.state.SimSettings;
+import nephele.engine.level.Language;
+import nephele.engine.named.LevelName;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
+/** Keys and pointer choose what is shown, and a page keeps its selection while another one is above it. */
 class MenuControlTest {
     private static final Area AREA = new Area(1280, 720);
+    private static final LevelName COURTYARD = new LevelName("levels/01-courtyard.json");
+    private static final LevelName SHOT = new LevelName("levels/02-first-shot.json");
+
+    private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null));
+    private final GameMenus menus = new GameMenus(files, List.of(COURTYARD, SHOT));
     private final Input input = new Input();
     private final MenuControl control = new MenuControl(input);
 
     @BeforeEach
     void open() {
-        control.open();
+        control.open(menus.pause(COURTYARD));
     }
 
     @Test
     void enterChoosesWhatTheArrowsSelected() {
         assertNull(control.choiceOf(Control.BACK));
-        assertInstanceOf(Menu.Choice.Restart.class, control.choiceOf(Control.CONFIRM));
+        assertEquals(new Choice.Open(Menu.Page.RESTART_QUESTION), control.choiceOf(Control.CONFIRM));
     }
 
     @Test
     void escapeContinues() {
-        assertInstanceOf(Menu.Choice.Continue.class, control.choiceOf(Control.MENU));
+        assertInstanceOf(Choice.Resume.class, control.choiceOf(Control.MENU));
     }
 
     @Test
-    void theListOfLevelsStartsOneAndLeadsBack() {
+    void aPageKeepsItsCursorWhileAnotherIsOpen() {
         control.choiceOf(Control.BACK);
         control.choiceOf(Control.BACK);
-        assertNull(control.choiceOf(Control.CONFIRM));
-        var start = assertInstanceOf(Menu.Choice.Start.class, control.choiceOf(Control.CONFIRM));
-        assertEquals("Courtyard", start.level().title());
-        control.choiceOf(Control.FORWARD);
-        assertNull(control.choiceOf(Control.CONFIRM));
-        assertEquals("Nephele", control.page().title());
+        control.turnTo(menus.page(Menu.Page.LEVELS));
+        assertEquals(new Choice.Play(COURTYARD), control.choiceOf(Control.CONFIRM));
+        assertInstanceOf(Choice.Back.class, control.choiceOf(Control.MENU));
+        control.back();
+        assertEquals(2, control.page().selected());
+        control.back();
+        assertEquals("pause", control.page().name());
+    }
+
+    @Test
+    void arrowsStepASettingAndTheCursorStays() {
+        control.turnTo(menus.page(Menu.Page.SETTINGS));
+        assertEquals(new Choice.Step(Settings.LANGUAGE, 1), control.choiceOf(Control.RIGHT));
+        assertEquals(new Choice.Step(Settings.LANGUAGE, -1), control.choiceOf(Control.LEFT));
+        control.choiceOf(Control.BACK);
+        files.keep(files.settings().stepped(Settings.LANGUAGE, 1));
+        control.rewrite(menus.page(Menu.Page.SETTINGS));
+        control.rewriteFirst(menus.pause(COURTYARD));
+        assertEquals(1, control.page().selected());
+        assertEquals("Configurações", control.page().title());
+        control.back();
+        assertEquals("Pausa", control.page().title());
+    }
+
+    @Test
+    void theTitleBeginsAndThenContinues() {
+        assertEquals("Begin", menus.title().entries().get(0).label());
+        assertEquals(new Choice.Play(COURTYARD), menus.title().chosen());
+        files.keep(files.progress().withFinished("01-courtyard.json", 3467, 0));
+        assertEquals("Continue", menus.title().entries().get(0).label());
+        assertEquals(new Choice.Play(SHOT), menus.title().chosen());
+        files.keep(files.progress().withFinished("02-first-shot.json", 1790, 2));
+        assertEquals(new Choice.Play(COURTYARD), menus.title().chosen());
+    }
+
+    @Test
+    void theEndTellsTimePortalsAndBest() {
+        Menu first = menus.ended(SHOT, new FinishedRun(1790, 2), Progress.NONE, Optional.empty());
+        assertEquals(List.of("Time  0:14.92", "Portals  2", "You have finished every level."), first.lines());
+        Progress before = Progress.NONE.withFinished("02-first-shot.json", 1200, 4);
+        Menu slower = menus.ended(SHOT, new FinishedRun(1790, 2), before, Optional.of(COURTYARD));
+        assertEquals(List.of("Time  0:14.92", "Best  0:10.00", "Portals  2"), slower.lines());
+        assertEquals(new Choice.Play(COURTYARD), slower.chosen());
+    }
+
+    /** Every phrase of every page exists in every language: the pages name settings and words by key. */
+    @Test
+    void allPagesExistInAllLanguages() {
+        for (Language language : Language.values()) {
+            files.keep(files.settings().with(Settings.LANGUAGE, language));
+            for (int i = 0; i < 12; i++) {
+                for (Menu.Page page : Menu.Page.values()) {
+                    menus.page(page);
+                }
+                for (var setting : Settings.ALL.subList(1, Settings.ALL.size())) {
+                    files.keep(files.settings().stepped(setting, 1));
+                }
+            }
+        }
     }
 
     /** Clicks on every pixel row in the middle choose the entry below them: each entry has the same height. */
     @Test
     void aClickChoosesTheRowUnderIt() {
         int quits = 0;
-        int continues = 0;
+        int resumes = 0;
         for (int y = 0; y < 720; y++) {
-            control.open();
+            open();
             input.point(2 * 640, 2 * y);
             input.click();
             var choice = control.choiceOf(AREA, 2);
-            quits += choice instanceof Menu.Choice.Quit ? 1 : 0;
-            continues += choice instanceof Menu.Choice.Continue ? 1 : 0;
+            quits += choice instanceof Choice.Quit ? 1 : 0;
+            resumes += choice instanceof Choice.Resume ? 1 : 0;
         }
-        assertEquals(46, quits, 1);
-        assertEquals(46, continues, 1);
+        assertEquals(44, quits, 1);
+        assertEquals(44, resumes, 1);
     }
 
     @Test
@@ -77,10 +143,9 @@ class MenuControlTest {
     void aClickBeforeThePointerMovesChoosesNothing() {
         for (int y = 0; y < 720; y++) {
             input.point(640, y);
-            control.open();
+            open();
             input.click();
             assertNull(control.choiceOf(AREA, 1), "y " + y);
-            assertEquals("Nephele", control.page().title());
         }
     }
 
@@ -88,56 +153,30 @@ class MenuControlTest {
     @Test
     void thatClickShowsWhatTheNextOneChooses() {
         input.point(640, row(5));
-        control.open();
+        open();
         input.click();
         assertNull(control.choiceOf(AREA, 1));
-        assertInstanceOf(Menu.Choice.Quit.class, control.page().chosen());
+        assertInstanceOf(Choice.Quit.class, control.page().chosen());
         input.click();
-        assertInstanceOf(Menu.Choice.Quit.class, control.choiceOf(AREA, 1));
-    }
-
-    /** A double click on an entry that opens a page chooses nothing on that page. */
-    @Test
-    void aClickThatTurnsThePageDoesNotGoOnThere() {
-        input.point(640, row(3));
-        input.click();
-        assertNull(control.choiceOf(AREA, 1));
-        assertEquals("Choose a level", control.page().title());
-        input.click();
-        assertNull(control.choiceOf(AREA, 1));
-        assertEquals("Choose a level", control.page().title());
+        assertInstanceOf(Choice.Quit.class, control.choiceOf(AREA, 1));
     }
 
     /** In a slow frame the pointer may move after a click; the click counts where the button went down. */
     @Test
     void aClickMeansTheRowWhereTheButtonWentDown() {
-        input.point(640, row(1));
+        input.point(640, row(0));
         input.click();
         input.point(640, row(5));
-        assertInstanceOf(Menu.Choice.Continue.class, control.choiceOf(AREA, 1));
+        assertInstanceOf(Choice.Resume.class, control.choiceOf(AREA, 1));
     }
 
-    @Test
-    void escapeLeadsFromEveryOtherPageBack() {
-        input.point(640, row(3));
-        input.click();
-        control.choiceOf(AREA, 1);
-        assertNull(control.choiceOf(Control.MENU));
-        assertEquals("Nephele", control.page().title());
-        control.turnTo(SettingsPage.of(SimSettings.DEFAULT));
-        assertNull(control.choiceOf(Control.MENU));
-        assertEquals("Nephele", control.page().title());
-        assertInstanceOf(Menu.Choice.Continue.class, control.choiceOf(Control.MENU));
-    }
-
-    /** Returns the middle of a row of the pause menu, counted from 1. */
-    private static double row(int number) {
-        int rows = Menu.pause().entries().size();
+    /** Returns the middle of a row of the pause menu, counted from 0. */
+    private double row(int number) {
+        MenuPanel panel = new MenuPanel(menus.pause(COURTYARD), AREA);
         int y = 0;
-        while (new MenuPanel(Menu.pause(), AREA).rowAt(640, y) < 0) {
+        while (panel.rowAt(640, y) != number) {
             y++;
         }
-        assertEquals(5, rows);
-        return y + 46 * (number - 0.5);
+        return y + 20;
     }
 }

@@ -10,6 +10,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.UserFolders;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.named.LevelName;
 import nephele.engine.sim.replay.Replay;
@@ -26,10 +28,11 @@ class OffscreenWalkGlTest {
                 new LevelName("levels/samples/walking.json"),
                 null,
                 new QualityChoice("low", Map.of()),
-                Replay.standing("walking.json", 240),
+                new PlayRequest.Shown(Replay.standing("walking.json", 240), PlayRequest.Shown.NEVER),
                 record,
                 SimSettings.DEFAULT,
-                new PlayRequest.Picture(64, 36, false));
+                new PlayRequest.Picture(64, 36, false),
+                new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null)), null));
     }
 
     private String run(PlayRequest request) throws Exception {

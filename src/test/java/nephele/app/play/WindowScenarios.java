@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.UserFolders;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
@@ -32,9 +34,17 @@ public final class WindowScenarios {
     private WindowScenarios(String level) {
         var picture = new PlayRequest.Picture(320, 180, false);
         var quality = new QualityChoice("low", Map.of());
+        var player = new PlayRequest.Player(new PlayerFiles(new UserFolders(null, null)), null);
         loop = new GameLoop(
                 new PlayRequest(
-                        new LevelName(level), null, quality, null, Path.of("walk.json"), SimSettings.DEFAULT, picture),
+                        new LevelName(level),
+                        null,
+                        quality,
+                        null,
+                        Path.of("walk.json"),
+                        SimSettings.DEFAULT,
+                        picture,
+                        player),
                 window,
                 gl,
                 input);
@@ -69,11 +79,15 @@ public final class WindowScenarios {
                         },
                         () -> !input.holds(Control.FORWARD) && cursor() == GLFW_CURSOR_NORMAL),
                 new Scenario(
-                        "gets the focus back",
+                        "is paused then",
                         () -> {
                             glfwDestroyWindow(other[0]);
                             glfwFocusWindow(handle);
                         },
+                        () -> loop.stage() == GameStage.MENU && window.hasFocus()),
+                new Scenario(
+                        "continues with the focus",
+                        () -> press(Control.CONFIRM),
                         () -> cursor() == GLFW_CURSOR_DISABLED && input.takeCountsRight() == 0),
                 new Scenario("fills the screen", () -> press(Control.FULL_SCREEN), () -> isSize(1024, 600)),
                 new Scenario("leaves the full screen", () -> press(Control.FULL_SCREEN), () -> isSize(400, 200)),
@@ -85,7 +99,10 @@ public final class WindowScenarios {
                         "captures it again and keeps the first key",
                         () -> input.key(Control.FORWARD, true),
                         () -> cursor() == GLFW_CURSOR_DISABLED && input.holds(Control.FORWARD)),
-                new Scenario("restarts", () -> press(Control.RESTART), this::hasRestarted),
+                new Scenario(
+                        "asks before it restarts", () -> press(Control.RESTART), () -> loop.stage() == GameStage.MENU),
+                new Scenario("selects the restart", () -> press(Control.BACK), () -> loop.stage() == GameStage.MENU),
+                new Scenario("restarts", () -> press(Control.CONFIRM), this::hasRestarted),
                 new Scenario("takes a picture", () -> press(Control.SCREENSHOT), this::hasPicture),
                 new Scenario(
                         "closes",

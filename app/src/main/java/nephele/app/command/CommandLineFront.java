@@ -84,7 +84,7 @@ public final class CommandLineFront {
                 commandLine.usage(terminal.out(), Ansi.OFF);
                 return ExitCode.DONE;
             }
-            return command.run(terminal);
+            return command.run(common.verbose ? terminal.with(Terminal.Detail.VERBOSE) : terminal);
         } catch (ParameterException wrongUsage) {
             terminal.err().println("nephele " + entry.name() + ": " + wrongUsage.getMessage() + proposal(wrongUsage));
             terminal.err().println("`nephele " + entry.name() + " --help` lists what it takes.");

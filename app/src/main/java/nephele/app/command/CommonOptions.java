@@ -10,6 +10,8 @@ public final class CommonOptions {
             description = "Show this help.")
     boolean help;
 
-    @Option(names = "--verbose", description = "Show the stack trace when something fails.")
+    @Option(
+            names = "--verbose",
+            description = "Show the stack trace when something fails; play also writes each change of its state.")
     boolean verbose;
 }

@@ -7,6 +7,8 @@ import nephele.app.play.OffscreenWalk;
 import nephele.app.play.PlayRequest;
 import nephele.app.play.StartProfile;
 import nephele.app.play.WindowedGame;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.UserFolders;
 import nephele.app.window.SystemDisplay;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelCatalogue;
@@ -29,7 +31,10 @@ final class PlayCommand implements Command {
     /** Starts timing when the command is created, before its options are read. */
     private final StartProfile profile = new StartProfile();
 
-    @Parameters(arity = "0..1", paramLabel = "LEVEL", description = "A level file (default: level 01).")
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "LEVEL",
+            description = "A level file (default: the title; without a display, level 01).")
     private String level;
 
     @Option(
@@ -70,6 +75,9 @@ final class PlayCommand implements Command {
     @Option(names = "--replay", paramLabel = "FILE", description = "Show a replay, at the rate that the file says.")
     private String replay;
 
+    @Option(names = "--take-over", paramLabel = "TICK", description = "With --replay: play from this tick on.")
+    private Long takeOver;
+
     @Option(names = "--fullscreen", description = "Begin in full screen (F11 changes it).")
     private boolean fullScreen;
 
@@ -86,7 +94,7 @@ final class PlayCommand implements Command {
     private boolean profileStart;
 
     @Mixin
-    private QualityOptions quality;
+    private PlayQualityOptions quality;
 
     static Preload preload() {
         return SystemDisplay.isPresent() ? Preload.nothing() : Preload.offscreenGraphics();
@@ -109,15 +117,41 @@ final class PlayCommand implements Command {
     }
 
     private PlayRequest request(Terminal terminal) {
-        var name = level == null ? LevelCatalogue.first() : new LevelName(level);
+        boolean showsTitle = level == null && SystemDisplay.isPresent() && replay == null && from == null;
+        var name = showsTitle ? null : level == null ? LevelCatalogue.first() : new LevelName(level);
         var picture = new PlayRequest.Picture(size.width(), size.height(), fullScreen);
-        Replay shown = replay == null ? null : LevelName.replay(replay);
-        if (shown != null && (shown.levelName() != null || shown.levelSha256() != null)) {
-            ReplayOrigin.require(name.open(), replay, shown, terminal.err());
-        }
-        return new PlayRequest(name, from, quality.choice(), shown, record, settings(), picture);
+        var log = terminal.detail() == Terminal.Detail.VERBOSE ? terminal.err() : null;
+        var files = new PlayerFiles(UserFolders.ofThisUser());
+        files.takeProblems().forEach(terminal.err()::println);
+        return new PlayRequest(
+                name,
+                from,
+                quality.choice(),
+                shown(name, terminal),
+                record,
+                settings(),
+                picture,
+                new PlayRequest.Player(files, log));
     }
 
+    private PlayRequest.Shown shown(LevelName name, Terminal terminal) {
+        if (replay == null && takeOver != null) {
+            throw CommandFailure.usage("--take-over belongs to --replay");
+        }
+        if (replay == null) {
+            return null;
+        }
+        Replay read = LevelName.replay(replay);
+        if (read.levelName() != null || read.levelSha256() != null) {
+            ReplayOrigin.require(name.open(), replay, read, terminal.err());
+        }
+        if (takeOver != null && (takeOver < 0 || takeOver > read.ticks())) {
+            throw CommandFailure.usage("--take-over is a tick of the replay, 0 to " + read.ticks());
+        }
+        return new PlayRequest.Shown(read, takeOver == null ? PlayRequest.Shown.NEVER : takeOver);
+    }
+
+    /** Returns the settings of the simulation; null if no option states one. */
     private SimSettings settings() {
         if (replay != null && ticksPerSecond != null) {
             throw CommandFailure.usage("--ticks-per-second and --replay exclude each other");
@@ -130,6 +164,9 @@ final class PlayCommand implements Command {
         }
         if (replay != null && uprightRate != null) {
             throw CommandFailure.usage("--upright-rate and --replay exclude each other: a replay brings its own");
+        }
+        if (ticksPerSecond == null && assists == null && uprightRate == null) {
+            return null;
         }
         int rate = ticksPerSecond == null ? SimSettings.DEFAULT.ticksPerSecond() : ticksPerSecond;
         try {

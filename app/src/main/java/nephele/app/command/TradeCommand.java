@@ -112,7 +112,7 @@ final class TradeCommand implements Command {
     }
 
     private static String usualLevel() {
-        return LevelCatalogue.numbered().stream()
+        return LevelCatalogue.campaign().stream()
                 .filter(name -> name.fileName().startsWith("02-"))
                 .map(LevelName::typed)
                 .findFirst()

@@ -1,7 +1,6 @@
 package nephele.app.play;
 
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.sim.state.SimSettings;
 import nephele.engine.terminal.CommandFailure;
 
 /** The level being played, if any, with its figures and its recording. */
@@ -40,10 +39,16 @@ final class CurrentLevel implements AutoCloseable {
         session.notice().ifPresent(message::say);
     }
 
+    /** Draws the level with the chosen quality. */
+    void redraw(GlContext gl) {
+        figures.close();
+        session.redraw(gl);
+    }
+
     /** Restarts the level; the part played so far is saved as a recording of its own. */
-    void restart(SimSettings settings) {
+    void restart() {
         keepRecordingOrSay();
-        session.restart(settings);
+        session.restart();
     }
 
     private void keepRecordingOrSay() {

@@ -10,6 +10,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayPass;
+import nephele.engine.scene.View;
 
 /** Draws frames into a window: the level, then the overlay; takes screenshots in between. */
 final class Display implements AutoCloseable {
@@ -19,6 +20,12 @@ final class Display implements AutoCloseable {
         WITH_OVERLAY,
         WITHOUT_OVERLAY
     }
+
+    /** The colour behind the overlay while there is no level, linear or sRGB as the window takes it. */
+    private static final float EMPTY_RED = 0.055f;
+
+    private static final float EMPTY_GREEN = 0.09f;
+    private static final float EMPTY_BLUE = 0.14f;
 
     private final GameWindow window;
     private final GlContext gl;
@@ -35,15 +42,28 @@ final class Display implements AutoCloseable {
         overlay = new OverlayPass(gl, lettering);
     }
 
-    /** Draws one frame. Returns the message of a screenshot, or null. */
-    String draw(Session session, HudContent content, StepListener listener, Shot shot) {
+    /** Draws the overlay over an empty picture: there is no level yet. */
+    void drawEmpty(HudContent content) {
         var picture = target();
-        double aspect = (double) picture.width() / picture.height();
+        picture.bind();
+        picture.clear(EMPTY_RED, EMPTY_GREEN, EMPTY_BLUE);
+        overlay.draw(hud.canvas(content, area(), window.scale()), picture);
+        window.show();
+    }
+
+    /** Draws one frame of the game. Returns the message of a screenshot, or null. */
+    String draw(Session session, HudContent content, StepListener listener, Shot shot) {
+        return draw(session, session.walk().view(aspect()), content, listener, shot);
+    }
+
+    /** Draws one frame from another eye. Returns the message of a screenshot, or null. */
+    String draw(Session session, View view, HudContent content, StepListener listener, Shot shot) {
+        var picture = target();
         var walk = session.walk();
         if (walk.takeCut()) {
             session.renderer().forget();
         }
-        session.renderer().draw(walk.view(aspect), walk.frameState(), picture, listener);
+        session.renderer().draw(view, walk.frameState(), picture, listener);
         String saved = shot == Shot.WITHOUT_OVERLAY ? screenshots.take(picture) : null;
         overlay.draw(hud.canvas(content, area(), window.scale()), picture);
         if (shot == Shot.WITH_OVERLAY) {
@@ -51,6 +71,11 @@ final class Display implements AutoCloseable {
         }
         window.show();
         return saved;
+    }
+
+    /** Returns width over height. */
+    double aspect() {
+        return (double) window.width() / window.height();
     }
 
     /** Returns the window's size in points. */

@@ -1,16 +1,26 @@
 package nephele.app.play;
 
+import java.util.List;
+import java.util.Optional;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
-import nephele.app.play.hud.SettingsPage;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Progress;
+import nephele.app.settings.Settings;
+import nephele.app.settings.Settings.WindowMode;
+import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
 import nephele.app.window.Screenshots;
+import nephele.engine.level.Language;
+import nephele.engine.named.LevelCatalogue;
+import nephele.engine.named.LevelName;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.View;
 
-/** The game loop, from the first level to the end: the work of a frame, and the transitions between stages. */
+/** The game loop, from the title to the end: the work of a frame, and the transitions between stages. */
 public final class GameLoop implements AutoCloseable {
     private static final double HIDDEN_WAIT_SECONDS = 0.1;
     private static final double PREPARATION_WAIT_SECONDS = 0.02;
@@ -19,28 +29,46 @@ public final class GameLoop implements AutoCloseable {
     private final GameWindow window;
     private final GlContext gl;
     private final Input input;
+    private final PlayerFiles files;
     private final Display display;
     private final StageMachine stages = new StageMachine();
+    private final StageLog log;
+    private final GameMenus menus;
     private final MenuControl menu;
     private final Message message = new Message();
+    private final Captions captions = new Captions();
     private final CurrentLevel current;
-    private PlayRequest request;
+    private final RunCounter counter = new RunCounter();
+    private final TimeLoss timeLoss = new TimeLoss();
+    private final FrameCap frameCap = new FrameCap();
+    private final PlayRequest first;
     private Loading loading;
 
     private Page page = Page.NONE;
     private Display.Shot shot = Display.Shot.NONE;
-    private long lastNanos;
+    private long lastNanos = System.nanoTime();
+    private long titleNanos;
 
-    /** Starts to read the level; {@link #run} plays it. */
+    /** Starts to read the level, or opens the title; {@link #run} plays. */
     public GameLoop(PlayRequest request, GameWindow window, GlContext gl, Input input) {
-        this.request = request;
+        first = request;
         this.window = window;
         this.gl = gl;
         this.input = input;
+        files = request.player().files();
+        log = new StageLog(request.player().log());
+        menus = new GameMenus(files, LevelCatalogue.campaign());
         menu = new MenuControl(input);
         current = new CurrentLevel(gl, new Recordings(request.record()), message);
         display = new Display(window, gl, Screenshots.inUsualFolder());
-        start(request);
+        if (!request.picture().fullScreen()) {
+            applyWindowSettings();
+        }
+        if (request.level() == null) {
+            openTitle();
+        } else {
+            start(request);
+        }
     }
 
     /** Runs until the player quits. */
@@ -58,10 +86,16 @@ public final class GameLoop implements AutoCloseable {
         changeLevel();
         simulate();
         draw();
+        tellProblems();
+        frameCap.await(files.settings().get(Settings.FRAME_CAP));
     }
 
     GameStage stage() {
         return stages.current();
+    }
+
+    private Language language() {
+        return files.settings().get(Settings.LANGUAGE);
     }
 
     private void poll() {
@@ -72,13 +106,18 @@ public final class GameLoop implements AutoCloseable {
         if (window.closeRequested() && !stages.in(GameStage.LEAVING)) {
             stages.change(GameStage.LEAVING);
         }
+        if (window.takeFocusLoss()
+                && stages.in(GameStage.RUNNING)
+                && current.session().request().isPlayed()) {
+            openPause();
+        }
         window.captureMouse(stages.in(GameStage.RUNNING) && window.hasFocus());
     }
 
     private void obeyKeys() {
         for (var key = input.nextPressed(); key != null; key = input.nextPressed()) {
             switch (key) {
-                case FULL_SCREEN -> window.toggleFullScreen();
+                case FULL_SCREEN -> toggleFullScreen();
                 case SCREENSHOT ->
                     shot = input.holds(Control.RUN) ? Display.Shot.WITHOUT_OVERLAY : Display.Shot.WITH_OVERLAY;
                 case FIGURES -> current.toggleFigures();
@@ -89,14 +128,15 @@ public final class GameLoop implements AutoCloseable {
     }
 
     private void obeyStageKey(Control key) {
-        if (stages.in(GameStage.MENU)) {
+        if (stages.inMenu()) {
             chooseByKey(key);
         } else if (stages.in(GameStage.RUNNING) && key == Control.RESTART) {
-            stages.change(GameStage.RESTARTING);
+            openPause();
+            menu.turnTo(menus.page(Menu.Page.RESTART_QUESTION));
         } else if (stages.in(GameStage.RUNNING) && key == Control.PERSON) {
             current.session().walk().changePerson();
         } else if (stages.in(GameStage.RUNNING) && key == Control.MENU) {
-            openMenuOrClosePage();
+            openPauseOrClosePage();
         }
     }
 
@@ -112,82 +152,149 @@ public final class GameLoop implements AutoCloseable {
         choose(choice);
     }
 
-    private void openMenuOrClosePage() {
+    private void openPauseOrClosePage() {
         if (page != Page.NONE) {
             page = Page.NONE;
             return;
         }
-        menu.open();
+        openPause();
+    }
+
+    private void openPause() {
+        menu.open(menus.pause(current.session().request().level()));
         stages.change(GameStage.MENU);
     }
 
+    private void openTitle() {
+        menu.open(menus.title());
+        titleNanos = System.nanoTime();
+        if (current.session() == null) {
+            loading = menus.nextToPlay()
+                    .map(level -> Loading.begin(first.of(level)))
+                    .orElse(null);
+        }
+        stages.change(GameStage.TITLE);
+    }
+
     private void obeyPointer() {
-        if (stages.in(GameStage.MENU)) {
+        if (stages.inMenu()) {
             choose(menu.choiceOf(display.area(), window.scale()));
         }
     }
 
     /** @param choice null if nothing was chosen */
     private void choose(Menu.Choice choice) {
-        if (choice instanceof Menu.Choice.Continue) {
-            resume(GameStage.RUNNING);
+        if (choice instanceof Menu.Choice.Resume) {
+            leaveMenu(GameStage.RUNNING);
         } else if (choice instanceof Menu.Choice.Restart) {
-            resume(GameStage.RESTARTING);
+            leaveMenu(GameStage.RESTARTING);
         } else if (choice instanceof Menu.Choice.Quit) {
-            resume(GameStage.LEAVING);
-        } else if (choice instanceof Menu.Choice.Start next) {
-            menu.close();
-            start(request.of(next.level()));
-        } else if (choice instanceof Menu.Choice.ShowSettings) {
-            menu.turnTo(SettingsPage.of(request.simulation()));
-        } else if (choice instanceof Menu.Choice.TurnUpright asked) {
-            turnUpright(asked.degreesPerSecond());
+            leaveMenu(GameStage.LEAVING);
+        } else if (choice instanceof Menu.Choice.ToTitle) {
+            openTitle();
+        } else if (choice instanceof Menu.Choice.Play next) {
+            play(next.level());
+        } else if (choice instanceof Menu.Choice.Open open) {
+            menu.turnTo(menus.page(open.page()));
+        } else if (choice instanceof Menu.Choice.Back) {
+            menu.back();
+        } else if (choice instanceof Menu.Choice.Step step) {
+            change(step);
         }
     }
 
-    /**
-     * Changes the rate at which the view turns upright, from the next start on. A running walk keeps its rate, as its
-     * recording stores one for all of it.
-     */
-    private void turnUpright(int degreesPerSecond) {
-        request = request.with(request.simulation().withUprightDegreesPerSecond(degreesPerSecond));
-        menu.rewrite(SettingsPage.of(request.simulation()));
-        message.say("Upright " + SettingsPage.inWords(degreesPerSecond) + " "
-                + current.session().settingsHold());
+    /** Starts a level; one that is loaded or being loaded already is used. */
+    private void play(LevelName level) {
+        boolean isLoaded = current.session() != null
+                && current.session().request().level().equals(level)
+                && current.session().request().isPlayed();
+        if (isLoaded) {
+            leaveMenu(GameStage.RESTARTING);
+        } else if (loading != null && loading.request().level().equals(level)) {
+            leaveMenu(GameStage.STARTING);
+        } else {
+            menu.close();
+            start(first.of(level));
+        }
     }
 
-    private void resume(GameStage stage) {
+    private void change(Menu.Choice.Step step) {
+        files.keep(files.settings().stepped(step.setting(), step.step()));
+        menu.rewrite(menus.page(Menu.Page.SETTINGS));
+        menu.rewriteFirst(firstPage());
+        if (step.setting().equals(Settings.QUALITY) && current.session() != null) {
+            current.redraw(gl);
+        } else if (step.setting().equals(Settings.ASSISTS)
+                || step.setting().equals(Settings.UPRIGHT)
+                || step.setting().equals(Settings.REDUCED_MOTION)) {
+            message.say(Phrase.FROM_NEXT_START.in(language()));
+        }
+        applyWindowSettings();
+        if (current.session() != null) {
+            current.session().apply();
+        }
+    }
+
+    /** Changes the kind of window and keeps it as a setting. */
+    private void toggleFullScreen() {
+        window.toggleFullScreen();
+        files.keep(files.settings()
+                .with(Settings.WINDOW_MODE, window.isFullScreen() ? WindowMode.FULLSCREEN : WindowMode.WINDOWED));
+        if (menu.page() != null && menu.page().name().equals("settings")) {
+            menu.rewrite(menus.page(Menu.Page.SETTINGS));
+        }
+    }
+
+    private Menu firstPage() {
+        return stages.in(GameStage.TITLE)
+                ? menus.title()
+                : menus.pause(current.session().request().level());
+    }
+
+    private void applyWindowSettings() {
+        if (window.isFullScreen() != (files.settings().get(Settings.WINDOW_MODE) == WindowMode.FULLSCREEN)) {
+            window.toggleFullScreen();
+        }
+        window.verticalSync(files.settings().get(Settings.VERTICAL_SYNC) == Settings.Switch.ON);
+    }
+
+    private void leaveMenu(GameStage stage) {
         menu.close();
         input.forgetMouse();
         stages.change(stage);
     }
 
     private void start(PlayRequest next) {
-        request = next;
         loading = Loading.begin(next);
         stages.change(GameStage.STARTING);
     }
 
     private void changeLevel() {
-        if (stages.in(GameStage.STARTING)) {
-            loadWhenPrepared();
+        if (stages.in(GameStage.STARTING) && loading.isDone()) {
+            drawLoading();
+            load();
+            window.title(TITLE);
+        } else if (stages.in(GameStage.STARTING)) {
+            window.title(TITLE + " – " + loading.progress(language()));
+            window.waitForEvents(PREPARATION_WAIT_SECONDS);
+        } else if (stages.in(GameStage.TITLE) && loading != null && loading.isDone()) {
+            loadBehindTitle();
         } else if (stages.in(GameStage.RESTARTING)) {
-            current.restart(request.simulation());
-            stages.change(GameStage.RUNNING);
+            current.restart();
+            begin();
         }
     }
 
-    private void loadWhenPrepared() {
-        if (loading.isDone()) {
-            load();
-            window.title(TITLE);
-            return;
+    /** The level behind the title may be missing: its problem is told when the player starts it. */
+    private void loadBehindTitle() {
+        try {
+            current.become(loading.session(gl, input));
+        } catch (RuntimeException problem) {
+            if (LoadProblem.line(problem).isEmpty()) {
+                throw problem;
+            }
         }
-        loading.progress().ifPresent(baked -> {
-            message.say(baked);
-            window.title(TITLE + " – " + baked);
-        });
-        window.waitForEvents(PREPARATION_WAIT_SECONDS);
+        loading = null;
     }
 
     /**
@@ -196,51 +303,134 @@ public final class GameLoop implements AutoCloseable {
     private void load() {
         try {
             current.become(loading.session(gl, input));
-            lastNanos = System.nanoTime();
-            stages.change(GameStage.RUNNING);
+            loading = null;
+            begin();
         } catch (RuntimeException problem) {
             var told = LoadProblem.line(problem);
-            if (current.session() == null || told.isEmpty()) {
+            boolean mayGoOn = current.session() != null || first.level() == null;
+            if (!mayGoOn || told.isEmpty()) {
                 throw problem;
             }
+            loading = null;
             message.say(told.get());
-            menu.open();
-            stages.change(GameStage.MENU);
+            if (current.session() == null) {
+                openTitle();
+                loading = null;
+            } else {
+                openPause();
+            }
         }
+    }
+
+    private void begin() {
+        lastNanos = System.nanoTime();
+        counter.restart();
+        timeLoss.restart(lastNanos, current.session().walk().lostNanos());
+        captions.begin(current.session());
+        stages.change(GameStage.RUNNING);
     }
 
     private void simulate() {
         long now = System.nanoTime();
         if (stages.in(GameStage.RUNNING)) {
-            var walk = current.session().walk();
-            walk.advance(now - lastNanos);
-            walk.takeEvents().forEach(event -> EventText.of(event).ifPresent(message::say));
-            if (walk.isFinished()) {
-                message.say("The replay is over");
-                openMenuOrClosePage();
-            }
+            simulate(current.session(), now);
         }
         lastNanos = now;
     }
 
+    private void simulate(Session session, long now) {
+        var walk = session.walk();
+        walk.advance(now - lastNanos);
+        var events = walk.takeEvents();
+        events.forEach(event -> EventText.of(event).ifPresent(message::say));
+        Optional<FinishedRun> finished = counter.after(events, walk);
+        if (timeLoss.isNoticed(now, walk.lostNanos())) {
+            message.say(Phrase.SLOW.in(language()));
+        }
+        if (finished.isPresent()) {
+            end(session, finished.get());
+        } else if (walk.isFinished()) {
+            message.say(Phrase.REPLAY_OVER.in(language()));
+            openPauseOrClosePage();
+        }
+    }
+
+    /** Ends the level. A replay that is only shown goes on to its last tick. */
+    private void end(Session session, FinishedRun run) {
+        if (!session.request().isPlayed()) {
+            message.say(Phrase.EXIT_REACHED.in(language()) + ": " + GameMenus.time(run.ticks()));
+            return;
+        }
+        LevelName level = session.request().level();
+        log.say("exit " + level.fileName() + " "
+                + session.walk().state().world().exit().tick());
+        Progress before = files.progress();
+        files.keep(before.withFinished(level.fileName(), run.ticks(), run.portals()));
+        menu.open(menus.ended(level, run, before, LevelCatalogue.after(level)));
+        stages.change(GameStage.ENDED);
+    }
+
     private void draw() {
+        say();
         var session = current.session();
-        if (session == null || !window.isDrawable()) {
+        if (!window.isDrawable()) {
+            return;
+        }
+        if (session == null) {
+            drawLoading();
             return;
         }
         var area = display.area();
+        boolean isTitle = stages.in(GameStage.TITLE);
+        boolean isPlaying = stages.in(GameStage.RUNNING);
         var content = new HudContent(
                 menu.page(),
                 page,
                 current.figures().lines(),
                 message.text(),
-                session.walk().sights(area.width(), area.height()));
-        var saved = display.draw(session, content, current.figures().frameBegins(), shot);
+                stages.in(GameStage.STARTING)
+                        ? Captions.of(loading, language())
+                        : isPlaying ? captions.aim(language()) : null,
+                isPlaying ? session.walk().sights(area.width(), area.height()) : null);
+        var listener = current.figures().frameBegins();
+        String saved = isTitle
+                ? display.draw(session, titleView(session), content, listener, shot)
+                : display.draw(session, content, listener, shot);
         shot = Display.Shot.NONE;
         if (saved != null) {
             message.say(saved);
         }
         current.figures().frameEnds(session.walk());
+    }
+
+    private View titleView(Session session) {
+        return session.titleView(display.aspect(), (System.nanoTime() - titleNanos) / 1e9);
+    }
+
+    /** Draws what is being done while there is no level to draw. */
+    private void drawLoading() {
+        if (window.isDrawable()) {
+            var banner = stages.in(GameStage.STARTING) ? Captions.of(loading, language()) : null;
+            display.drawEmpty(new HudContent(menu.page(), page, List.of(), message.text(), banner, null));
+        }
+    }
+
+    private void say() {
+        switch (stages.current()) {
+            case TITLE, MENU, ENDED ->
+                log.say(
+                        "title".equals(menu.page().name())
+                                ? "title"
+                                : "menu " + menu.page().name());
+            case STARTING -> log.say("loading " + loading.request().level().fileName());
+            case RUNNING ->
+                log.say("playing " + current.session().request().level().fileName());
+            default -> {}
+        }
+    }
+
+    private void tellProblems() {
+        files.takeProblems().forEach(message::say);
     }
 
     /** Saves the recording, however the game ends. */

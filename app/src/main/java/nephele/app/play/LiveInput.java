@@ -1,5 +1,10 @@
 package nephele.app.play;
 
+import java.util.function.Supplier;
+import nephele.app.settings.GameSettings;
+import nephele.app.settings.Settings;
+import nephele.app.settings.Settings.Crouch;
+import nephele.app.settings.Settings.Switch;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.playthrough.TickInput;
@@ -15,10 +20,15 @@ final class LiveInput implements TickInput {
     private static final int FULL_SPEED = 100;
 
     private final Input input;
+    private final Supplier<GameSettings> settings;
     private final MouseLook mouseLook = new MouseLook(DEGREES_PER_COUNT);
+    private boolean crouches;
+    private boolean heldCrouch;
 
-    LiveInput(Input input) {
+    /** @param settings the player's present settings */
+    LiveInput(Input input, Supplier<GameSettings> settings) {
         this.input = input;
+        this.settings = settings;
     }
 
     @Override
@@ -28,9 +38,21 @@ final class LiveInput implements TickInput {
         var walking = PlayerInput.NONE.walking(forward, right);
         var acting = walking;
         for (var action : Action.values()) {
-            acting = input.takeHold(control(action)) ? acting.holding(action) : acting;
+            acting = isHeld(action) ? acting.holding(action) : acting;
         }
-        return mouseLook.turn(acting, input.takeCountsRight(), input.takeCountsDown());
+        double speed = settings.get().get(Settings.MOUSE_SPEED);
+        double down = settings.get().get(Settings.INVERT_MOUSE) == Switch.ON ? -speed : speed;
+        return mouseLook.turn(acting, speed * input.takeCountsRight(), down * input.takeCountsDown());
+    }
+
+    private boolean isHeld(Action action) {
+        boolean isDown = input.takeHold(control(action));
+        if (action != Action.CROUCH || settings.get().get(Settings.CROUCH) == Crouch.HOLD) {
+            return isDown;
+        }
+        crouches ^= isDown && !heldCrouch;
+        heldCrouch = isDown;
+        return crouches;
     }
 
     private static Control control(Action action) {

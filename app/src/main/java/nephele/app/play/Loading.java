@@ -1,9 +1,10 @@
 package nephele.app.play;
 
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
+import nephele.app.text.Phrase;
 import nephele.app.window.Input;
 import nephele.engine.draw.Preparation;
+import nephele.engine.level.Language;
 import nephele.engine.render.gl.GlContext;
 
 /** A level being loaded: prepared on a separate thread, then made a session on the thread of the OpenGL context. */
@@ -16,7 +17,7 @@ final class Loading {
         this.request = request;
         preparation = Preparation.begin(
                 request.level(),
-                request.quality(),
+                request.chosenQuality(),
                 share -> bakedPercent.accumulateAndGet((int) (100 * share), Math::max));
     }
 
@@ -28,10 +29,17 @@ final class Loading {
         return preparation.isDone();
     }
 
-    /** Returns the progress of a long part in words; empty while there is none. */
-    Optional<String> progress() {
+    /** Returns what is being done, in words. */
+    String progress(Language language) {
         int percent = bakedPercent.get();
-        return percent > 0 ? Optional.of("baking the light: " + percent + " %") : Optional.empty();
+        if (isDone()) {
+            return Phrase.PREPARING.in(language);
+        }
+        return percent > 0 ? Phrase.BAKING.in(language, percent) : Phrase.READING.in(language);
+    }
+
+    PlayRequest request() {
+        return request;
     }
 
     /** Returns the session of the prepared level; its problems are thrown before anything is allocated. */

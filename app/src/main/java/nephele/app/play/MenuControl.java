@@ -1,59 +1,83 @@
 package nephele.app.play;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.MenuPanel;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
-import nephele.engine.named.LevelCatalogue;
 
-/** Maps keys and pointer to choices in the menu, and switches between its pages. */
+/** Maps keys and pointer to choices in the menu; keeps the pages below the open one with their selections. */
 final class MenuControl {
     private final Input input;
-    private Menu menu;
+    private final Deque<Menu> pages = new ArrayDeque<>();
 
     MenuControl(Input input) {
         this.input = input;
     }
 
-    void open() {
-        turnTo(Menu.pause());
+    /** Opens a page with no other below it. */
+    void open(Menu page) {
+        pages.clear();
+        turnTo(page);
     }
 
-    /** Opens a page. The pointer is reset, as it is now over another entry than the player placed it on. */
+    /** Opens a page above the current one. The pointer is reset, as it is now over another entry than before. */
     void turnTo(Menu page) {
-        menu = page;
+        pages.push(page);
         input.forgetMouse();
     }
 
-    /** Replaces the page by one with other labels; the selection stays. */
+    /** Returns to the page below; the first page stays. */
+    void back() {
+        if (pages.size() > 1) {
+            pages.pop();
+            input.forgetMouse();
+        }
+    }
+
+    /** Replaces the current page by one with other labels; the selection stays. */
     void rewrite(Menu page) {
-        menu = page.pointedAt(menu.selected());
+        Menu before = pages.pop();
+        pages.push(page.pointedAt(before.selected()));
+    }
+
+    /** Replaces the first page, below all others, by one with other labels. */
+    void rewriteFirst(Menu page) {
+        Menu before = pages.removeLast();
+        pages.addLast(page.pointedAt(before.selected()));
     }
 
     void close() {
-        menu = null;
+        pages.clear();
     }
 
     /** Returns the open page, or null. */
     Menu page() {
-        return menu;
+        return pages.peek();
     }
 
     /** Returns the choice made with this key, or null. */
     Menu.Choice choiceOf(Control key) {
-        switch (key) {
-            case FORWARD -> menu = menu.moved(-1);
-            case BACK -> menu = menu.moved(1);
-            case CONFIRM, JUMP -> {
-                return followed(menu.chosen());
-            }
-            case MENU -> {
-                return followed(menu.escape());
-            }
-            default -> {}
-        }
+        return switch (key) {
+            case FORWARD -> moved(-1);
+            case BACK -> moved(1);
+            case LEFT -> page().stepped(-1);
+            case RIGHT -> page().stepped(1);
+            case CONFIRM, JUMP -> page().chosen();
+            case MENU -> page().escape();
+            default -> null;
+        };
+    }
+
+    private Menu.Choice moved(int steps) {
+        pages.push(pages.pop().moved(steps));
         return null;
+    }
+
+    private void pointAt(int row) {
+        pages.push(pages.pop().pointedAt(row));
     }
 
     /**
@@ -62,29 +86,16 @@ final class MenuControl {
      * @param pixelsPerPoint the overlay's scale
      */
     Menu.Choice choiceOf(Area area, double pixelsPerPoint) {
-        var panel = new MenuPanel(menu, area);
+        var panel = new MenuPanel(page(), area);
         if (input.takePointerMoved()) {
-            menu = menu.pointedAt(panel.rowAt(input.pointerX() / pixelsPerPoint, input.pointerY() / pixelsPerPoint));
+            pointAt(panel.rowAt(input.pointerX() / pixelsPerPoint, input.pointerY() / pixelsPerPoint));
         }
         var click = input.takeClick();
         int row = click == null ? -1 : panel.rowAt(click.x() / pixelsPerPoint, click.y() / pixelsPerPoint);
         if (row < 0) {
             return null;
         }
-        menu = menu.pointedAt(row);
-        return followed(menu.chosen());
-    }
-
-    /** Handles choices that only open a page; returns the others. */
-    private Menu.Choice followed(Menu.Choice choice) {
-        if (choice instanceof Menu.Choice.SelectLevel) {
-            turnTo(Menu.levels(LevelCatalogue.numbered()));
-            return null;
-        }
-        if (choice instanceof Menu.Choice.Back) {
-            turnTo(Menu.pause());
-            return null;
-        }
-        return choice;
+        pointAt(row);
+        return page().chosen();
     }
 }

@@ -41,7 +41,8 @@ public final class OffscreenWalk {
 
     /** Plays the replay to its end. */
     public void run() throws IOException {
-        var preparation = Preparation.begin(request.level(), request.quality(), PrintedProgress.ofBake(System.err));
+        var preparation =
+                Preparation.begin(request.level(), request.chosenQuality(), PrintedProgress.ofBake(System.err));
         try (var gl = GlContext.offscreen();
                 var target = target(gl);
                 var renderer = Session.renderer(gl, request, preparation.get())) {
@@ -59,7 +60,8 @@ public final class OffscreenWalk {
     /** Draws only the first frame and reports the time of each part of the start. */
     public void profileStart(StartProfile profile) {
         profile.done("arguments");
-        var preparation = Preparation.begin(request.level(), request.quality(), PrintedProgress.ofBake(System.err));
+        var preparation =
+                Preparation.begin(request.level(), request.chosenQuality(), PrintedProgress.ofBake(System.err));
         try (var gl = GlContext.offscreen();
                 var target = target(gl)) {
             profile.done("context");

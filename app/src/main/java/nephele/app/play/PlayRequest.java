@@ -1,6 +1,8 @@
 package nephele.app.play;
 
+import java.io.PrintStream;
 import java.nio.file.Path;
+import nephele.app.settings.PlayerFiles;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelName;
@@ -10,32 +12,69 @@ import nephele.engine.sim.state.SimSettings;
 /**
  * The options of a game.
  *
+ * @param level null for the title
  * @param from null for the level's start
- * @param replay null for keyboard and mouse
+ * @param quality null for that of the player's settings
+ * @param shown null for keyboard and mouse
  * @param record null if nothing is recorded
+ * @param simulation null for that of the player's settings
  */
 public record PlayRequest(
         LevelName level,
         PlayerStart from,
         QualityChoice quality,
-        Replay replay,
+        Shown shown,
         Path record,
         SimSettings simulation,
-        Picture picture) {
+        Picture picture,
+        Player player) {
     /** The picture's size in pixels, and true for full screen. */
     public record Picture(int width, int height, boolean fullScreen) {}
 
-    PlayRequest with(SimSettings changed) {
-        return new PlayRequest(level, from, quality, replay, record, changed, picture);
+    /**
+     * A replay to show.
+     *
+     * @param takeOverTick the tick from which the player plays; {@link #NEVER} to show all of it
+     */
+    public record Shown(Replay replay, long takeOverTick) {
+        public static final long NEVER = Long.MAX_VALUE;
+
+        boolean isTakenOver() {
+            return takeOverTick != NEVER;
+        }
     }
 
-    /** Returns in words when settings take effect that are changed during the game. */
-    String settingsHold() {
-        return replay == null ? "from the next start or restart on" : "from the next start on; a replay keeps its own";
+    /**
+     * What belongs to the player.
+     *
+     * @param log receives a line for each change of the game's state; null for none
+     */
+    public record Player(PlayerFiles files, PrintStream log) {}
+
+    /** Returns the replay to show; null for keyboard and mouse. */
+    Replay replay() {
+        return shown == null ? null : shown.replay();
+    }
+
+    /** Returns true if what is reached counts as the player's progress. */
+    boolean isPlayed() {
+        return shown == null || shown.isTakenOver();
+    }
+
+    /** Returns the simulation's settings: those of the command line, else the player's. */
+    SimSettings settings() {
+        return simulation != null
+                ? simulation
+                : ChosenSettings.simulation(player.files().settings());
+    }
+
+    /** Returns the quality of the command line, else the player's. */
+    QualityChoice chosenQuality() {
+        return quality != null ? quality : ChosenSettings.quality(player.files().settings());
     }
 
     /** Returns the request for another level, played by hand. */
     PlayRequest of(LevelName other) {
-        return new PlayRequest(other, null, quality, null, record, simulation, picture);
+        return new PlayRequest(other, null, quality, null, record, simulation, picture, player);
     }
 }

@@ -3,12 +3,17 @@ package nephele.app.play;
 import java.util.Optional;
 import nephele.app.window.Input;
 import nephele.engine.draw.Preparation;
+import nephele.engine.level.Camera;
 import nephele.engine.level.Level;
+import nephele.engine.math.Vec3;
 import nephele.engine.named.AssetProblems;
 import nephele.engine.playthrough.Playthrough;
 import nephele.engine.playthrough.ReplayInput;
+import nephele.engine.playthrough.TakenOverInput;
+import nephele.engine.playthrough.TickInput;
 import nephele.engine.render.Renderer;
 import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.SimLevel;
@@ -16,22 +21,29 @@ import nephele.engine.sim.state.SimSettings;
 
 /** One level being played: its renderer and its simulation. */
 final class Session implements AutoCloseable {
+    /** The way of the title's camera to each side, and its speed. */
+    private static final double SWAY_METRES = 0.35;
+
+    private static final double SWAY_RADIANS_PER_SECOND = 0.25;
+
     private final PlayRequest request;
+    private final Preparation.Prepared prepared;
     private final Level level;
     private final SimLevel world;
-    private final Renderer renderer;
+    private Renderer renderer;
     private final Input input;
     private final Optional<String> notice;
     private Playthrough playthrough;
 
     private Session(PlayRequest request, Preparation.Prepared prepared, Renderer renderer, Input input) {
         this.request = request;
+        this.prepared = prepared;
         this.level = prepared.opened().level();
         this.world = prepared.world();
         this.notice = prepared.opened().notice();
         this.renderer = renderer;
         this.input = input;
-        restart(request.simulation());
+        restart();
     }
 
     /** Builds the resources of a level; its problems are thrown before anything is allocated. */
@@ -41,25 +53,70 @@ final class Session implements AutoCloseable {
     }
 
     static Renderer renderer(GlContext gl, PlayRequest request, Preparation.Prepared prepared) {
-        var output = request.quality().output(prepared.opened().level());
-        var settings =
-                request.quality().settings(output, gl.limits().software()).with(CharacterPresence.POSSIBLE);
+        var quality = request.chosenQuality();
+        var output = quality.output(prepared.opened().level());
+        var settings = quality.settings(output, gl.limits().software()).with(CharacterPresence.POSSIBLE);
         return AssetProblems.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 
     /** Restarts the level; a replay uses its own settings. */
-    void restart(SimSettings asked) {
+    void restart() {
         var replay = request.replay();
-        SimSettings settings = replay != null ? replay.settings() : asked;
+        SimSettings settings = replay != null ? replay.settings() : request.settings();
         var from = request.from() == null && replay != null ? replay.start() : request.from();
-        var hands = replay != null ? new ReplayInput(replay) : new LiveInput(input);
         playthrough = new Playthrough(
-                level, world, new Playthrough.Beginning(request.level().fileName(), settings, from), hands);
+                level, world, new Playthrough.Beginning(request.level().fileName(), settings, from), hands());
+        apply();
     }
 
-    /** Returns in words when changed settings take effect. */
-    String settingsHold() {
-        return request.settingsHold();
+    private TickInput hands() {
+        var live = new LiveInput(input, request.player().files()::settings);
+        if (request.shown() == null) {
+            return live;
+        }
+        return request.shown().isTakenOver()
+                ? new TakenOverInput(request.replay(), request.shown().takeOverTick(), live, input::forgetMouse)
+                : new ReplayInput(request.replay());
+    }
+
+    /** Applies the player's settings that hold at once. */
+    void apply() {
+        playthrough.verticalFovDegrees(
+                ChosenSettings.verticalFovDegrees(request.player().files().settings()));
+    }
+
+    /** Replaces the renderer by one of the chosen quality. */
+    void redraw(GlContext gl) {
+        Renderer next = renderer(gl, request, prepared);
+        renderer.close();
+        renderer = next;
+    }
+
+    PlayRequest request() {
+        return request;
+    }
+
+    Level level() {
+        return level;
+    }
+
+    /**
+     * Returns the view behind the title: from the level's first camera, which sways slowly.
+     *
+     * @param seconds since the title was opened
+     */
+    View titleView(double aspect, double seconds) {
+        if (level.cameras().isEmpty()) {
+            return playthrough.view(aspect);
+        }
+        Camera camera = level.cameras().get(0);
+        Vec3 target =
+                camera.path().isEmpty() ? camera.target() : camera.path().get(0).target();
+        View still = View.ofCamera(camera, 0, aspect);
+        Vec3 eye = still.eye()
+                .addScaled(SWAY_METRES * Math.sin(seconds * SWAY_RADIANS_PER_SECOND), still.right())
+                .addScaled(SWAY_METRES / 2 * Math.sin(seconds * SWAY_RADIANS_PER_SECOND * 0.7), still.up());
+        return View.lookAt(eye, target, new Vec3(0, 1, 0), still.projection());
     }
 
     Playthrough walk() {

@@ -12,6 +12,11 @@ final class StageMachine {
         return current == stage;
     }
 
+    /** Returns true in the stages with an open menu. */
+    boolean inMenu() {
+        return in(GameStage.TITLE) || in(GameStage.MENU) || in(GameStage.ENDED);
+    }
+
     void change(GameStage to) {
         if (!current.next().contains(to)) {
             throw new IllegalStateException("the game can't go from " + current + " to " + to);

@@ -97,6 +97,16 @@ public final class GameWindow implements AutoCloseable {
         return glfwWindowShouldClose(handle);
     }
 
+    /** Returns true once after the window lost the focus. */
+    public boolean takeFocusLoss() {
+        return events.takeFocusLoss();
+    }
+
+    /** Waits for the screen before a frame is shown, or does not. */
+    public void verticalSync(boolean isOn) {
+        glfwSwapInterval(isOn ? 1 : 0);
+    }
+
     public boolean hasFocus() {
         return events.hasFocus();
     }
@@ -130,6 +140,10 @@ public final class GameWindow implements AutoCloseable {
             events.lookWithMouse(captured);
             input.forgetMouse();
         }
+    }
+
+    public boolean isFullScreen() {
+        return fullScreen;
     }
 
     public void toggleFullScreen() {

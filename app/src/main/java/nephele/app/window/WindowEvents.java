@@ -10,6 +10,7 @@ final class WindowEvents {
     private int height;
     private boolean minimised;
     private boolean focus;
+    private boolean focusLost;
     private double scale = 1;
     private boolean looking;
 
@@ -24,6 +25,7 @@ final class WindowEvents {
         glfwSetWindowIconifyCallback(handle, (window, now) -> minimised = now);
         glfwSetWindowContentScaleCallback(handle, (window, x, y) -> scale = x);
         glfwSetWindowFocusCallback(handle, (window, now) -> {
+            focusLost |= focus && !now;
             focus = now;
             input.forget();
         });
@@ -101,6 +103,13 @@ final class WindowEvents {
 
     boolean isMinimised() {
         return minimised;
+    }
+
+    /** Returns true once after the focus was lost. */
+    boolean takeFocusLoss() {
+        boolean taken = focusLost;
+        focusLost = false;
+        return taken;
     }
 
     boolean hasFocus() {

@@ -1,18 +1,22 @@
 package nephele.engine.named;
 
 import java.io.IOException;
-import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.jar.JarFile;
-import java.util.stream.Stream;
+import java.util.Optional;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.ResourceAssets;
+import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.terminal.CommandFailure;
 
-/** Finds the game's levels: in {@code levels/} of the working directory first, then in the jar. */
+/** Finds the game's levels: the campaign in {@code levels/} of the working directory, else the one in the jar. */
 public final class LevelCatalogue {
-    private static final Path CHECKOUT = Path.of("levels");
-    private static final String NUMBERED = "[0-9]{2}-.*\\.json";
+    private static final String FOLDER = "levels/";
+    private static final String CAMPAIGN = "campaign.json";
+    private static final int LARGEST_BYTES = 1 << 20;
 
     private LevelCatalogue() {}
 
@@ -22,51 +26,56 @@ public final class LevelCatalogue {
      * @throws CommandFailure if there is none
      */
     public static LevelName first() {
-        var all = numbered();
+        var all = campaign();
         if (all.isEmpty()) {
-            throw CommandFailure.environment(
-                    "no levels/01-*.json in the working directory or in the jar; name a level: nephele play LEVEL");
+            throw CommandFailure.environment("no " + FOLDER + CAMPAIGN
+                    + " with a level in the working directory or in the jar; name a level: nephele play LEVEL");
         }
         return all.get(0);
     }
 
-    /** Returns the game's levels in order; empty if there are none. */
-    public static List<LevelName> numbered() {
-        var inCheckout = inCheckout();
-        return inCheckout.isEmpty() ? inJar() : inCheckout;
+    /**
+     * Returns the campaign's levels in order; empty if there is no campaign.
+     *
+     * @throws LevelFormatException if the campaign's file is no campaign
+     */
+    public static List<LevelName> campaign() {
+        return inCheckout().or(LevelCatalogue::inJar).orElse(List.of());
     }
 
-    private static List<LevelName> inCheckout() {
-        if (!Files.isDirectory(CHECKOUT)) {
-            return List.of();
+    /** Returns the level after another one in the campaign; empty after the last and for other levels. */
+    public static Optional<LevelName> after(LevelName level) {
+        var all = campaign();
+        for (int i = 0; i + 1 < all.size(); i++) {
+            if (all.get(i).fileName().equals(level.fileName())) {
+                return Optional.of(all.get(i + 1));
+            }
         }
-        try (Stream<Path> files = Files.list(CHECKOUT)) {
-            return files.filter(file -> file.getFileName().toString().matches(NUMBERED))
-                    .sorted()
-                    .map(file -> new LevelName(file.toString()))
-                    .toList();
-        } catch (IOException unreadable) {
-            return List.of();
-        }
+        return Optional.empty();
     }
 
-    private static List<LevelName> inJar() {
+    private static Optional<List<LevelName>> inCheckout() {
+        Path file = Path.of(FOLDER + CAMPAIGN);
+        if (!Files.isRegularFile(file)) {
+            return Optional.empty();
+        }
         try {
-            var code = LevelCatalogue.class.getProtectionDomain().getCodeSource();
-            var archive = code == null ? null : Path.of(code.getLocation().toURI());
-            if (archive == null || !Files.isRegularFile(archive)) {
-                return List.of();
-            }
-            try (var jar = new JarFile(archive.toFile())) {
-                return jar.stream()
-                        .map(entry -> entry.getName().replaceFirst("^levels/", ""))
-                        .filter(name -> name.matches(NUMBERED))
-                        .sorted()
-                        .map(name -> new LevelName("levels/" + name))
-                        .toList();
-            }
-        } catch (IOException | URISyntaxException unreadable) {
-            return List.of();
+            return Optional.of(names(file.toString(), AtomicFile.read(file, LARGEST_BYTES)));
+        } catch (IOException unreadable) {
+            throw CommandFailure.input(file + ": can't be read: " + AtomicFile.reason(unreadable));
         }
+    }
+
+    private static Optional<List<LevelName>> inJar() {
+        AssetSource levels = new ResourceAssets(LevelAssets.JAR_LEVELS);
+        return levels.exists(CAMPAIGN)
+                ? Optional.of(names(FOLDER + CAMPAIGN, levels.bytes(CAMPAIGN)))
+                : Optional.empty();
+    }
+
+    private static List<LevelName> names(String file, byte[] bytes) {
+        return Campaign.read(file, bytes).levels().stream()
+                .map(level -> new LevelName(FOLDER + level))
+                .toList();
     }
 }

@@ -13,7 +13,7 @@ import nephele.engine.terminal.CommandFailure;
 /** Creates the views from which pictures are rendered. Aspect is width over height. */
 public final class Viewpoints {
     /** Vertical field of view of the player, the same for every aspect. */
-    private static final double PLAYER_FOV_DEGREES = 60;
+    public static final double PLAYER_FOV_DEGREES = 60;
 
     private static final double NEAR_METRES = 0.05;
     private static final double EYE_METRES = 1.65;
@@ -77,9 +77,9 @@ public final class Viewpoints {
     }
 
     /** Returns the view of a player with this eye and view frame. */
-    public static View ofEye(Vec3 eye, Basis basis, double aspect) {
+    public static View ofEye(Vec3 eye, Basis basis, double verticalFovDegrees, double aspect) {
         return new View(
-                eye, basis.right(), basis.up(), basis.back(), projection(Math.toRadians(PLAYER_FOV_DEGREES), aspect));
+                eye, basis.right(), basis.up(), basis.back(), projection(Math.toRadians(verticalFovDegrees), aspect));
     }
 
     private static View ofPlayer(PlayerStart start, double aspect) {
@@ -88,6 +88,7 @@ public final class Viewpoints {
         return ofEye(
                 eye,
                 Basis.ofYawPitch(Math.toRadians(start.yawDegrees()), Math.toRadians(start.pitchDegrees())),
+                PLAYER_FOV_DEGREES,
                 aspect);
     }
 

@@ -46,6 +46,7 @@ public final class Playthrough {
     private final FrameInterpolation live;
     private final CameraBoom boom;
     private final ShotPreviews aiming;
+    private double verticalFovDegrees = Viewpoints.PLAYER_FOV_DEGREES;
     private SimState before;
     private SimState after;
     private Seen seen;
@@ -94,6 +95,21 @@ public final class Playthrough {
         for (int i = 0; i < due; i++) {
             tick();
         }
+    }
+
+    /** Returns the simulated time of a tick. */
+    public double secondsPerTick() {
+        return secondsPerTick;
+    }
+
+    /** Sets the vertical field of view of {@link #view}. */
+    public void verticalFovDegrees(double degrees) {
+        verticalFovDegrees = degrees;
+    }
+
+    /** Returns the real time that was not simulated because frames took longer than 0.25 s. */
+    public long lostNanos() {
+        return clock.lostNanos();
     }
 
     /** Simulates one tick. */
@@ -173,7 +189,7 @@ public final class Playthrough {
     /** Returns the player's view between the last two ticks: from the eye, or from the camera boom. */
     public View view(double aspect) {
         PlayerPose camera = seen().camera();
-        return Viewpoints.ofEye(camera.eye(), camera.view(), aspect);
+        return Viewpoints.ofEye(camera.eye(), camera.view(), verticalFovDegrees, aspect);
     }
 
     /** Returns the crosshair of the last view, for a picture of this size. */

@@ -5,33 +5,32 @@ package nephele.engine.sim;
  * sum of floating-point steps does.
  */
 public final class FixedStep {
-    public static final int MAX_TICKS_PER_FRAME = 8;
+    /** The longest frame that is simulated completely: time holds down to four frames a second. */
+    public static final long LONGEST_FRAME_NANOS = 250_000_000L;
+
     private static final long NANOS_PER_SECOND = 1_000_000_000L;
-    private static final long LONGEST_FRAME_NANOS = NANOS_PER_SECOND / 4;
 
     private final int ticksPerSecond;
     /** The remainder below one tick, in nanoseconds · ticks per second. */
     private long rest;
 
-    private long droppedTicks;
+    private long lostNanos;
 
     public FixedStep(int ticksPerSecond) {
         this.ticksPerSecond = ticksPerSecond;
     }
 
     /**
-     * Returns the number of ticks due after a frame of this length: at most {@link #MAX_TICKS_PER_FRAME}. Ticks that a
-     * slow machine cannot catch up with are dropped and counted. A negative time counts as 0, a frame above 0.25 s as
-     * 0.25 s.
+     * Returns the number of ticks due after a frame of this length. The part of a frame beyond 0.25 s is lost and
+     * counted: simulated time then passes more slowly than real time. A negative time counts as 0.
      */
     public int advance(long elapsedNanos) {
         long elapsed = Math.max(0, Math.min(elapsedNanos, LONGEST_FRAME_NANOS));
+        lostNanos += Math.max(0, elapsedNanos - LONGEST_FRAME_NANOS);
         rest += elapsed * ticksPerSecond;
         long due = rest / NANOS_PER_SECOND;
         rest %= NANOS_PER_SECOND;
-        int ticks = (int) Math.min(due, MAX_TICKS_PER_FRAME);
-        droppedTicks += due - ticks;
-        return ticks;
+        return (int) due;
     }
 
     /**
@@ -42,8 +41,8 @@ public final class FixedStep {
         return rest / (double) NANOS_PER_SECOND;
     }
 
-    /** Returns the number of ticks that were due and never run. */
-    public long droppedTicks() {
-        return droppedTicks;
+    /** Returns the real time that was never simulated. */
+    public long lostNanos() {
+        return lostNanos;
     }
 }

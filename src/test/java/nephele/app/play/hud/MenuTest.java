@@ -1,35 +1,60 @@
 package nephele.app.play.hud;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
+import nephele.app.play.hud.Menu.Choice;
+import nephele.app.play.hud.Menu.Entry;
+import nephele.app.settings.Settings;
 import org.junit.jupiter.api.Test;
 
 class MenuTest {
+    private static Menu menu(int entries) {
+        List<Entry> all = new ArrayList<>();
+        for (int i = 0; i < entries; i++) {
+            all.add(new Entry("entry " + i, "value", new Choice.Step(Settings.FIELD_OF_VIEW, 1)));
+        }
+        all.add(new Entry("quit", new Choice.Quit()));
+        return new Menu("m", "Menu", List.of("a line"), all, 0, null, "foot");
+    }
+
     @Test
     void theSelectionGoesAroundBothEnds() {
-        var menu = Menu.pause();
-        assertEquals(menu.entries().size() - 1, menu.moved(-1).selected());
-        assertEquals(0, menu.moved(menu.entries().size()).selected());
+        assertEquals(4, menu(4).moved(-1).selected());
+        assertEquals(0, menu(4).moved(5).selected());
     }
 
     @Test
     void aRowOutsideTheMenuSelectsNothingNew() {
-        var menu = Menu.pause().moved(1);
+        var menu = menu(4).moved(1);
         assertEquals(menu, menu.pointedAt(-1));
         assertEquals(menu, menu.pointedAt(99));
         assertEquals(2, menu.pointedAt(2).selected());
     }
 
     @Test
-    void theFirstEntryContinuesAndTheLastOneQuits() {
-        assertInstanceOf(Menu.Choice.Continue.class, Menu.pause().chosen());
-        assertInstanceOf(Menu.Choice.Quit.class, Menu.pause().moved(-1).chosen());
+    void leftAndRightStepOnlySettings() {
+        assertEquals(new Choice.Step(Settings.FIELD_OF_VIEW, -1), menu(1).stepped(-1));
+        assertNull(menu(1).moved(1).stepped(1));
     }
 
+    /** In every window size each selected entry is in the panel, at its own row, and the panel in the window. */
     @Test
-    void aListOfNoLevelsStillLeadsBack() {
-        assertInstanceOf(Menu.Choice.Back.class, Menu.levels(List.of()).chosen());
+    void theSelectedEntryIsVisibleInEveryWindow() {
+        for (double[] size : new double[][] {{640, 360}, {320, 180}, {1280, 720}, {2560, 1080}, {400, 900}}) {
+            var area = new Area(size[0], size[1]);
+            for (int selected = 0; selected <= 14; selected++) {
+                var panel = new MenuPanel(menu(14).pointedAt(selected), area);
+                boolean isSeen = false;
+                for (double y = 0; y < area.height(); y++) {
+                    isSeen |= panel.rowAt(area.width() / 2, y) == selected;
+                }
+                assertTrue(isSeen, selected + " in " + area);
+                assertTrue(panel.bottom() <= area.height() + 1 || area.height() < 200, area + ": " + panel.bottom());
+            }
+        }
     }
 }

@@ -5,20 +5,28 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.stream.Stream;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** The proof holds at a small part of its full count. */
 @Execution(ExecutionMode.CONCURRENT)
 class SaveKillProofTest {
-    @Test
-    void fiveKillsLeaveReadableLevels() throws Exception {
-        ProofResult result = new SaveKillProof().run(0, 5, Proof.Progress.NONE);
+    static Stream<Proof> proofs() {
+        return Stream.of(SaveKillProof.LEVELS, SaveKillProof.SETTINGS);
+    }
+
+    @ParameterizedTest
+    @MethodSource("proofs")
+    void threeKillsLeaveReadableFiles(Proof proof) throws Exception {
+        ProofResult result = proof.run(0, 3, Proof.Progress.NONE);
         assertEquals(List.of(), result.examples());
-        assertEquals(5, result.units());
+        assertEquals(3, result.units());
         assertEquals(0, result.failures());
     }
 

@@ -27,17 +27,23 @@ public final class Hud {
     }
 
     private void fill(HudContent content, Area area) {
+        double covered = 0;
         if (content.menu() != null) {
-            new MenuPanel(content.menu(), area).draw(canvas);
+            MenuPanel panel = new MenuPanel(content.menu(), area);
+            panel.draw(canvas);
+            covered = panel.bottom();
         } else if (content.page() == HudContent.Page.HELP) {
             HelpPanel.draw(canvas, area);
-        } else {
+        } else if (content.crosshair() != null) {
             Crosshair.draw(canvas, area, content.crosshair());
         }
-        if (!content.figures().isEmpty()) {
+        if (content.banner() != null && content.menu() == null) {
+            BannerPanel.draw(canvas, area, content.banner());
+        }
+        if (!content.figures().isEmpty() && content.menu() == null) {
             FrameStatisticsPanel.draw(canvas, content.figures());
         }
-        if (content.message() != null) {
+        if (content.message() != null && MessageBar.top(area) >= covered) {
             MessageBar.draw(canvas, area, content.message());
         }
     }

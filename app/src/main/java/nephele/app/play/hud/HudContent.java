@@ -9,8 +9,14 @@ import nephele.engine.playthrough.CrosshairState;
  * @param menu null while playing
  * @param figures lines of the F3 panel, empty if it is closed
  * @param message the latest message, or null
+ * @param banner what is being loaded, or the level's aim; null for none
+ * @param crosshair null if there is none
  */
-public record HudContent(Menu menu, Page page, List<Figure> figures, String message, CrosshairState crosshair) {
+public record HudContent(
+        Menu menu, Page page, List<Figure> figures, String message, Banner banner, CrosshairState crosshair) {
+    /** A title and a line in the upper part of the picture. */
+    public record Banner(String title, String line) {}
+
     /** The page that covers the game, if any. */
     public enum Page {
         NONE,

@@ -1,76 +1,90 @@
 package nephele.app.play.hud;
 
-import java.util.ArrayList;
 import java.util.List;
+import nephele.app.settings.GameSetting;
 import nephele.engine.named.LevelName;
 
 /**
- * A page of the menu as a value: entries, one of them selected. Keys move the selection cyclically, the mouse selects
- * an entry by its row.
+ * A page of the menu as a value: lines of text, then entries, one of them selected. Keys move the selection cyclically,
+ * the mouse selects an entry by its row.
  *
+ * @param name the page's name in logs
+ * @param lines texts between title and entries
  * @param escape the choice of the Esc key
+ * @param foot the line below the entries that explains the keys
  */
-public record Menu(String title, List<Entry> entries, int selected, Choice escape) {
-    /** A line of the menu and the choice that it makes. */
-    public record Entry(String label, Choice choice) {}
+public record Menu(
+        String name, String title, List<String> lines, List<Entry> entries, int selected, Choice escape, String foot) {
+    /**
+     * A line of the menu and the choice that it makes.
+     *
+     * @param value text at the right end; empty for none
+     */
+    public record Entry(String label, String value, Choice choice) {
+        public Entry(String label, Choice choice) {
+            this(label, "", choice);
+        }
+    }
+
+    /** A page that an entry opens. */
+    public enum Page {
+        LEVELS,
+        SETTINGS,
+        RESTART_QUESTION
+    }
 
     /** A choice of the player. */
     public sealed interface Choice {
-        record Continue() implements Choice {}
+        /** Returns to the running level. */
+        record Resume() implements Choice {}
 
         record Restart() implements Choice {}
 
-        record SelectLevel() implements Choice {}
+        /** Starts a level from its beginning. */
+        record Play(LevelName level) implements Choice {}
 
-        record ShowSettings() implements Choice {}
+        record Open(Page page) implements Choice {}
 
-        /** Sets the rate at which the view turns upright after a portal. */
-        record TurnUpright(int degreesPerSecond) implements Choice {}
+        /** Changes a setting by a step. */
+        record Step(GameSetting<?> setting, int step) implements Choice {}
 
-        record Start(LevelName level) implements Choice {}
+        record ToTitle() implements Choice {}
 
+        /** Returns to the page before. */
         record Back() implements Choice {}
 
         record Quit() implements Choice {}
     }
 
     public Menu {
+        lines = List.copyOf(lines);
         entries = List.copyOf(entries);
         if (entries.isEmpty() || selected < 0 || selected >= entries.size()) {
             throw new IllegalArgumentException("entry " + selected + " of " + entries.size() + " is selected");
         }
     }
 
-    public static Menu pause() {
-        return new Menu(
-                "Nephele",
-                List.of(
-                        new Entry("Continue", new Choice.Continue()),
-                        new Entry("Restart", new Choice.Restart()),
-                        new Entry("Choose a level", new Choice.SelectLevel()),
-                        new Entry("Settings", new Choice.ShowSettings()),
-                        new Entry("Quit", new Choice.Quit())),
-                0,
-                new Choice.Continue());
-    }
-
-    public static Menu levels(List<LevelName> levels) {
-        var entries = new ArrayList<Entry>();
-        levels.forEach(level -> entries.add(new Entry(level.title(), new Choice.Start(level))));
-        entries.add(new Entry("Back", new Choice.Back()));
-        return new Menu("Choose a level", entries, 0, new Choice.Back());
-    }
-
+    /** Returns the menu with the selection moved, around both ends. */
     public Menu moved(int steps) {
-        return new Menu(title, entries, Math.floorMod(selected + steps, entries.size()), escape);
+        return selecting(Math.floorMod(selected + steps, entries.size()));
     }
 
     /** Returns the menu with that row selected; rows outside change nothing. */
     public Menu pointedAt(int row) {
-        return row >= 0 && row < entries.size() ? new Menu(title, entries, row, escape) : this;
+        return row >= 0 && row < entries.size() ? selecting(row) : this;
     }
 
+    private Menu selecting(int row) {
+        return new Menu(name, title, lines, entries, row, escape, foot);
+    }
+
+    /** Returns the choice of the selected entry. */
     public Choice chosen() {
         return entries.get(selected).choice();
+    }
+
+    /** Returns the choice of the left (−1) or right key (+1): a step of a setting, else null. */
+    public Choice stepped(int direction) {
+        return chosen() instanceof Choice.Step step ? new Choice.Step(step.setting(), direction) : null;
     }
 }

@@ -2,73 +2,134 @@ package nephele.app.play.hud;
 
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** The menu in the middle of the picture. Lengths are in points. */
+/**
+ * The menu in the middle of the picture. Lengths are in points. A low window shrinks the panel, down to a scale at
+ * which text is still legible; then entries scroll, so that the selected one is visible.
+ */
 public final class MenuPanel {
-    private static final double WIDTH = 380;
+    private static final double WIDTH = 440;
     private static final double PADDING = 32;
-    private static final double TITLE_EM = 44;
-    private static final double TITLE_HEIGHT = 76;
-    private static final double ROW_HEIGHT = 46;
-    private static final double ROW_EM = 23;
+    private static final double TITLE_EM = 40;
+    private static final double TITLE_HEIGHT = 72;
+    private static final double LINE_EM = 19;
+    private static final double LINE_HEIGHT = 28;
+    private static final double ROW_HEIGHT = 44;
+    private static final double ROW_EM = 22;
     private static final double FOOT_HEIGHT = 34;
     private static final double FOOT_EM = 15;
+    private static final double LEAST_SCALE = 0.62;
+    private static final double GAP = 14;
 
     private final Menu menu;
     private final Area area;
+    private final double scale;
+    private final int visibleRows;
+    private final int firstVisible;
 
     public MenuPanel(Menu menu, Area area) {
         this.menu = menu;
         this.area = area;
+        int rows = menu.entries().size();
+        double wanted = Math.min(area.height() / height(rows), area.width() / WIDTH);
+        scale = Math.max(LEAST_SCALE, Math.min(1, wanted));
+        int fitting = (int) Math.floor((area.height() / scale - height(0)) / ROW_HEIGHT);
+        visibleRows = Math.max(1, Math.min(rows, fitting));
+        firstVisible = Math.max(0, Math.min(menu.selected() - visibleRows / 2, rows - visibleRows));
+    }
+
+    private double height(int rows) {
+        return PADDING + TITLE_HEIGHT + linesHeight() + rows * ROW_HEIGHT + FOOT_HEIGHT + PADDING;
+    }
+
+    private double linesHeight() {
+        return menu.lines().isEmpty() ? 0 : menu.lines().size() * LINE_HEIGHT + GAP;
     }
 
     /** Returns the row under a point, or −1. */
     public int rowAt(double x, double y) {
-        boolean beside = x < left() || x > left() + WIDTH;
-        int row = (int) Math.floor((y - firstRow()) / ROW_HEIGHT);
-        return beside || row < 0 || row >= menu.entries().size() ? -1 : row;
+        boolean beside = x < left() || x > left() + scale * WIDTH;
+        int row = (int) Math.floor((y - firstRow()) / (scale * ROW_HEIGHT));
+        return beside || row < 0 || row >= visibleRows ? -1 : firstVisible + row;
     }
 
     void draw(OverlayCanvas canvas) {
         canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
-        canvas.rectangle(left(), top(), WIDTH, height(), HudPalette.PANEL);
-        canvas.rectangle(left(), top(), WIDTH, 3, HudPalette.ACCENT);
-        canvas.text(left() + PADDING, top() + PADDING + 0.7 * TITLE_EM, TITLE_EM, HudPalette.INK, menu.title());
-        for (int row = 0; row < menu.entries().size(); row++) {
-            drawRow(canvas, row);
+        canvas.rectangle(left(), top(), scale * WIDTH, scale * height(visibleRows), HudPalette.PANEL);
+        canvas.rectangle(left(), top(), scale * WIDTH, 3, HudPalette.ACCENT);
+        double x = left() + scale * PADDING;
+        fitted(canvas, x, top() + scale * (PADDING + 0.7 * TITLE_EM), scale * TITLE_EM, menu.title());
+        double y = top() + scale * (PADDING + TITLE_HEIGHT);
+        for (String line : menu.lines()) {
+            canvas.text(x, y, scale * LINE_EM, HudPalette.INK, line);
+            y += scale * LINE_HEIGHT;
         }
-        double foot = firstRow() + menu.entries().size() * ROW_HEIGHT + FOOT_HEIGHT;
-        canvas.text(left() + PADDING, foot, FOOT_EM, HudPalette.QUIET_INK, "↑ ↓  Enter  or mouse     Esc  " + escape());
+        for (int row = 0; row < visibleRows; row++) {
+            drawRow(canvas, firstVisible + row, firstRow() + row * scale * ROW_HEIGHT);
+        }
+        double foot = firstRow() + scale * (visibleRows * ROW_HEIGHT + FOOT_HEIGHT);
+        canvas.text(x, foot, scale * FOOT_EM, HudPalette.QUIET_INK, menu.foot());
+        drawArrows(canvas);
     }
 
-    private String escape() {
-        return menu.escape() instanceof Menu.Choice.Back ? "back" : "continue";
+    /** Draws a title, smaller if it is wider than the panel. */
+    private void fitted(OverlayCanvas canvas, double x, double baseline, double em, String title) {
+        double room = scale * (WIDTH - 2 * PADDING);
+        double width = canvas.width(em, title);
+        canvas.text(x, baseline, Math.min(em, em * room / width), HudPalette.INK, title);
     }
 
-    private void drawRow(OverlayCanvas canvas, int row) {
-        double y = firstRow() + row * ROW_HEIGHT;
+    /** Draws a mark at the end of a list that continues. */
+    private void drawArrows(OverlayCanvas canvas) {
+        double x = left() + scale * (WIDTH - PADDING);
+        if (firstVisible > 0) {
+            canvas.text(x, firstRow() + scale * 4, scale * FOOT_EM, HudPalette.ACCENT, "↑");
+        }
+        if (firstVisible + visibleRows < menu.entries().size()) {
+            double bottom = firstRow() + scale * visibleRows * ROW_HEIGHT;
+            canvas.text(x, bottom + scale * 12, scale * FOOT_EM, HudPalette.ACCENT, "↓");
+        }
+    }
+
+    private void drawRow(OverlayCanvas canvas, int row, double y) {
         boolean selected = row == menu.selected();
         if (selected) {
-            canvas.rectangle(left(), y, WIDTH, ROW_HEIGHT, HudPalette.SELECTED);
-            canvas.rectangle(left(), y, 4, ROW_HEIGHT, HudPalette.ACCENT);
+            canvas.rectangle(left(), y, scale * WIDTH, scale * ROW_HEIGHT, HudPalette.SELECTED);
+            canvas.rectangle(left(), y, 4, scale * ROW_HEIGHT, HudPalette.ACCENT);
         }
-        double baseline = y + ROW_HEIGHT / 2 + 0.35 * ROW_EM;
-        var label = menu.entries().get(row).label();
-        canvas.text(left() + PADDING, baseline, ROW_EM, selected ? HudPalette.INK : HudPalette.QUIET_INK, label);
+        double em = scale * ROW_EM;
+        double baseline = y + scale * ROW_HEIGHT / 2 + 0.35 * em;
+        var entry = menu.entries().get(row);
+        var ink = selected ? HudPalette.INK : HudPalette.QUIET_INK;
+        double end = canvas.text(left() + scale * PADDING, baseline, em, ink, entry.label());
+        if (!entry.value().isEmpty()) {
+            double valueEm = 0.85 * em;
+            double right = left() + scale * (WIDTH - PADDING);
+            double room = right - end - scale * GAP;
+            double width = canvas.width(valueEm, entry.value());
+            double fitting = Math.min(valueEm, valueEm * room / width);
+            canvas.text(
+                    right - Math.min(width, room),
+                    baseline,
+                    fitting,
+                    selected ? HudPalette.ACCENT : ink,
+                    entry.value());
+        }
+    }
+
+    /** Returns the panel's lower edge. */
+    double bottom() {
+        return top() + scale * height(visibleRows);
     }
 
     private double left() {
-        return Math.rint(area.centreX() - WIDTH / 2);
+        return Math.rint(area.centreX() - scale * WIDTH / 2);
     }
 
     private double top() {
-        return Math.max(0, Math.rint(area.centreY() - height() / 2));
+        return Math.max(0, Math.rint(area.centreY() - scale * height(visibleRows) / 2));
     }
 
     private double firstRow() {
-        return top() + PADDING + TITLE_HEIGHT;
-    }
-
-    private double height() {
-        return PADDING + TITLE_HEIGHT + menu.entries().size() * ROW_HEIGHT + FOOT_HEIGHT + PADDING;
+        return top() + scale * (PADDING + TITLE_HEIGHT + linesHeight());
     }
 }

@@ -10,12 +10,18 @@ final class MessageBar {
 
     private MessageBar() {}
 
+    /** Returns the upper edge of every message. */
+    static double top(Area area) {
+        return area.height() - BOTTOM - EM - 2 * PADDING;
+    }
+
     static void draw(OverlayCanvas canvas, Area area, String message) {
-        double width = canvas.width(EM, message) + 2 * PADDING;
+        double scale = Math.min(1, area.width() / (canvas.width(EM, message) + 2 * PADDING));
+        double width = scale * (canvas.width(EM, message) + 2 * PADDING);
         double left = Math.max(0, Math.rint(area.centreX() - width / 2));
         double height = EM + 2 * PADDING;
-        double top = area.height() - BOTTOM - height;
-        canvas.rectangle(left, top, width, height, HudPalette.PANEL);
-        canvas.text(left + PADDING, top + height / 2 + 0.35 * EM, EM, HudPalette.INK, message);
+        canvas.rectangle(left, top(area), width, height, HudPalette.PANEL);
+        double baseline = top(area) + height / 2 + 0.35 * EM;
+        canvas.text(left + scale * PADDING, baseline, scale * EM, HudPalette.INK, message);
     }
 }

@@ -8,16 +8,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.locks.LockSupport;
-import nephele.engine.level.Level;
-import nephele.engine.level.json.LevelFile;
-import nephele.engine.level.json.LevelFormatException;
 import nephele.lab.prove.proof.Claim;
 import nephele.lab.prove.proof.Figure;
 import nephele.lab.prove.proof.Proof;
 import nephele.lab.prove.proof.ProofResult;
 
 /**
- * Kills processes that save levels, at random moments, and reads the files that remain. A unit is a kill within a save;
+ * Kills processes that save files of one kind, at random moments, and reads the files that remain. A unit is a kill within a save;
  * a kill between two saves is repeated.
  */
 public final class SaveKillProof implements Proof {
@@ -26,14 +23,21 @@ public final class SaveKillProof implements Proof {
     /** The latest moment of a kill, in durations of the previous save, because some saves take longer. */
     private static final double LENGTHS = 1.25;
 
+    /** Saves levels as the editor does. */
+    public static final Proof LEVELS = new SaveKillProof(SavedFile.LEVEL);
+
+    /** Saves settings as the game does. */
+    public static final Proof SETTINGS = new SaveKillProof(SavedFile.PLAYER);
+
+    private final SavedFile kind;
+
+    private SaveKillProof(SavedFile kind) {
+        this.kind = kind;
+    }
+
     @Override
     public Claim claim() {
-        return new Claim(
-                "save-kills",
-                "Killing the process at any moment of a save leaves a complete old or new level file.",
-                "kills within a save",
-                1_000,
-                100);
+        return new Claim(kind.proof(), kind.claim(), "kills within a save", 1_000, 100);
     }
 
     @Override
@@ -73,21 +77,23 @@ public final class SaveKillProof implements Proof {
         return told.endsWith(String.valueOf(SavingChild.BEGUN));
     }
 
-    private static boolean isUnfinished(Path file) {
-        return Files.exists(beside(file, ".tmp")) || Files.exists(beside(file, ".bak.tmp"));
+    private static boolean isUnfinished(Path file) throws IOException {
+        try (var left = Files.list(file.getParent())) {
+            return left.anyMatch(each -> each.toString().endsWith(".tmp"));
+        }
     }
 
     private static Path file(Path folder, long unit) {
-        return folder.resolve("level-" + unit + ".json");
+        return folder.resolve("saved-" + unit + ".json");
     }
 
     private static Path beside(Path file, String suffix) {
         return file.resolveSibling(file.getFileName() + suffix);
     }
 
-    /** Starts a Java process as cheaply as possible that saves exactly as the editor does. */
-    private static Process start(Path file) throws IOException {
-        LevelFile.save(file, SavingChild.level(0));
+    /** Starts a Java process as cheaply as possible that saves exactly as the program does. */
+    private Process start(Path file) throws IOException {
+        kind.save(file, 0);
         Path java = Path.of(System.getProperty("java.home"), "bin", "java");
         return new ProcessBuilder(
                         java.toString(),
@@ -98,6 +104,7 @@ public final class SaveKillProof implements Proof {
                         "-cp",
                         System.getProperty("java.class.path"),
                         SavingChild.class.getName(),
+                        kind.name(),
                         file.toString())
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
@@ -134,15 +141,11 @@ public final class SaveKillProof implements Proof {
         told.append(expected);
     }
 
-    /** Checks that the file itself, not its backup, is one of the saved levels, complete. */
-    private static void judge(long unit, Path file, List<String> failures) {
-        try {
-            Level found = LevelFile.read(file);
-            if (!found.equals(SavingChild.level(Integer.parseInt(found.name())))) {
-                failures.add("kill " + unit + ": the file holds a level that was never saved");
-            }
-        } catch (LevelFormatException | NumberFormatException unreadable) {
-            failures.add("kill " + unit + ": " + unreadable.getMessage());
+    /** Checks that the file itself, not its backup, is one of the saved generations, complete. */
+    private void judge(long unit, Path file, List<String> failures) {
+        String problem = kind.problem(file);
+        if (problem != null) {
+            failures.add("kill " + unit + ": " + problem);
         }
     }
 

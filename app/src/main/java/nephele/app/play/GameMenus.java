@@ -1,0 +1,180 @@
+package nephele.app.play;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import nephele.app.play.hud.Menu;
+import nephele.app.play.hud.Menu.Choice;
+import nephele.app.play.hud.Menu.Entry;
+import nephele.app.settings.GameSetting;
+import nephele.app.settings.GameSettings;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Progress;
+import nephele.app.settings.Settings;
+import nephele.app.text.Phrase;
+import nephele.engine.level.Language;
+import nephele.engine.named.LevelName;
+
+/** Makes the pages of the menu from the player's settings and progress, in the player's language. */
+final class GameMenus {
+    private static final double TICKS_PER_SECOND = 120;
+
+    private final PlayerFiles files;
+    private final List<LevelName> campaign;
+
+    GameMenus(PlayerFiles files, List<LevelName> campaign) {
+        this.files = files;
+        this.campaign = campaign;
+    }
+
+    /** Returns the first level of the campaign that is not finished, else the first; empty without a campaign. */
+    Optional<LevelName> nextToPlay() {
+        return campaign.stream()
+                .filter(level -> !files.progress().isFinished(level.fileName()))
+                .findFirst()
+                .or(() -> campaign.stream().findFirst());
+    }
+
+    Menu title() {
+        List<Entry> entries = new ArrayList<>();
+        boolean hasBegun = campaign.stream().anyMatch(level -> files.progress().isFinished(level.fileName()));
+        nextToPlay()
+                .ifPresent(level -> entries.add(new Entry(
+                        text(hasBegun ? Phrase.CONTINUE : Phrase.BEGIN),
+                        hasBegun ? level.title() : "",
+                        new Choice.Play(level))));
+        entries.add(new Entry(text(Phrase.LEVELS), new Choice.Open(Menu.Page.LEVELS)));
+        entries.add(new Entry(text(Phrase.SETTINGS), new Choice.Open(Menu.Page.SETTINGS)));
+        entries.add(new Entry(text(Phrase.QUIT), new Choice.Quit()));
+        return menu("title", GameLoop.TITLE, List.of(), entries, null);
+    }
+
+    /** @param level the level that is paused */
+    Menu pause(LevelName level) {
+        return menu(
+                "pause",
+                text(Phrase.PAUSED),
+                List.of(level.title()),
+                List.of(
+                        new Entry(text(Phrase.CONTINUE), new Choice.Resume()),
+                        new Entry(text(Phrase.RESTART), new Choice.Open(Menu.Page.RESTART_QUESTION)),
+                        new Entry(text(Phrase.LEVELS), new Choice.Open(Menu.Page.LEVELS)),
+                        new Entry(text(Phrase.SETTINGS), new Choice.Open(Menu.Page.SETTINGS)),
+                        new Entry(text(Phrase.TO_TITLE), new Choice.ToTitle()),
+                        new Entry(text(Phrase.QUIT), new Choice.Quit())),
+                new Choice.Resume());
+    }
+
+    /**
+     * Returns the page after a level's end.
+     *
+     * @param before progress before this run
+     */
+    Menu ended(LevelName level, FinishedRun run, Progress before, Optional<LevelName> next) {
+        List<String> lines = new ArrayList<>();
+        long best = before.bestTicks(level.fileName());
+        boolean isBest = best == 0 || run.ticks() < best;
+        lines.add(text(Phrase.TIME) + "  " + time(run.ticks())
+                + (isBest && best > 0 ? "  – " + text(Phrase.NEW_BEST) : ""));
+        if (best > 0) {
+            lines.add(text(Phrase.BEST) + "  " + time(Math.min(best, run.ticks())));
+        }
+        lines.add(text(Phrase.PORTALS) + "  " + run.portals());
+        List<Entry> entries = new ArrayList<>();
+        if (next.isPresent()) {
+            entries.add(new Entry(text(Phrase.NEXT_LEVEL), next.get().title(), new Choice.Play(next.get())));
+        } else {
+            lines.add(text(Phrase.ALL_DONE));
+        }
+        entries.add(new Entry(text(Phrase.AGAIN), new Choice.Restart()));
+        entries.add(new Entry(text(Phrase.LEVELS), new Choice.Open(Menu.Page.LEVELS)));
+        entries.add(new Entry(text(Phrase.TO_TITLE), new Choice.ToTitle()));
+        entries.add(new Entry(text(Phrase.QUIT), new Choice.Quit()));
+        return menu("ended", level.title() + " – " + text(Phrase.LEVEL_DONE), lines, entries, new Choice.ToTitle());
+    }
+
+    Menu page(Menu.Page page) {
+        return switch (page) {
+            case LEVELS -> levels();
+            case SETTINGS -> settings();
+            case RESTART_QUESTION ->
+                menu(
+                        "restart-question",
+                        text(Phrase.RESTART_QUESTION),
+                        List.of(text(Phrase.RESTART_LOSS)),
+                        List.of(
+                                new Entry(text(Phrase.BACK), new Choice.Back()),
+                                new Entry(text(Phrase.RESTART), new Choice.Restart())),
+                        new Choice.Back());
+        };
+    }
+
+    private Menu levels() {
+        List<Entry> entries = new ArrayList<>();
+        for (LevelName level : campaign) {
+            long best = files.progress().bestTicks(level.fileName());
+            entries.add(new Entry(
+                    level.title(), best > 0 ? "✓ " + time(best) : text(Phrase.NOT_YET), new Choice.Play(level)));
+        }
+        entries.add(new Entry(text(Phrase.BACK), new Choice.Back()));
+        return menu("levels", text(Phrase.LEVELS), List.of(), entries, new Choice.Back());
+    }
+
+    private Menu settings() {
+        List<Entry> entries = new ArrayList<>();
+        for (GameSetting<?> setting : Settings.ALL) {
+            entries.add(new Entry(
+                    text(Phrase.ofSetting(setting.key())), "‹ " + value(setting) + " ›", new Choice.Step(setting, 1)));
+        }
+        entries.add(new Entry(text(Phrase.BACK), new Choice.Back()));
+        return menu("settings", text(Phrase.SETTINGS), List.of(), entries, new Choice.Back());
+    }
+
+    private <T> String value(GameSetting<T> setting) {
+        T value = files.settings().get(setting);
+        if (value instanceof Language language) {
+            return language.title();
+        }
+        if (value instanceof Enum<?> word) {
+            return text(Phrase.ofWord(word));
+        }
+        double number = (Double) value;
+        if (setting.equals(Settings.FRAME_CAP) && number == 0) {
+            return text(Phrase.WORD_OFF);
+        }
+        String unit = setting.equals(Settings.FIELD_OF_VIEW) ? "°" : "";
+        return (number == Math.rint(number) && !setting.equals(Settings.MOUSE_SPEED)
+                        ? Long.toString((long) number)
+                        : String.format(Locale.ROOT, "%.1f", number))
+                + unit;
+    }
+
+    private Menu menu(String name, String title, List<String> lines, List<Entry> entries, Choice escape) {
+        String foot = text(Phrase.MENU_KEYS);
+        if (escape instanceof Choice.Resume) {
+            foot += "     " + text(Phrase.ESC_CONTINUE);
+        } else if (escape instanceof Choice.Back) {
+            foot += "     " + text(Phrase.ESC_BACK);
+        }
+        return new Menu(name, title, lines, entries, 0, escape, foot);
+    }
+
+    private String text(Phrase phrase) {
+        return phrase.in(language());
+    }
+
+    Language language() {
+        return files.settings().get(Settings.LANGUAGE);
+    }
+
+    GameSettings values() {
+        return files.settings();
+    }
+
+    /** Returns minutes, seconds and hundredths. */
+    static String time(long ticks) {
+        long hundredths = Math.round(ticks / TICKS_PER_SECOND * 100);
+        return String.format(Locale.ROOT, "%d:%02d.%02d", hundredths / 6000, hundredths / 100 % 60, hundredths % 100);
+    }
+}

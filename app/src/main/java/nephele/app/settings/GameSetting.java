@@ -1,0 +1,107 @@
+package nephele.app.settings;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonPrimitive;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * A setting of the game: its key in the file, its values and its default.
+ *
+ * @param absent the value of a missing or broken entry
+ */
+public record GameSetting<T>(String key, Values<T> values, T absent) {
+    /** The values of a setting. */
+    public interface Values<T> {
+        /** Returns the value of an entry; empty if it is none of the values. */
+        Optional<T> read(JsonElement json);
+
+        /** Returns the entry of a value. */
+        JsonElement write(T value);
+
+        /**
+         * Returns the value that a player gets by a step in the menu, around both ends for words.
+         *
+         * @param step +1 or −1
+         */
+        T stepped(T value, int step);
+
+        /** Returns the values in words, for messages. */
+        String expected();
+    }
+
+    /** One of a few words: the lower-case names of an enum's constants, with hyphens. */
+    public static <E extends Enum<E>> GameSetting<E> word(String key, E absent) {
+        return new GameSetting<>(
+                key, new Words<>(List.of(absent.getDeclaringClass().getEnumConstants())), absent);
+    }
+
+    /** A number between bounds; a step of the menu adds or subtracts {@code step}. */
+    public static GameSetting<Double> number(String key, double least, double most, double step, double absent) {
+        return new GameSetting<>(key, new Numbers(least, most, step), absent);
+    }
+
+    /** Returns the word of an enum's constant. */
+    public static String word(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    private record Words<E extends Enum<E>>(List<E> all) implements Values<E> {
+        @Override
+        public Optional<E> read(JsonElement json) {
+            return json.isJsonPrimitive() && json.getAsJsonPrimitive().isString()
+                    ? all.stream()
+                            .filter(each -> word(each).equals(json.getAsString()))
+                            .findFirst()
+                    : Optional.empty();
+        }
+
+        @Override
+        public JsonElement write(E value) {
+            return new JsonPrimitive(word(value));
+        }
+
+        @Override
+        public E stepped(E value, int step) {
+            return all.get(Math.floorMod(all.indexOf(value) + step, all.size()));
+        }
+
+        @Override
+        public String expected() {
+            return "one of "
+                    + String.join(", ", all.stream().map(GameSetting::word).toList());
+        }
+    }
+
+    private record Numbers(double least, double most, double step) implements Values<Double> {
+        @Override
+        public Optional<Double> read(JsonElement json) {
+            if (!json.isJsonPrimitive() || !json.getAsJsonPrimitive().isNumber()) {
+                return Optional.empty();
+            }
+            double value = json.getAsDouble();
+            return value >= least && value <= most ? Optional.of(value) : Optional.empty();
+        }
+
+        @Override
+        public JsonElement write(Double value) {
+            return value == Math.rint(value) ? new JsonPrimitive(value.longValue()) : new JsonPrimitive(value);
+        }
+
+        @Override
+        public Double stepped(Double value, int direction) {
+            double next = step * Math.rint((value + direction * step) / step);
+            return Math.max(least, Math.min(most, next));
+        }
+
+        @Override
+        public String expected() {
+            return "a number from " + text(least) + " to " + text(most);
+        }
+
+        private static String text(double number) {
+            return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
+        }
+    }
+}

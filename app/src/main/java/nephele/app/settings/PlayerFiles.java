@@ -1,0 +1,76 @@
+package nephele.app.settings;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import nephele.engine.userfile.UserFile;
+
+/** The settings and the progress of a player, kept in two files; each change is saved at once. */
+public final class PlayerFiles {
+    private final UserFile settingsFile;
+    private final UserFile progressFile;
+    private final List<String> problems = new ArrayList<>();
+    private GameSettings settings;
+    private Progress progress;
+
+    /** Reads both files; problems with them are returned by {@link #takeProblems}. */
+    public PlayerFiles(UserFolders folders) {
+        settingsFile = new UserFile(in(folders.settings(), "settings.json"), "nephele-settings", 1);
+        progressFile = new UserFile(in(folders.state(), "progress.json"), "nephele-progress", 1);
+        settings = GameSettings.of(settingsFile.read(problems::add), told(settingsFile));
+        progress = Progress.of(progressFile.read(problems::add), told(progressFile));
+        if (settingsFile.path() == null) {
+            problems.add("no folder for settings is known (HOME is not set): nothing is kept");
+        }
+    }
+
+    private static Path in(Path folder, String name) {
+        return folder == null ? null : folder.resolve(name);
+    }
+
+    private Consumer<String> told(UserFile file) {
+        return problem -> problems.add(file.path() + ": " + problem);
+    }
+
+    /** Returns the problems since the last call, each a line that names the file. */
+    public List<String> takeProblems() {
+        List<String> taken = List.copyOf(problems);
+        problems.clear();
+        return taken;
+    }
+
+    /** Returns the current settings. */
+    public GameSettings settings() {
+        return settings;
+    }
+
+    /** Returns the current progress. */
+    public Progress progress() {
+        return progress;
+    }
+
+    /** Replaces and saves the settings; they hold even if they cannot be saved. */
+    public void keep(GameSettings changed) {
+        settings = changed;
+        try {
+            settingsFile.save(changed.entries());
+        } catch (IOException unsaved) {
+            problems.add(unsaved.getMessage());
+        }
+    }
+
+    /** Replaces and saves the progress. */
+    public void keep(Progress changed) {
+        if (changed == progress) {
+            return;
+        }
+        progress = changed;
+        try {
+            progressFile.save(changed.members());
+        } catch (IOException unsaved) {
+            problems.add(unsaved.getMessage());
+        }
+    }
+}

@@ -1,0 +1,86 @@
+package nephele.app.settings;
+
+import java.util.List;
+import nephele.engine.level.Language;
+
+/** All settings of the game, in the order of the settings page. */
+public final class Settings {
+    /** A switch. */
+    public enum Switch {
+        OFF,
+        ON
+    }
+
+    /** The effect of the crouch key. */
+    public enum Crouch {
+        /** Crouched while the key is held. */
+        HOLD,
+        /** Each press changes the stance. */
+        TOGGLE
+    }
+
+    /** A quality preset, or its automatic choice. */
+    public enum QualityPreset {
+        LOW,
+        MEDIUM,
+        HIGH,
+        ULTRA,
+        AUTO
+    }
+
+    /** The kind of window. */
+    public enum WindowMode {
+        WINDOWED,
+        FULLSCREEN
+    }
+
+    /** The rate at which the view turns upright after a portal. */
+    public enum Upright {
+        SLOW,
+        NORMAL,
+        FAST,
+        INSTANT
+    }
+
+    /** Aids at portals: see {@link nephele.engine.sim.state.Assist}. */
+    public enum Assists {
+        NONE,
+        USUAL,
+        ALL
+    }
+
+    public static final GameSetting<Language> LANGUAGE = GameSetting.word("language", Language.EN);
+
+    /** At an aspect of 16:9; the vertical field of view is the same in every window. */
+    public static final GameSetting<Double> FIELD_OF_VIEW = GameSetting.number("horizontalFovDegrees", 60, 110, 5, 90);
+
+    public static final GameSetting<Double> MOUSE_SPEED = GameSetting.number("mouseSpeed", 0.1, 5, 0.1, 1);
+    public static final GameSetting<Switch> INVERT_MOUSE = GameSetting.word("invertMouse", Switch.OFF);
+    public static final GameSetting<Crouch> CROUCH = GameSetting.word("crouch", Crouch.HOLD);
+    public static final GameSetting<QualityPreset> QUALITY = GameSetting.word("quality", QualityPreset.AUTO);
+    public static final GameSetting<WindowMode> WINDOW_MODE = GameSetting.word("windowMode", WindowMode.WINDOWED);
+    public static final GameSetting<Switch> VERTICAL_SYNC = GameSetting.word("verticalSync", Switch.ON);
+
+    /** Frames a second; 0 for no cap. */
+    public static final GameSetting<Double> FRAME_CAP = GameSetting.number("frameCap", 0, 360, 30, 0);
+
+    public static final GameSetting<Assists> ASSISTS = GameSetting.word("assists", Assists.USUAL);
+    public static final GameSetting<Upright> UPRIGHT = GameSetting.word("uprightSpeed", Upright.NORMAL);
+    public static final GameSetting<Switch> REDUCED_MOTION = GameSetting.word("reducedMotion", Switch.OFF);
+
+    public static final List<GameSetting<?>> ALL = List.of(
+            LANGUAGE,
+            FIELD_OF_VIEW,
+            MOUSE_SPEED,
+            INVERT_MOUSE,
+            CROUCH,
+            QUALITY,
+            WINDOW_MODE,
+            VERTICAL_SYNC,
+            FRAME_CAP,
+            ASSISTS,
+            UPRIGHT,
+            REDUCED_MOTION);
+
+    private Settings() {}
+}

@@ -1,0 +1,108 @@
+package nephele.app.text;
+
+import java.util.Locale;
+import nephele.engine.level.Language;
+
+/** A text of the game in English, Brazilian and European Portuguese. */
+public enum Phrase {
+    CONTINUE("Continue", "Continuar", "Continuar"),
+    BEGIN("Begin", "Começar", "Começar"),
+    LEVELS("Levels", "Fases", "Níveis"),
+    SETTINGS("Settings", "Configurações", "Definições"),
+    QUIT("Quit", "Sair", "Sair"),
+    RESTART("Restart", "Recomeçar", "Recomeçar"),
+    RESTART_QUESTION("Restart this level?", "Recomeçar esta fase?", "Recomeçar este nível?"),
+    RESTART_LOSS(
+            "What you have done in it is lost.", "O que você fez nela será perdido.", "O que fizeste nele perde-se."),
+    TO_TITLE("To the title", "Ir para o início", "Ir para o início"),
+    BACK("Back", "Voltar", "Voltar"),
+    PAUSED("Paused", "Pausa", "Pausa"),
+    NEXT_LEVEL("Next level", "Próxima fase", "Próximo nível"),
+    AGAIN("Play again", "Jogar de novo", "Jogar de novo"),
+    LEVEL_DONE("Done", "Concluída", "Concluído"),
+    TIME("Time", "Tempo", "Tempo"),
+    BEST("Best", "Melhor", "Melhor"),
+    NEW_BEST("New best", "Novo recorde", "Novo recorde"),
+    PORTALS("Portals", "Portais", "Portais"),
+    ALL_DONE("You have finished every level.", "Você concluiu todas as fases.", "Concluíste todos os níveis."),
+    NOT_YET("not yet", "ainda não", "ainda não"),
+    LOADING("Loading", "Carregando", "A carregar"),
+    READING("reading the level", "lendo a fase", "a ler o nível"),
+    BAKING("baking its light: %s %%", "calculando a luz: %s %%", "a calcular a luz: %s %%"),
+    PREPARING("preparing the picture", "preparando a imagem", "a preparar a imagem"),
+    REPLAY_OVER("The replay is over", "A gravação terminou", "A gravação terminou"),
+    TAKEN_OVER("You are in control", "O controle é seu", "O controlo é teu"),
+    EXIT_REACHED("Exit reached", "Saída alcançada", "Saída alcançada"),
+    SLOW(
+            "Fewer than four frames a second: time runs slower. Lower the quality in the settings.",
+            "Menos de quatro quadros por segundo: o tempo passa mais devagar. Reduza a qualidade nas configurações.",
+            "Menos de quatro imagens por segundo: o tempo passa mais devagar. Reduz a qualidade nas definições."),
+    MENU_KEYS("↑ ↓  Enter  or mouse", "↑ ↓  Enter  ou mouse", "↑ ↓  Enter  ou rato"),
+    ESC_BACK("Esc  back", "Esc  voltar", "Esc  voltar"),
+    ESC_CONTINUE("Esc  continue", "Esc  continuar", "Esc  continuar"),
+    FROM_NEXT_START("Holds from the next start", "Vale a partir do próximo início", "Vale a partir do próximo início"),
+    SETTING_LANGUAGE("Language", "Idioma", "Idioma"),
+    SETTING_HORIZONTAL_FOV_DEGREES("Field of view", "Campo de visão", "Campo de visão"),
+    SETTING_MOUSE_SPEED("Mouse speed", "Velocidade do mouse", "Velocidade do rato"),
+    SETTING_INVERT_MOUSE("Invert mouse", "Inverter mouse", "Inverter rato"),
+    SETTING_CROUCH("Crouch", "Agachar", "Agachar"),
+    SETTING_QUALITY("Quality", "Qualidade", "Qualidade"),
+    SETTING_WINDOW_MODE("Window", "Janela", "Janela"),
+    SETTING_VERTICAL_SYNC("Vertical sync", "Sincronia vertical", "Sincronização vertical"),
+    SETTING_FRAME_CAP("Frame cap", "Limite de quadros", "Limite de imagens"),
+    SETTING_ASSISTS("Aids at portals", "Ajudas nos portais", "Ajudas nos portais"),
+    SETTING_UPRIGHT_SPEED("Turning upright", "Endireitar-se", "Endireitar-se"),
+    SETTING_REDUCED_MOTION("Reduced motion", "Movimento reduzido", "Movimento reduzido"),
+    WORD_OFF("off", "não", "não"),
+    WORD_ON("on", "sim", "sim"),
+    WORD_HOLD("hold", "segurar", "manter"),
+    WORD_TOGGLE("toggle", "alternar", "alternar"),
+    WORD_LOW("low", "baixa", "baixa"),
+    WORD_MEDIUM("medium", "média", "média"),
+    WORD_HIGH("high", "alta", "alta"),
+    WORD_ULTRA("ultra", "ultra", "ultra"),
+    WORD_AUTO("auto", "automática", "automática"),
+    WORD_WINDOWED("window", "janela", "janela"),
+    WORD_FULLSCREEN("full screen", "tela cheia", "ecrã inteiro"),
+    WORD_NONE("none", "nenhuma", "nenhuma"),
+    WORD_USUAL("usual", "usuais", "habituais"),
+    WORD_ALL("all", "todas", "todas"),
+    WORD_SLOW("slow", "lento", "lento"),
+    WORD_NORMAL("normal", "normal", "normal"),
+    WORD_FAST("fast", "rápido", "rápido"),
+    WORD_INSTANT("instant", "imediato", "imediato");
+
+    private final String english;
+    private final String brazilian;
+    private final String portuguese;
+
+    Phrase(String english, String brazilian, String portuguese) {
+        this.english = english;
+        this.brazilian = brazilian;
+        this.portuguese = portuguese;
+    }
+
+    /** Returns the text in a language. */
+    public String in(Language language) {
+        return switch (language) {
+            case EN -> english;
+            case PT_BR -> brazilian;
+            case PT_PT -> portuguese;
+        };
+    }
+
+    /** Returns the text in a language with its placeholder filled. */
+    public String in(Language language, Object value) {
+        return String.format(Locale.ROOT, in(language), value);
+    }
+
+    /** Returns the name of a setting by its key: {@code invertMouse} is SETTING_INVERT_MOUSE. */
+    public static Phrase ofSetting(String key) {
+        return valueOf("SETTING_" + key.replaceAll("([A-Z])", "_$1").toUpperCase(Locale.ROOT));
+    }
+
+    /** Returns the name of a word of a setting. */
+    public static Phrase ofWord(Enum<?> word) {
+        return valueOf("WORD_" + word.name());
+    }
+}

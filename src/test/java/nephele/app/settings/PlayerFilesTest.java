@@ -1,0 +1,156 @@
+package nephele.app.settings;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import nephele.engine.level.Language;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Settings and progress survive a restart, and a broken entry costs nothing but itself. */
+class PlayerFilesTest {
+    @TempDir
+    Path folder;
+
+    private final List<String> problems = new ArrayList<>();
+
+    private PlayerFiles files() {
+        return new PlayerFiles(new UserFolders(folder.resolve("c"), folder.resolve("s")));
+    }
+
+    @Test
+    void whatIsKeptIsThereAfterARestart() {
+        PlayerFiles first = files();
+        first.keep(first.settings().with(Settings.LANGUAGE, Language.PT_BR).with(Settings.FIELD_OF_VIEW, 105.0));
+        first.keep(first.progress().withFinished("01-courtyard.json", 3467, 0));
+        PlayerFiles second = files();
+        assertEquals(List.of(), second.takeProblems());
+        assertEquals(Language.PT_BR, second.settings().get(Settings.LANGUAGE));
+        assertEquals(105, second.settings().get(Settings.FIELD_OF_VIEW));
+        assertEquals(Settings.QualityPreset.AUTO, second.settings().get(Settings.QUALITY));
+        assertTrue(second.progress().isFinished("01-courtyard.json"));
+        assertFalse(second.progress().isFinished("02-first-shot.json"));
+    }
+
+    static Stream<GameSetting<?>> settings() {
+        return Settings.ALL.stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("settings")
+    void aBrokenEntryIsTheDefaultAndStays(GameSetting<?> setting) {
+        for (String broken : List.of("null", "[]", "{}", "\"no such word\"", "-1e9", "1e999", "true")) {
+            problems.clear();
+            JsonObject entries = new JsonObject();
+            entries.add(setting.key(), JsonParser.parseString(broken));
+            entries.addProperty("ofALaterVersion", 3);
+            GameSettings read = GameSettings.of(entries, problems::add);
+            assertEquals(setting.absent(), read.get(setting), broken);
+            assertEquals(2, problems.size(), problems.toString());
+            assertTrue(problems.get(0).startsWith(setting.key() + ": must be "), problems.get(0));
+            assertEquals(entries, read.entries());
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("settings")
+    void aStepOfTheMenuIsAValueAndAllAreReached(GameSetting<?> setting) {
+        assertSteps(setting);
+    }
+
+    private static <T> void assertSteps(GameSetting<T> setting) {
+        GameSettings now = GameSettings.DEFAULT;
+        for (int i = 0; i < 100; i++) {
+            GameSettings next = now.stepped(setting, i < 60 ? 1 : -1);
+            List<String> told = new ArrayList<>();
+            assertEquals(
+                    next.get(setting),
+                    GameSettings.of(next.entries(), told::add).get(setting));
+            assertEquals(List.of(), told);
+            now = next;
+        }
+    }
+
+    @Test
+    void theBestRunIsKept() {
+        Progress progress = Progress.NONE
+                .withFinished("a.json", 500, 3)
+                .withFinished("a.json", 700, 1)
+                .withFinished("b.json", 100, 2);
+        assertEquals(500, progress.bestTicks("a.json"));
+        assertEquals(3, progress.portals("a.json"));
+        assertEquals(400, progress.withFinished("a.json", 400, 9).bestTicks("a.json"));
+        assertEquals(2, progress.portals("b.json"));
+        assertEquals(0, progress.bestTicks("c.json"));
+    }
+
+    @Test
+    void aBrokenLevelIsUnfinishedAndTheOthersStay() {
+        JsonObject members = JsonParser.parseString(
+                        """
+                        {"levels": {
+                          "good.json": {"finished": true, "bestTicks": 10, "portals": 1, "note": "kept"},
+                          "text.json": "finished",
+                          "half.json": {"finished": true},
+                          "negative.json": {"finished": true, "bestTicks": -1, "portals": 1},
+                          "fraction.json": {"finished": true, "bestTicks": 1.5, "portals": 1}}}""")
+                .getAsJsonObject();
+        Progress progress = Progress.of(members, problems::add);
+        assertEquals(4, problems.size());
+        assertTrue(progress.isFinished("good.json"));
+        assertFalse(progress.isFinished("half.json"));
+        Progress changed = progress.withFinished("good.json", 5, 0);
+        JsonObject levels = changed.members().getAsJsonObject("levels");
+        assertEquals("finished", levels.get("text.json").getAsString());
+        assertEquals("kept", levels.getAsJsonObject("good.json").get("note").getAsString());
+        assertEquals(5, changed.bestTicks("good.json"));
+    }
+
+    @Test
+    void problemsNameTheFile() throws IOException {
+        Files.createDirectories(folder.resolve("c"));
+        Path settings = folder.resolve("c").resolve("settings.json");
+        Files.writeString(settings, "{\"format\": \"nephele-settings\", \"version\": 1, \"language\": \"xx\"}");
+        assertEquals(
+                List.of(settings + ": language: must be one of en, pt-br, pt-pt; it is left as it is"),
+                files().takeProblems());
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            nullValues = "-",
+            value = {
+                "Linux, /h, -, -, /h/.config/nephele, /h/.local/state/nephele",
+                "Linux, /h, /c, /s, /c/nephele, /s/nephele",
+                "Linux, /h, relative, '', /h/.config/nephele, /h/.local/state/nephele",
+                "Linux, -, /c, -, /c/nephele, -",
+                "Linux, -, -, -, -, -",
+                "Mac OS X, /h, /c, /s, /h/Library/Application Support/nephele, /h/Library/Application Support/nephele"
+            })
+    void foldersFollowTheSystem(String system, String home, String config, String state, Path settings, Path progress) {
+        Map<String, String> environment = new java.util.HashMap<>();
+        put(environment, "HOME", home);
+        put(environment, "XDG_CONFIG_HOME", config);
+        put(environment, "XDG_STATE_HOME", state);
+        assertEquals(new UserFolders(settings, progress), UserFolders.of(system, environment));
+    }
+
+    private static void put(Map<String, String> environment, String name, String value) {
+        if (value != null) {
+            environment.put(name, value);
+        }
+    }
+}
