@@ -1,14 +1,11 @@
 package nephele.app.play;
 
-import java.util.List;
 import java.util.Optional;
-import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Progress;
 import nephele.app.settings.Settings;
-import nephele.app.settings.Settings.WindowMode;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
@@ -18,7 +15,6 @@ import nephele.engine.level.Language;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
 import nephele.engine.render.gl.GlContext;
-import nephele.engine.scene.View;
 
 /** The game loop, from the title to the end: the work of a frame, and the transitions between stages. */
 public final class GameLoop implements AutoCloseable {
@@ -36,8 +32,9 @@ public final class GameLoop implements AutoCloseable {
     private final GameMenus menus;
     private final MenuControl menu;
     private final Message message = new Message();
-    private final Captions captions = new Captions();
     private final CurrentLevel current;
+    private final GamePicture picture;
+    private final SettingsControl settings;
     private final RunCounter counter = new RunCounter();
     private final TimeLoss timeLoss = new TimeLoss();
     private final FrameCap frameCap = new FrameCap();
@@ -47,7 +44,6 @@ public final class GameLoop implements AutoCloseable {
     private Page page = Page.NONE;
     private Display.Shot shot = Display.Shot.NONE;
     private long lastNanos = System.nanoTime();
-    private long titleNanos;
 
     /** Starts to read the level, or opens the title; {@link #run} plays. */
     public GameLoop(PlayRequest request, GameWindow window, GlContext gl, Input input) {
@@ -61,8 +57,10 @@ public final class GameLoop implements AutoCloseable {
         menu = new MenuControl(input);
         current = new CurrentLevel(gl, new Recordings(request.record()), message);
         display = new Display(window, gl, Screenshots.inUsualFolder());
+        settings = new SettingsControl(window, gl, menus, menu, current, message);
+        picture = new GamePicture(display, current, menu, message, files);
         if (!request.picture().fullScreen()) {
-            applyWindowSettings();
+            settings.applyToWindow();
         }
         if (request.level() == null) {
             openTitle();
@@ -117,7 +115,7 @@ public final class GameLoop implements AutoCloseable {
     private void obeyKeys() {
         for (var key = input.nextPressed(); key != null; key = input.nextPressed()) {
             switch (key) {
-                case FULL_SCREEN -> toggleFullScreen();
+                case FULL_SCREEN -> settings.toggleFullScreen();
                 case SCREENSHOT ->
                     shot = input.holds(Control.RUN) ? Display.Shot.WITHOUT_OVERLAY : Display.Shot.WITH_OVERLAY;
                 case FIGURES -> current.toggleFigures();
@@ -167,7 +165,7 @@ public final class GameLoop implements AutoCloseable {
 
     private void openTitle() {
         menu.open(menus.title());
-        titleNanos = System.nanoTime();
+        picture.titleOpens();
         if (current.session() == null) {
             loading = menus.nextToPlay()
                     .map(level -> Loading.begin(first.of(level)))
@@ -199,7 +197,8 @@ public final class GameLoop implements AutoCloseable {
         } else if (choice instanceof Menu.Choice.Back) {
             menu.back();
         } else if (choice instanceof Menu.Choice.Step step) {
-            change(step);
+            settings.change(step);
+            menu.rewriteFirst(firstPage());
         }
     }
 
@@ -218,44 +217,10 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
-    private void change(Menu.Choice.Step step) {
-        files.keep(files.settings().stepped(step.setting(), step.step()));
-        menu.rewrite(menus.page(Menu.Page.SETTINGS));
-        menu.rewriteFirst(firstPage());
-        if (step.setting().equals(Settings.QUALITY) && current.session() != null) {
-            current.redraw(gl);
-        } else if (step.setting().equals(Settings.ASSISTS)
-                || step.setting().equals(Settings.UPRIGHT)
-                || step.setting().equals(Settings.REDUCED_MOTION)) {
-            message.say(Phrase.FROM_NEXT_START.in(language()));
-        }
-        applyWindowSettings();
-        if (current.session() != null) {
-            current.session().apply();
-        }
-    }
-
-    /** Changes the kind of window and keeps it as a setting. */
-    private void toggleFullScreen() {
-        window.toggleFullScreen();
-        files.keep(files.settings()
-                .with(Settings.WINDOW_MODE, window.isFullScreen() ? WindowMode.FULLSCREEN : WindowMode.WINDOWED));
-        if (menu.page() != null && menu.page().name().equals("settings")) {
-            menu.rewrite(menus.page(Menu.Page.SETTINGS));
-        }
-    }
-
     private Menu firstPage() {
         return stages.in(GameStage.TITLE)
                 ? menus.title()
                 : menus.pause(current.session().request().level());
-    }
-
-    private void applyWindowSettings() {
-        if (window.isFullScreen() != (files.settings().get(Settings.WINDOW_MODE) == WindowMode.FULLSCREEN)) {
-            window.toggleFullScreen();
-        }
-        window.verticalSync(files.settings().get(Settings.VERTICAL_SYNC) == Settings.Switch.ON);
     }
 
     private void leaveMenu(GameStage stage) {
@@ -271,7 +236,7 @@ public final class GameLoop implements AutoCloseable {
 
     private void changeLevel() {
         if (stages.in(GameStage.STARTING) && loading.isDone()) {
-            drawLoading();
+            draw();
             load();
             window.title(TITLE);
         } else if (stages.in(GameStage.STARTING)) {
@@ -325,8 +290,8 @@ public final class GameLoop implements AutoCloseable {
     private void begin() {
         lastNanos = System.nanoTime();
         counter.restart();
-        timeLoss.restart(lastNanos, current.session().walk().lostNanos());
-        captions.begin(current.session());
+        timeLoss.restart();
+        picture.levelBegins();
         stages.change(GameStage.RUNNING);
     }
 
@@ -372,46 +337,13 @@ public final class GameLoop implements AutoCloseable {
 
     private void draw() {
         say();
-        var session = current.session();
         if (!window.isDrawable()) {
             return;
         }
-        if (session == null) {
-            drawLoading();
-            return;
-        }
-        var area = display.area();
-        boolean isTitle = stages.in(GameStage.TITLE);
-        boolean isPlaying = stages.in(GameStage.RUNNING);
-        var content = new HudContent(
-                menu.page(),
-                page,
-                current.figures().lines(),
-                message.text(),
-                stages.in(GameStage.STARTING)
-                        ? Captions.of(loading, language())
-                        : isPlaying ? captions.aim(language()) : null,
-                isPlaying ? session.walk().sights(area.width(), area.height()) : null);
-        var listener = current.figures().frameBegins();
-        String saved = isTitle
-                ? display.draw(session, titleView(session), content, listener, shot)
-                : display.draw(session, content, listener, shot);
+        String saved = picture.draw(stages.current(), loading, page, shot);
         shot = Display.Shot.NONE;
         if (saved != null) {
             message.say(saved);
-        }
-        current.figures().frameEnds(session.walk());
-    }
-
-    private View titleView(Session session) {
-        return session.titleView(display.aspect(), (System.nanoTime() - titleNanos) / 1e9);
-    }
-
-    /** Draws what is being done while there is no level to draw. */
-    private void drawLoading() {
-        if (window.isDrawable()) {
-            var banner = stages.in(GameStage.STARTING) ? Captions.of(loading, language()) : null;
-            display.drawEmpty(new HudContent(menu.page(), page, List.of(), message.text(), banner, null));
         }
     }
 

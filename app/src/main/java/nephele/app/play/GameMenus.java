@@ -8,7 +8,6 @@ import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
 import nephele.app.settings.GameSetting;
-import nephele.app.settings.GameSettings;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Progress;
 import nephele.app.settings.Settings;
@@ -168,8 +167,8 @@ final class GameMenus {
         return files.settings().get(Settings.LANGUAGE);
     }
 
-    GameSettings values() {
-        return files.settings();
+    PlayerFiles files() {
+        return files;
     }
 
     /** Returns minutes, seconds and hundredths. */

@@ -1,0 +1,81 @@
+package nephele.app.play;
+
+import java.util.List;
+import nephele.app.play.hud.HudContent;
+import nephele.app.play.hud.HudContent.Banner;
+import nephele.app.play.hud.HudContent.Page;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Settings;
+import nephele.engine.level.Language;
+
+/** Draws a frame of the game: the level as the stage shows it, and the overlay above it. */
+final class GamePicture {
+    private final Display display;
+    private final CurrentLevel current;
+    private final MenuControl menu;
+    private final Message message;
+    private final PlayerFiles files;
+    private final Captions captions = new Captions();
+    private long titleNanos;
+
+    GamePicture(Display display, CurrentLevel current, MenuControl menu, Message message, PlayerFiles files) {
+        this.display = display;
+        this.current = current;
+        this.menu = menu;
+        this.message = message;
+        this.files = files;
+    }
+
+    /** Starts the motion behind the title. */
+    void titleOpens() {
+        titleNanos = System.nanoTime();
+    }
+
+    /** Shows the aim of the current level for its first seconds. */
+    void levelBegins() {
+        captions.begin(current.session());
+    }
+
+    /**
+     * Draws a frame.
+     *
+     * @param loading the level that is being loaded; null if none is
+     * @return the message of a screenshot, or null
+     */
+    String draw(GameStage stage, Loading loading, Page page, Display.Shot shot) {
+        Session session = current.session();
+        if (session == null) {
+            display.drawEmpty(
+                    new HudContent(menu.page(), page, List.of(), message.text(), banner(stage, loading), null));
+            return null;
+        }
+        var area = display.area();
+        boolean isPlaying = stage == GameStage.RUNNING;
+        var content = new HudContent(
+                menu.page(),
+                page,
+                current.figures().lines(),
+                message.text(),
+                banner(stage, loading),
+                isPlaying ? session.walk().sights(area.width(), area.height()) : null);
+        var listener = current.figures().frameBegins();
+        String saved = stage == GameStage.TITLE
+                ? display.draw(session, session.titleView(display.aspect(), titleSeconds()), content, listener, shot)
+                : display.draw(session, content, listener, shot);
+        current.figures().frameEnds(session.walk());
+        return saved;
+    }
+
+    private double titleSeconds() {
+        return (System.nanoTime() - titleNanos) / 1e9;
+    }
+
+    private Banner banner(GameStage stage, Loading loading) {
+        Language language = files.settings().get(Settings.LANGUAGE);
+        return switch (stage) {
+            case STARTING -> loading == null ? null : Captions.of(loading, language);
+            case RUNNING -> captions.aim(language);
+            default -> null;
+        };
+    }
+}
