@@ -1,0 +1,200 @@
+package nephele.app.play;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import nephele.app.Main;
+import nephele.app.VirtualDisplay;
+import nephele.app.play.hud.Area;
+import nephele.app.play.hud.Menu;
+import nephele.app.play.hud.Menu.Choice;
+import nephele.app.play.hud.Menu.Entry;
+import nephele.app.play.hud.MenuPanel;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+
+/**
+ * A player with an empty home begins at the title, changes a setting, finishes a level, goes on to the next one, leaves,
+ * and later continues: with a real window, real keys and a real pointer.
+ */
+@Execution(ExecutionMode.CONCURRENT)
+class CampaignSwingTest {
+    private static final long LONGEST_SECONDS = 60;
+    private static final Path PICTURES = Path.of("build", "pictures", "campaign");
+
+    /** A tick of level 02's recording about 5 m before the exit. */
+    private static final int TAKE_OVER = 1660;
+
+    @TempDir
+    Path home;
+
+    private final List<Process> started = new ArrayList<>();
+    private VirtualDisplay display;
+    private PrintStream commands;
+    private BufferedReader answers;
+
+    @BeforeEach
+    void begin() throws IOException {
+        Files.createDirectories(PICTURES);
+        display = VirtualDisplay.start();
+        Process robot = start(ProcessBuilder.Redirect.DISCARD, "-Djava.awt.headless=false", RobotHands.class.getName());
+        commands = new PrintStream(robot.getOutputStream(), true, StandardCharsets.UTF_8);
+        answers = new BufferedReader(new InputStreamReader(robot.getInputStream(), StandardCharsets.UTF_8));
+    }
+
+    @AfterEach
+    void end() {
+        started.forEach(Process::destroyForcibly);
+        display.close();
+    }
+
+    private Process start(ProcessBuilder.Redirect errors, String... words) throws IOException {
+        var command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx512m",
+                "-Djoml.nounsafe=true",
+                "-cp",
+                System.getProperty("java.class.path").replace(File.pathSeparator + ".", "")));
+        Collections.addAll(command, words);
+        var builder = new ProcessBuilder(command).redirectError(errors);
+        builder.environment().put("DISPLAY", display.name());
+        builder.environment().put("HOME", home.toString());
+        List.of("WAYLAND_DISPLAY", "XDG_CONFIG_HOME", "XDG_STATE_HOME").forEach(builder.environment()::remove);
+        Process process = builder.start();
+        started.add(process);
+        return process;
+    }
+
+    private void hand(String command) throws IOException {
+        commands.println(command);
+        assertEquals("ok", answers.readLine(), command);
+    }
+
+    /** A running game and the lines that it writes. */
+    private final class Game {
+        private final Process process;
+        private final LinkedBlockingQueue<String> lines = new LinkedBlockingQueue<>();
+
+        Game(String... words) throws IOException {
+            var all = new ArrayList<>(List.of(Main.class.getName(), "play"));
+            Collections.addAll(all, words);
+            Collections.addAll(all, "--size", "640x360", "--quality", "low", "--verbose");
+            process = start(ProcessBuilder.Redirect.PIPE, all.toArray(String[]::new));
+            var reader = new BufferedReader(new InputStreamReader(process.getErrorStream(), StandardCharsets.UTF_8));
+            var thread = new Thread(() -> reader.lines().forEach(lines::add), "lines of the game");
+            thread.setDaemon(true);
+            thread.start();
+        }
+
+        /** Waits for the next state, which has to be this one. */
+        void expect(String state) throws InterruptedException {
+            String line = lines.poll(LONGEST_SECONDS, TimeUnit.SECONDS);
+            assertNotNull(line, "no line, expected " + state);
+            assertTrue(line.startsWith("state " + state), line + " instead of " + state);
+        }
+
+        void expectEnd() throws InterruptedException {
+            assertTrue(process.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS), "the game still runs");
+            assertEquals(0, process.exitValue(), lines.toString());
+        }
+    }
+
+    /** Returns the middle of the first entry of the page after a level. */
+    private static int firstEntry() {
+        var entries = Collections.nCopies(5, new Entry("entry", new Choice.Quit()));
+        var menu = new Menu("ended", "First shot", List.of("time", "portals"), entries, 0, null, "");
+        var panel = new MenuPanel(menu, new Area(640, 360));
+        int top = 0;
+        while (panel.rowAt(320, top) != 0) {
+            top++;
+        }
+        int bottom = top;
+        while (panel.rowAt(320, bottom) == 0) {
+            bottom++;
+        }
+        return (top + bottom) / 2;
+    }
+
+    private String kept(String file) throws IOException {
+        return Files.readString(home.resolve(file));
+    }
+
+    @Test
+    void fromTheTitleToTheNextLevelAndBack() throws Exception {
+        Game first = new Game();
+        first.expect("title");
+        hand("picture " + PICTURES.resolve("1-title.png"));
+        hand("key DOWN");
+        hand("key DOWN");
+        hand("key ENTER");
+        first.expect("menu settings");
+        hand("key RIGHT");
+        hand("picture " + PICTURES.resolve("2-settings.png"));
+        hand("key ESCAPE");
+        first.expect("title");
+        hand("key UP");
+        hand("key UP");
+        hand("key UP");
+        hand("key ENTER");
+        first.expectEnd();
+        assertTrue(kept(".config/nephele/settings.json").contains("\"language\": \"pt-br\""));
+
+        Game second = new Game(
+                "levels/02-first-shot.json",
+                "--replay",
+                "levels/replays/02-first-shot.json",
+                "--take-over",
+                Integer.toString(TAKE_OVER));
+        second.expect("loading 02-first-shot.json");
+        second.expect("playing 02-first-shot.json");
+        hand("down W");
+        second.expect("exit 02-first-shot.json");
+        hand("up W");
+        second.expect("menu ended");
+        hand("picture " + PICTURES.resolve("3-end.png"));
+        hand("click 320 " + firstEntry());
+        second.expect("loading 03-momentum.json");
+        second.expect("playing 03-momentum.json");
+        hand("picture " + PICTURES.resolve("4-next.png"));
+        hand("key ESCAPE");
+        second.expect("menu pause");
+        hand("key UP");
+        hand("key ENTER");
+        second.expectEnd();
+        assertTrue(kept(".local/state/nephele/progress.json").contains("\"02-first-shot.json\""));
+
+        Game third = new Game();
+        third.expect("title");
+        hand("picture " + PICTURES.resolve("5-again.png"));
+        hand("key ENTER");
+        String loadingOrPlaying = third.lines.poll(LONGEST_SECONDS, TimeUnit.SECONDS);
+        if (!"state playing 01-courtyard.json".equals(loadingOrPlaying)) {
+            assertEquals("state loading 01-courtyard.json", loadingOrPlaying);
+            third.expect("playing 01-courtyard.json");
+        }
+        hand("key ESCAPE");
+        third.expect("menu pause");
+        hand("picture " + PICTURES.resolve("6-pause.png"));
+        hand("key UP");
+        hand("key ENTER");
+        third.expectEnd();
+    }
+}
