@@ -84,6 +84,7 @@ public final class GameLoop implements AutoCloseable {
         changeLevel();
         simulate();
         draw();
+        say();
         tellProblems();
         frameCap.await(files.settings().get(Settings.FRAME_CAP));
     }
@@ -336,7 +337,6 @@ public final class GameLoop implements AutoCloseable {
     }
 
     private void draw() {
-        say();
         if (!window.isDrawable()) {
             return;
         }
@@ -347,6 +347,7 @@ public final class GameLoop implements AutoCloseable {
         }
     }
 
+    /** Writes the state that the picture shows. */
     private void say() {
         switch (stages.current()) {
             case TITLE, MENU, ENDED ->
