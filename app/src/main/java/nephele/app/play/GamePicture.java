@@ -1,6 +1,7 @@
 package nephele.app.play;
 
 import java.util.List;
+import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Banner;
 import nephele.app.play.hud.HudContent.Page;
@@ -57,13 +58,19 @@ final class GamePicture {
                 current.figures().lines(),
                 message.text(),
                 banner(stage, loading),
-                isPlaying ? session.walk().sights(area.width(), area.height()) : null);
+                isPlaying ? sight(session, area) : null);
         var listener = current.figures().frameBegins();
         String saved = stage == GameStage.TITLE
                 ? display.draw(session, session.titleView(display.aspect(), titleSeconds()), content, listener, shot)
                 : display.draw(session, content, listener, shot);
         current.figures().frameEnds(session.walk());
         return saved;
+    }
+
+    private HudContent.Sight sight(Session session, Area area) {
+        return new HudContent.Sight(
+                session.walk().sights(area.width(), area.height()),
+                files.settings().get(Settings.PORTAL_COLOURS));
     }
 
     private double titleSeconds() {

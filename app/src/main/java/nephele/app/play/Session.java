@@ -1,6 +1,8 @@
 package nephele.app.play;
 
 import java.util.Optional;
+import nephele.app.settings.GameSettings;
+import nephele.app.settings.Settings;
 import nephele.app.window.Input;
 import nephele.engine.draw.Preparation;
 import nephele.engine.level.Camera;
@@ -81,8 +83,9 @@ final class Session implements AutoCloseable {
 
     /** Applies the player's settings that hold at once. */
     void apply() {
-        playthrough.verticalFovDegrees(
-                ChosenSettings.verticalFovDegrees(request.player().files().settings()));
+        GameSettings settings = request.player().files().settings();
+        playthrough.verticalFovDegrees(ChosenSettings.verticalFovDegrees(settings));
+        playthrough.shotPalette(settings.get(Settings.PORTAL_COLOURS));
     }
 
     /** Replaces the renderer by one of the chosen quality. */

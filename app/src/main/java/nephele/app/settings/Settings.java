@@ -2,6 +2,7 @@ package nephele.app.settings;
 
 import java.util.List;
 import nephele.engine.level.Language;
+import nephele.engine.scene.ShotPalette;
 
 /** All settings of the game, in the order of the settings page. */
 public final class Settings {
@@ -66,6 +67,8 @@ public final class Settings {
 
     public static final GameSetting<Assists> ASSISTS = GameSetting.word("assists", Assists.USUAL);
     public static final GameSetting<Upright> UPRIGHT = GameSetting.word("uprightSpeed", Upright.NORMAL);
+    public static final GameSetting<ShotPalette> PORTAL_COLOURS =
+            GameSetting.word("portalColours", ShotPalette.BLUE_ORANGE);
     public static final GameSetting<Switch> REDUCED_MOTION = GameSetting.word("reducedMotion", Switch.OFF);
 
     public static final List<GameSetting<?>> ALL = List.of(
@@ -80,7 +83,8 @@ public final class Settings {
             FRAME_CAP,
             ASSISTS,
             UPRIGHT,
-            REDUCED_MOTION);
+            REDUCED_MOTION,
+            PORTAL_COLOURS);
 
     private Settings() {}
 }

@@ -9,6 +9,7 @@ import nephele.engine.named.Viewpoints;
 import nephele.engine.portal.CrossingWord;
 import nephele.engine.portal.Portals;
 import nephele.engine.scene.FrameState;
+import nephele.engine.scene.ShotPalette;
 import nephele.engine.scene.View;
 import nephele.engine.sim.FixedStep;
 import nephele.engine.sim.Simulation;
@@ -100,6 +101,11 @@ public final class Playthrough {
     /** Returns the simulated time of a tick. */
     public double secondsPerTick() {
         return secondsPerTick;
+    }
+
+    /** Sets the colours of the shots' portals. */
+    public void shotPalette(ShotPalette palette) {
+        live.frameState().shotPalette(palette);
     }
 
     /** Sets the vertical field of view of {@link #view}. */

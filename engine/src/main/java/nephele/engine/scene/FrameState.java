@@ -37,6 +37,7 @@ public final class FrameState {
     private int held = NOTHING;
     private Vec3 heldFromEye = Vec3.ZERO;
     private double heldClarity;
+    private ShotPalette shotPalette = ShotPalette.BLUE_ORANGE;
 
     private FrameState(Environment environment, int bodyCount) {
         this.environment = environment;
@@ -79,6 +80,16 @@ public final class FrameState {
 
     public void seconds(double now) {
         seconds = now;
+    }
+
+    /** Returns the colours of the shots' portals. */
+    public ShotPalette shotPalette() {
+        return shotPalette;
+    }
+
+    /** Sets the colours of the shots' portals. */
+    public void shotPalette(ShotPalette now) {
+        shotPalette = now;
     }
 
     public Portals portals() {

@@ -32,7 +32,8 @@ final class Crosshair {
 
     private Crosshair() {}
 
-    static void draw(OverlayCanvas canvas, Area area, CrosshairState crosshair) {
+    static void draw(OverlayCanvas canvas, Area area, HudContent.Sight sight) {
+        CrosshairState crosshair = sight.crosshair();
         double x = Math.rint(area.centreX() + crosshair.right());
         double y = Math.rint(area.centreY() + crosshair.down());
         if (crosshair.first() == null) {
@@ -40,8 +41,20 @@ final class Crosshair {
             return;
         }
         bar(canvas, x - DOT / 2, y - DOT / 2, DOT, DOT);
-        half(canvas, x - APART - RADIUS, y, crosshair.first(), new Face("\ue000", "\ue002", HudPalette.FIRST));
-        half(canvas, x + APART, y, crosshair.second(), new Face("\ue001", "\ue003", HudPalette.SECOND));
+        half(
+                canvas,
+                x - APART - RADIUS,
+                y,
+                crosshair.first(),
+                new Face(
+                        "\ue000", "\ue002", OverlayColour.opaque(sight.palette().overlay(0))));
+        half(
+                canvas,
+                x + APART,
+                y,
+                crosshair.second(),
+                new Face(
+                        "\ue001", "\ue003", OverlayColour.opaque(sight.palette().overlay(1))));
         if (crosshair.first().shot() == Shot.REFUSED) {
             cross(canvas, x - APART - RADIUS - CROSS_GAP - CROSS_WIDTH, y);
         }

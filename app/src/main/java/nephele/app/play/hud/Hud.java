@@ -34,8 +34,8 @@ public final class Hud {
             covered = panel.bottom();
         } else if (content.page() == HudContent.Page.HELP) {
             HelpPanel.draw(canvas, area);
-        } else if (content.crosshair() != null) {
-            Crosshair.draw(canvas, area, content.crosshair());
+        } else if (content.sight() != null) {
+            Crosshair.draw(canvas, area, content.sight());
         }
         if (content.banner() != null && content.menu() == null) {
             BannerPanel.draw(canvas, area, content.banner());

@@ -2,6 +2,7 @@ package nephele.app.play.hud;
 
 import java.util.List;
 import nephele.engine.playthrough.CrosshairState;
+import nephele.engine.scene.ShotPalette;
 
 /**
  * The content of the overlay, as a value.
@@ -10,10 +11,12 @@ import nephele.engine.playthrough.CrosshairState;
  * @param figures lines of the F3 panel, empty if it is closed
  * @param message the latest message, or null
  * @param banner what is being loaded, or the level's aim; null for none
- * @param crosshair null if there is none
+ * @param sight null if there is no crosshair
  */
-public record HudContent(
-        Menu menu, Page page, List<Figure> figures, String message, Banner banner, CrosshairState crosshair) {
+public record HudContent(Menu menu, Page page, List<Figure> figures, String message, Banner banner, Sight sight) {
+    /** The crosshair and the colours of its halves. */
+    public record Sight(CrosshairState crosshair, ShotPalette palette) {}
+
     /** A title and a line in the upper part of the picture. */
     public record Banner(String title, String line) {}
 

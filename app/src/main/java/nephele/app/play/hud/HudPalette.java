@@ -12,10 +12,5 @@ public final class HudPalette {
     static final OverlayColour SELECTED = OverlayColour.opaque(0x86ccff).withAlpha(0.18);
     static final OverlayColour SHADOW = OverlayColour.opaque(0x000000).withAlpha(0.4);
 
-    /** The colours of the two shots: lighter than those of the portals' rims. */
-    static final OverlayColour FIRST = OverlayColour.opaque(0x4db4ff);
-
-    static final OverlayColour SECOND = OverlayColour.opaque(0xffa53d);
-
     private HudPalette() {}
 }

@@ -3,27 +3,15 @@ package nephele.engine.render.pass.rim;
 import nephele.engine.math.Vec3;
 
 /**
- * The colours of portals, linear RGB as displayed. The two shots are blue and orange, which also colour-blind players
- * distinguish, and have different patterns. Pairs of the level have hues away from both, and far from each other for
- * any number of pairs.
+ * The colours of the level's pairs of portals, linear RGB as displayed: hues away from the blue and orange of the shots,
+ * and far from each other for any number of pairs.
  */
-public final class RimColours {
-    private static final Vec3 FIRST = new Vec3(0.05, 0.42, 1);
-    private static final Vec3 SECOND = new Vec3(1, 0.36, 0.03);
+final class RimColours {
     private static final double GOLDEN_SHARE = 0.6180339887498949;
     /** Share of the hues between blue and orange that are greens; these are used first. */
     private static final double GREENS = 0.45;
 
     private RimColours() {}
-
-    /**
-     * Returns the colour of a shot.
-     *
-     * @param shot 0 or 1
-     */
-    public static Vec3 ofShot(int shot) {
-        return shot == 0 ? FIRST : SECOND;
-    }
 
     /**
      * Returns the colour of a pair.

@@ -58,7 +58,7 @@ final class RimLook {
     void of(PortalPreview preview, FrameState frameState, View newView) {
         view = newView;
         lie(preview.portal());
-        tint = RimColours.ofShot(preview.colour());
+        tint = frameState.shotPalette().rim(preview.colour());
         openness = 1;
         opacity = PREVIEW_OPACITY;
         seconds = frameState.seconds() % REPEAT_SECONDS;
@@ -91,7 +91,7 @@ final class RimLook {
     private Vec3 tint(FrameState frameState, int portal) {
         int colour = frameState.colour(portal);
         if (colour < OF_LEVEL) {
-            return RimColours.ofShot(colour);
+            return frameState.shotPalette().rim(colour);
         }
         int partner = frameState.portals().partner(portal);
         int pair = partner == Portals.CLOSED ? portal : Math.min(portal, partner);
