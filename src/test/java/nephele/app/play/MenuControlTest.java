@@ -106,7 +106,7 @@ class MenuControlTest {
                 for (Menu.Page page : Menu.Page.values()) {
                     menus.page(page);
                 }
-                for (var setting : Settings.ALL.subList(1, Settings.ALL.size())) {
+                for (var setting : Settings.PAGE.subList(1, Settings.PAGE.size())) {
                     files.keep(files.settings().stepped(setting, 1));
                 }
             }
@@ -178,5 +178,23 @@ class MenuControlTest {
             y++;
         }
         return y + 20;
+    }
+
+    @Test
+    void aKeyOfTwoControlsIsShownAtBoth() {
+        files.keep(files.settings().with(Settings.KEYS.get(Control.JUMP), List.of("E")));
+        Menu keys = menus.keys(Control.RUN);
+        assertEquals("E – also: pick up, let go", value(keys, "jump"));
+        assertEquals("E – also: jump", value(keys, "pick up, let go"));
+        assertEquals("press a key", value(keys, "run"));
+        assertEquals("W, Up", value(keys, "walk forward"));
+    }
+
+    private static String value(Menu menu, String label) {
+        return menu.entries().stream()
+                .filter(entry -> entry.label().equals(label))
+                .findFirst()
+                .orElseThrow()
+                .value();
     }
 }

@@ -52,7 +52,8 @@ class PlayerFilesTest {
     @ParameterizedTest
     @MethodSource("settings")
     void aBrokenEntryIsTheDefaultAndStays(GameSetting<?> setting) {
-        for (String broken : List.of("null", "[]", "{}", "\"no such word\"", "-1e9", "1e999", "true")) {
+        for (String broken :
+                List.of("null", "{}", "\"no such word\"", "-1e9", "1e999", "true", "[\"No Such Key\"]", "[[]]")) {
             problems.clear();
             JsonObject entries = new JsonObject();
             entries.add(setting.key(), JsonParser.parseString(broken));

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.EnumMap;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.lwjgl.glfw.GLFW;
 
@@ -154,5 +156,41 @@ class InputTest {
         assertEquals(30, input.pointerX());
         assertEquals(40, input.pointerY());
         assertFalse(input.takePointerMoved());
+    }
+
+    @Test
+    void aBoundKeyReplacesTheUsualOne() {
+        var keys = new EnumMap<Control, List<String>>(Control.class);
+        keys.put(Control.JUMP, List.of("J"));
+        keys.put(Control.CARRY, List.of("J"));
+        input.bind(KeyBindings.of(keys));
+        input.key(GLFW.GLFW_KEY_SPACE, true);
+        assertFalse(input.holds(Control.JUMP));
+        input.key(GLFW.GLFW_KEY_J, true);
+        assertTrue(input.holds(Control.JUMP));
+        assertTrue(input.holds(Control.CARRY));
+    }
+
+    @Test
+    void aCapturedKeyDoesNothingElse() {
+        input.capture();
+        input.key(GLFW.GLFW_KEY_W, false);
+        input.key(GLFW.GLFW_KEY_W, true);
+        assertFalse(input.holds(Control.FORWARD));
+        assertEquals(GLFW.GLFW_KEY_W, input.takeCaptured());
+        assertNull(input.takeCaptured());
+        input.key(GLFW.GLFW_KEY_W, true);
+        assertTrue(input.holds(Control.FORWARD));
+    }
+
+    @Test
+    void everyNameHasACodeOfItsOwn() {
+        for (Control control : Control.values()) {
+            for (String name : control.usualKeys()) {
+                assertEquals(name, KeyNames.name(KeyNames.code(name)));
+            }
+        }
+        assertEquals("Mouse 1", KeyNames.name(InputListener.MOUSE));
+        assertNull(KeyNames.name(-1));
     }
 }

@@ -57,7 +57,7 @@ public final class GameLoop implements AutoCloseable {
         menu = new MenuControl(input);
         current = new CurrentLevel(gl, new Recordings(request.record()), message);
         display = new Display(window, gl, Screenshots.inUsualFolder());
-        settings = new SettingsControl(window, gl, menus, menu, current, message);
+        settings = new SettingsControl(window, gl, input, menus, menu, current, message);
         picture = new GamePicture(display, current, menu, message, files);
         if (!request.picture().fullScreen()) {
             settings.applyToWindow();
@@ -114,6 +114,7 @@ public final class GameLoop implements AutoCloseable {
     }
 
     private void obeyKeys() {
+        settings.obeyCapturedKey();
         for (var key = input.nextPressed(); key != null; key = input.nextPressed()) {
             switch (key) {
                 case FULL_SCREEN -> settings.toggleFullScreen();
@@ -195,6 +196,8 @@ public final class GameLoop implements AutoCloseable {
             play(next.level());
         } else if (choice instanceof Menu.Choice.Open open) {
             menu.turnTo(menus.page(open.page()));
+        } else if (choice instanceof Menu.Choice.Bind bind) {
+            settings.awaitKey(bind.control());
         } else if (choice instanceof Menu.Choice.Back) {
             menu.back();
         } else if (choice instanceof Menu.Choice.Step step) {

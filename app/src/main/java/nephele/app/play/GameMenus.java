@@ -12,6 +12,8 @@ import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Progress;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
+import nephele.app.window.Control;
+import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelName;
 
@@ -97,6 +99,7 @@ final class GameMenus {
         return switch (page) {
             case LEVELS -> levels();
             case SETTINGS -> settings();
+            case KEYS -> keys(null);
             case RESTART_QUESTION ->
                 menu(
                         "restart-question",
@@ -122,12 +125,33 @@ final class GameMenus {
 
     private Menu settings() {
         List<Entry> entries = new ArrayList<>();
-        for (GameSetting<?> setting : Settings.ALL) {
+        for (GameSetting<?> setting : Settings.PAGE) {
             entries.add(new Entry(
                     text(Phrase.ofSetting(setting.key())), "‹ " + value(setting) + " ›", new Choice.Step(setting, 1)));
         }
+        entries.add(new Entry(text(Phrase.KEYS), new Choice.Open(Menu.Page.KEYS)));
         entries.add(new Entry(text(Phrase.BACK), new Choice.Back()));
         return menu("settings", text(Phrase.SETTINGS), List.of(), entries, new Choice.Back());
+    }
+
+    /** @param waiting the control whose key is awaited; null for none */
+    Menu keys(Control waiting) {
+        KeyBindings bindings = Settings.bindings(files.settings());
+        List<Entry> entries = new ArrayList<>();
+        for (Control control : Settings.KEYS.keySet()) {
+            String value = control == waiting ? text(Phrase.PRESS_KEY) : keyText(bindings, control);
+            entries.add(new Entry(text(Phrase.ofControl(control)), value, new Choice.Bind(control)));
+        }
+        entries.add(new Entry(text(Phrase.BACK), new Choice.Back()));
+        return menu("keys", text(Phrase.KEYS), List.of(), entries, new Choice.Back());
+    }
+
+    /** Returns a control's keys, and the control that has one of them too. */
+    private String keyText(KeyBindings bindings, Control control) {
+        List<String> keys = bindings.keys(control);
+        Control other = bindings.conflict(control);
+        String names = keys.isEmpty() ? text(Phrase.NO_KEY) : String.join(", ", keys);
+        return other == null ? names : names + " – " + Phrase.ALSO.in(language(), text(Phrase.ofControl(other)));
     }
 
     private <T> String value(GameSetting<T> setting) {

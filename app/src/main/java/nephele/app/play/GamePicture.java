@@ -5,6 +5,7 @@ import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Banner;
 import nephele.app.play.hud.HudContent.Page;
+import nephele.app.settings.GameSettings;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.engine.level.Language;
@@ -18,6 +19,8 @@ final class GamePicture {
     private final PlayerFiles files;
     private final Captions captions = new Captions();
     private long titleNanos;
+    private GameSettings keysOf;
+    private HudContent.Keys keys;
 
     GamePicture(Display display, CurrentLevel current, MenuControl menu, Message message, PlayerFiles files) {
         this.display = display;
@@ -47,7 +50,7 @@ final class GamePicture {
         Session session = current.session();
         if (session == null) {
             display.drawEmpty(
-                    new HudContent(menu.page(), page, List.of(), message.text(), banner(stage, loading), null));
+                    new HudContent(menu.page(), page, List.of(), message.text(), banner(stage, loading), null, keys()));
             return null;
         }
         var area = display.area();
@@ -58,13 +61,22 @@ final class GamePicture {
                 current.figures().lines(),
                 message.text(),
                 banner(stage, loading),
-                isPlaying ? sight(session, area) : null);
+                isPlaying ? sight(session, area) : null,
+                keys());
         var listener = current.figures().frameBegins();
         String saved = stage == GameStage.TITLE
                 ? display.draw(session, session.titleView(display.aspect(), titleSeconds()), content, listener, shot)
                 : display.draw(session, content, listener, shot);
         current.figures().frameEnds(session.walk());
         return saved;
+    }
+
+    private HudContent.Keys keys() {
+        if (keysOf != files.settings()) {
+            keysOf = files.settings();
+            keys = new HudContent.Keys(Settings.bindings(keysOf), keysOf.get(Settings.LANGUAGE));
+        }
+        return keys;
     }
 
     private HudContent.Sight sight(Session session, Area area) {

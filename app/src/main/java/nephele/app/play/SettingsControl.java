@@ -8,7 +8,10 @@ import nephele.app.settings.Settings;
 import nephele.app.settings.Settings.Switch;
 import nephele.app.settings.Settings.WindowMode;
 import nephele.app.text.Phrase;
+import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
+import nephele.app.window.Input;
+import nephele.app.window.KeyNames;
 import nephele.engine.render.gl.GlContext;
 
 /** Changes settings from the menu, keeps them, and applies them at once to window and level. */
@@ -19,21 +22,31 @@ final class SettingsControl {
 
     private final GameWindow window;
     private final GlContext gl;
+    private final Input input;
     private final PlayerFiles files;
     private final GameMenus menus;
     private final MenuControl menu;
     private final CurrentLevel current;
     private final Message message;
+    private Control awaited;
 
     SettingsControl(
-            GameWindow window, GlContext gl, GameMenus menus, MenuControl menu, CurrentLevel current, Message message) {
+            GameWindow window,
+            GlContext gl,
+            Input input,
+            GameMenus menus,
+            MenuControl menu,
+            CurrentLevel current,
+            Message message) {
         this.window = window;
         this.gl = gl;
+        this.input = input;
         this.menus = menus;
         this.menu = menu;
         this.current = current;
         this.message = message;
         files = menus.files();
+        input.bind(Settings.bindings(files.settings()));
     }
 
     /** Changes a setting; the settings page is open. */
@@ -50,6 +63,31 @@ final class SettingsControl {
                 current.redraw(gl);
             }
         }
+    }
+
+    /** Waits for a key of a control; the page of keys is open. */
+    void awaitKey(Control control) {
+        awaited = control;
+        input.capture();
+        menu.rewrite(menus.keys(control));
+    }
+
+    /** Binds the awaited key when it comes; Esc leaves the keys as they are. */
+    void obeyCapturedKey() {
+        Integer code = input.takeCaptured();
+        if (code == null || awaited == null) {
+            return;
+        }
+        String key = KeyNames.name(code);
+        if (key == null) {
+            message.say(Phrase.UNNAMED_KEY.in(menus.language()));
+        } else if (!key.equals("Escape")) {
+            var bindings = Settings.bindings(files.settings());
+            files.keep(files.settings().with(Settings.KEYS.get(awaited), bindings.replaced(awaited, key)));
+            input.bind(Settings.bindings(files.settings()));
+        }
+        awaited = null;
+        menu.rewrite(menus.keys(null));
     }
 
     /** Changes the kind of window and keeps it as a setting. */

@@ -1,10 +1,14 @@
 package nephele.app.settings;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonPrimitive;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import nephele.app.window.KeyBindings;
+import nephele.app.window.KeyNames;
 
 /**
  * A setting of the game: its key in the file, its values and its default.
@@ -42,6 +46,11 @@ public record GameSetting<T>(String key, Values<T> values, T absent) {
         return new GameSetting<>(key, new Numbers(least, most, step), absent);
     }
 
+    /** Names of keys; steps of the menu do not change them. */
+    static GameSetting<List<String>> keys(String key, List<String> absent) {
+        return new GameSetting<>(key, new Keys(), absent);
+    }
+
     /** Returns the word of an enum's constant. */
     public static String word(Enum<?> constant) {
         return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
@@ -71,6 +80,40 @@ public record GameSetting<T>(String key, Values<T> values, T absent) {
         public String expected() {
             return "one of "
                     + String.join(", ", all.stream().map(GameSetting::word).toList());
+        }
+    }
+
+    private record Keys() implements Values<List<String>> {
+        @Override
+        public Optional<List<String>> read(JsonElement json) {
+            if (!json.isJsonArray() || json.getAsJsonArray().size() > KeyBindings.MOST_KEYS) {
+                return Optional.empty();
+            }
+            List<String> names = new ArrayList<>();
+            for (JsonElement name : json.getAsJsonArray()) {
+                if (!name.isJsonPrimitive() || KeyNames.code(name.getAsString()) == null) {
+                    return Optional.empty();
+                }
+                names.add(name.getAsString());
+            }
+            return Optional.of(List.copyOf(names));
+        }
+
+        @Override
+        public JsonElement write(List<String> value) {
+            JsonArray names = new JsonArray();
+            value.forEach(names::add);
+            return names;
+        }
+
+        @Override
+        public List<String> stepped(List<String> value, int step) {
+            return value;
+        }
+
+        @Override
+        public String expected() {
+            return "a list of at most " + KeyBindings.MOST_KEYS + " names of keys, such as \"W\" or \"Mouse 1\"";
         }
     }
 

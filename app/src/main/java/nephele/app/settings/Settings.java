@@ -1,6 +1,12 @@
 package nephele.app.settings;
 
+import java.util.Collections;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import nephele.app.window.Control;
+import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
 import nephele.engine.scene.ShotPalette;
 
@@ -71,7 +77,11 @@ public final class Settings {
             GameSetting.word("portalColours", ShotPalette.BLUE_ORANGE);
     public static final GameSetting<Switch> REDUCED_MOTION = GameSetting.word("reducedMotion", Switch.OFF);
 
-    public static final List<GameSetting<?>> ALL = List.of(
+    /** The keys of each control. */
+    public static final Map<Control, GameSetting<List<String>>> KEYS = keys();
+
+    /** The settings of the settings page. */
+    public static final List<GameSetting<?>> PAGE = List.of(
             LANGUAGE,
             FIELD_OF_VIEW,
             MOUSE_SPEED,
@@ -86,5 +96,28 @@ public final class Settings {
             REDUCED_MOTION,
             PORTAL_COLOURS);
 
+    /** All settings of the file. */
+    public static final List<GameSetting<?>> ALL =
+            Stream.concat(PAGE.stream(), KEYS.values().stream()).toList();
+
     private Settings() {}
+
+    private static Map<Control, GameSetting<List<String>>> keys() {
+        Map<Control, GameSetting<List<String>>> keys = new EnumMap<>(Control.class);
+        for (Control control : Control.values()) {
+            if (control.canBeChanged()) {
+                keys.put(control, GameSetting.keys("keys." + GameSetting.word(control), control.usualKeys()));
+            }
+        }
+        return Collections.unmodifiableMap(keys);
+    }
+
+    /** Returns the keys of all controls. */
+    public static KeyBindings bindings(GameSettings settings) {
+        Map<Control, List<String>> keys = new EnumMap<>(Control.class);
+        for (Control control : Control.values()) {
+            keys.put(control, control.canBeChanged() ? settings.get(KEYS.get(control)) : control.usualKeys());
+        }
+        return KeyBindings.of(keys);
+    }
 }

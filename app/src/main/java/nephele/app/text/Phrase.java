@@ -58,6 +58,32 @@ public enum Phrase {
     WORD_BLUE_YELLOW("blue, yellow", "azul, amarelo", "azul, amarelo"),
     WORD_CYAN_RED("cyan, red", "ciano, vermelho", "ciano, vermelho"),
     WORD_WHITE_MAGENTA("white, magenta", "branco, magenta", "branco, magenta"),
+    CONTROL_FORWARD("walk forward", "andar para a frente", "andar para a frente"),
+    CONTROL_BACK("walk back", "andar para trás", "andar para trás"),
+    CONTROL_LEFT("walk left", "andar para a esquerda", "andar para a esquerda"),
+    CONTROL_RIGHT("walk right", "andar para a direita", "andar para a direita"),
+    CONTROL_RUN("run", "correr", "correr"),
+    CONTROL_JUMP("jump", "pular", "saltar"),
+    CONTROL_CROUCH("crouch", "agachar", "agachar"),
+    CONTROL_FIRE_FIRST("first portal; throw", "primeiro portal; jogar", "primeiro portal; atirar"),
+    CONTROL_FIRE_SECOND("second portal", "segundo portal", "segundo portal"),
+    CONTROL_CARRY("pick up, let go", "pegar, soltar", "pegar, largar"),
+    CONTROL_THROW("throw", "jogar", "atirar"),
+    CONTROL_PERSON("first or third person", "primeira ou terceira pessoa", "primeira ou terceira pessoa"),
+    CONTROL_RESTART("start again", "recomeçar", "recomeçar"),
+    CONTROL_MENU("menu", "menu", "menu"),
+    CONTROL_CONFIRM("choose", "escolher", "escolher"),
+    CONTROL_HELP("this page", "esta página", "esta página"),
+    CONTROL_FIGURES("figures", "números", "números"),
+    CONTROL_FULL_SCREEN("full screen", "tela cheia", "ecrã inteiro"),
+    CONTROL_SCREENSHOT("picture (Shift: bare)", "imagem (Shift: sem textos)", "imagem (Shift: sem textos)"),
+    KEYS("Keys", "Teclas", "Teclas"),
+    LOOK("look around", "olhar em volta", "olhar em volta"),
+    MOUSE("Mouse", "Mouse", "Rato"),
+    PRESS_KEY("press a key", "pressione uma tecla", "prime uma tecla"),
+    NO_KEY("none", "nenhuma", "nenhuma"),
+    ALSO("also: %s", "também: %s", "também: %s"),
+    UNNAMED_KEY("This key cannot be used", "Esta tecla não pode ser usada", "Esta tecla não pode ser usada"),
     WORD_OFF("off", "não", "não"),
     WORD_ON("on", "sim", "sim"),
     WORD_HOLD("hold", "segurar", "manter"),
@@ -104,6 +130,11 @@ public enum Phrase {
     /** Returns the name of a setting by its key: {@code invertMouse} is SETTING_INVERT_MOUSE. */
     public static Phrase ofSetting(String key) {
         return valueOf("SETTING_" + key.replaceAll("([A-Z])", "_$1").toUpperCase(Locale.ROOT));
+    }
+
+    /** Returns the meaning of a control. */
+    public static Phrase ofControl(Enum<?> control) {
+        return valueOf("CONTROL_" + control.name());
     }
 
     /** Returns the name of a word of a setting. */

@@ -22,13 +22,43 @@ public final class Input implements InputListener {
     private boolean pointerMoved;
     private boolean pointerShown;
     private Click clicked;
+    private KeyBindings bindings = KeyBindings.usual();
+    private boolean capturing;
+    private Integer captured;
+
+    /** Replaces the keys of all controls; keys that are held count as released. */
+    public void bind(KeyBindings changed) {
+        bindings = changed;
+        forget();
+    }
+
+    /** Takes the next key or mouse button for {@link #takeCaptured} instead of its control. */
+    public void capture() {
+        capturing = true;
+        captured = null;
+    }
+
+    /** Returns true while the key of {@link #capture} has not come. */
+    public boolean isCapturing() {
+        return capturing;
+    }
+
+    /** Returns the code of the captured key, once; else null. */
+    public Integer takeCaptured() {
+        Integer taken = captured;
+        captured = null;
+        return taken;
+    }
 
     @Override
     public void key(int code, boolean down) {
-        for (var control : Control.values()) {
-            if (control.codes().contains(code)) {
-                key(control, down);
-            }
+        if (capturing && down) {
+            capturing = false;
+            captured = code;
+            return;
+        }
+        for (var control : bindings.controls(code)) {
+            key(control, down);
         }
     }
 
@@ -77,6 +107,10 @@ public final class Input implements InputListener {
      */
     @Override
     public void click() {
+        if (capturing) {
+            key(MOUSE, true);
+            return;
+        }
         if (pointerShown) {
             clicked = new Click(pointerX, pointerY);
         }
@@ -103,8 +137,12 @@ public final class Input implements InputListener {
         clicked = null;
         pointerMoved = false;
         pointerShown = false;
-        held.removeIf(Control::isOnMouse);
-        struck.removeIf(Control::isOnMouse);
+        held.removeIf(this::isOnMouse);
+        struck.removeIf(this::isOnMouse);
+    }
+
+    private boolean isOnMouse(Control control) {
+        return bindings.keys(control).stream().anyMatch(name -> KeyNames.code(name) >= MOUSE);
     }
 
     public boolean holds(Control control) {

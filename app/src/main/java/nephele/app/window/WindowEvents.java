@@ -42,6 +42,8 @@ final class WindowEvents {
                 input.key(InputListener.MOUSE + button, action == GLFW_PRESS);
             } else if (button == GLFW_MOUSE_BUTTON_LEFT) {
                 leftButton(action == GLFW_PRESS);
+            } else {
+                input.key(InputListener.MOUSE + button, action == GLFW_PRESS);
             }
         });
     }

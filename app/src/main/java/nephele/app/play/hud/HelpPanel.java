@@ -1,5 +1,6 @@
 package nephele.app.play.hud;
 
+import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
@@ -10,7 +11,7 @@ final class HelpPanel {
     private static final double TITLE_EM = 32;
     private static final double ROW_HEIGHT = 29;
     static final double EM = 18;
-    static final double KEY_COLUMN = 112;
+    static final double KEY_COLUMN = 210;
     private static final double ROWS = Control.values().length + 1;
     private static final double HEIGHT = 2 * PADDING + 2 * TITLE_EM + ROWS * ROW_HEIGHT;
 
@@ -25,20 +26,33 @@ final class HelpPanel {
         return scale(area) * HEIGHT;
     }
 
-    static void draw(OverlayCanvas canvas, Area area) {
+    static void draw(OverlayCanvas canvas, Area area, HudContent.Keys keys) {
         double scale = scale(area);
         double left = Math.rint(area.centreX() - scale * WIDTH / 2);
         double top = Math.rint(area.centreY() - scale * HEIGHT / 2);
         canvas.rectangle(left, top, scale * WIDTH, scale * HEIGHT, HudPalette.PANEL);
         canvas.rectangle(left, top, scale * WIDTH, 3, HudPalette.ACCENT);
         double x = left + scale * PADDING;
-        canvas.text(x, top + scale * (PADDING + 0.7 * TITLE_EM), scale * TITLE_EM, HudPalette.INK, "Keys");
+        canvas.text(
+                x,
+                top + scale * (PADDING + 0.7 * TITLE_EM),
+                scale * TITLE_EM,
+                HudPalette.INK,
+                Phrase.KEYS.in(keys.language()));
         double baseline = top + scale * (PADDING + 2 * TITLE_EM + 0.5 * ROW_HEIGHT);
-        row(canvas, x, baseline, scale, "Mouse", "look around");
+        row(canvas, x, baseline, scale, Phrase.MOUSE.in(keys.language()), Phrase.LOOK.in(keys.language()));
         for (var control : Control.values()) {
             baseline += scale * ROW_HEIGHT;
-            row(canvas, x, baseline, scale, control.keys(), control.meaning());
+            row(canvas, x, baseline, scale, names(control, keys), meaning(control, keys));
         }
+    }
+
+    static String names(Control control, HudContent.Keys keys) {
+        return String.join(", ", keys.bindings().keys(control));
+    }
+
+    static String meaning(Control control, HudContent.Keys keys) {
+        return Phrase.ofControl(control).in(keys.language());
     }
 
     private static void row(

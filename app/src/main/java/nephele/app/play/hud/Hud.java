@@ -33,11 +33,11 @@ public final class Hud {
             panel.draw(canvas);
             covered = panel.bottom();
         } else if (content.page() == HudContent.Page.HELP) {
-            HelpPanel.draw(canvas, area);
+            HelpPanel.draw(canvas, area, content.keys());
         } else if (content.sight() != null) {
             Crosshair.draw(canvas, area, content.sight());
         }
-        if (content.banner() != null && content.menu() == null) {
+        if (content.banner() != null && content.menu() == null && content.page() == HudContent.Page.NONE) {
             BannerPanel.draw(canvas, area, content.banner());
         }
         if (!content.figures().isEmpty() && content.menu() == null) {

@@ -1,6 +1,8 @@
 package nephele.app.play.hud;
 
 import java.util.List;
+import nephele.app.window.KeyBindings;
+import nephele.engine.level.Language;
 import nephele.engine.playthrough.CrosshairState;
 import nephele.engine.scene.ShotPalette;
 
@@ -13,7 +15,11 @@ import nephele.engine.scene.ShotPalette;
  * @param banner what is being loaded, or the level's aim; null for none
  * @param sight null if there is no crosshair
  */
-public record HudContent(Menu menu, Page page, List<Figure> figures, String message, Banner banner, Sight sight) {
+public record HudContent(
+        Menu menu, Page page, List<Figure> figures, String message, Banner banner, Sight sight, Keys keys) {
+    /** The keys of the help page, and its language. */
+    public record Keys(KeyBindings bindings, Language language) {}
+
     /** The crosshair and the colours of its halves. */
     public record Sight(CrosshairState crosshair, ShotPalette palette) {}
 

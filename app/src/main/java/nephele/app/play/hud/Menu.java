@@ -2,6 +2,7 @@ package nephele.app.play.hud;
 
 import java.util.List;
 import nephele.app.settings.GameSetting;
+import nephele.app.window.Control;
 import nephele.engine.named.LevelName;
 
 /**
@@ -30,6 +31,7 @@ public record Menu(
     public enum Page {
         LEVELS,
         SETTINGS,
+        KEYS,
         RESTART_QUESTION
     }
 
@@ -47,6 +49,9 @@ public record Menu(
 
         /** Changes a setting by a step. */
         record Step(GameSetting<?> setting, int step) implements Choice {}
+
+        /** Waits for a key that becomes the control's first one. */
+        record Bind(Control control) implements Choice {}
 
         record ToTitle() implements Choice {}
 
