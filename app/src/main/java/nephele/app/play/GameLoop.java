@@ -312,6 +312,7 @@ public final class GameLoop implements AutoCloseable {
         walk.advance(now - lastNanos);
         var events = walk.takeEvents();
         events.forEach(event -> EventText.of(event).ifPresent(message::say));
+        picture.after(events);
         Optional<FinishedRun> finished = counter.after(events, walk);
         if (timeLoss.isNoticed(now, walk.lostNanos())) {
             message.say(Phrase.SLOW.in(language()));

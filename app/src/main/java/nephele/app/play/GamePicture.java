@@ -9,6 +9,7 @@ import nephele.app.settings.GameSettings;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.engine.level.Language;
+import nephele.engine.sim.state.TickEvent;
 
 /** Draws a frame of the game: the level as the stage shows it, and the overlay above it. */
 final class GamePicture {
@@ -18,6 +19,7 @@ final class GamePicture {
     private final Message message;
     private final PlayerFiles files;
     private final Captions captions = new Captions();
+    private final Prompts prompts = new Prompts();
     private long titleNanos;
     private GameSettings keysOf;
     private HudContent.Keys keys;
@@ -33,6 +35,11 @@ final class GamePicture {
     /** Starts the motion behind the title. */
     void titleOpens() {
         titleNanos = System.nanoTime();
+    }
+
+    /** Learns what the player did. */
+    void after(List<TickEvent> events) {
+        prompts.after(events);
     }
 
     /** Shows the aim of the current level for its first seconds. */
@@ -80,9 +87,11 @@ final class GamePicture {
     }
 
     private HudContent.Sight sight(Session session, Area area) {
+        var crosshair = session.walk().sights(area.width(), area.height());
         return new HudContent.Sight(
-                session.walk().sights(area.width(), area.height()),
-                files.settings().get(Settings.PORTAL_COLOURS));
+                crosshair,
+                files.settings().get(Settings.PORTAL_COLOURS),
+                session.isInPlayersHands() ? prompts.text(session.walk(), crosshair, files.settings()) : null);
     }
 
     private double titleSeconds() {

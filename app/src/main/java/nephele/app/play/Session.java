@@ -95,6 +95,12 @@ final class Session implements AutoCloseable {
         renderer = next;
     }
 
+    /** Returns true if the player, not a replay, moves the character. */
+    boolean isInPlayersHands() {
+        return request.shown() == null
+                || playthrough.state().tick() >= request.shown().takeOverTick();
+    }
+
     PlayRequest request() {
         return request;
     }

@@ -84,6 +84,12 @@ public enum Phrase {
     NO_KEY("none", "nenhuma", "nenhuma"),
     ALSO("also: %s", "também: %s", "também: %s"),
     UNNAMED_KEY("This key cannot be used", "Esta tecla não pode ser usada", "Esta tecla não pode ser usada"),
+    PROMPT_PICK_UP("pick up", "pegar", "pegar"),
+    PROMPT_THROW("throw", "jogar", "atirar"),
+    PROMPT_FIRST("open the first portal", "abrir o primeiro portal", "abrir o primeiro portal"),
+    PROMPT_SECOND("open the second portal", "abrir o segundo portal", "abrir o segundo portal"),
+    LEFT_CLICK("left click", "clique esquerdo", "clique esquerdo"),
+    RIGHT_CLICK("right click", "clique direito", "clique direito"),
     WORD_OFF("off", "não", "não"),
     WORD_ON("on", "sim", "sim"),
     WORD_HOLD("hold", "segurar", "manter"),
@@ -130,6 +136,15 @@ public enum Phrase {
     /** Returns the name of a setting by its key: {@code invertMouse} is SETTING_INVERT_MOUSE. */
     public static Phrase ofSetting(String key) {
         return valueOf("SETTING_" + key.replaceAll("([A-Z])", "_$1").toUpperCase(Locale.ROOT));
+    }
+
+    /** Returns a key's name for sentences: mouse buttons are clicks. */
+    public static String keyName(String key, Language language) {
+        return switch (key) {
+            case "Mouse 1" -> LEFT_CLICK.in(language);
+            case "Mouse 2" -> RIGHT_CLICK.in(language);
+            default -> key;
+        };
     }
 
     /** Returns the meaning of a control. */

@@ -187,6 +187,11 @@ public final class Playthrough {
         return recorder;
     }
 
+    /** Returns true if the player would pick up a body now. */
+    public boolean canPickUp() {
+        return simulation.canPickUp(after);
+    }
+
     /** Switches between first and third person. */
     public void changePerson() {
         boom.toggle();

@@ -115,6 +115,11 @@ public final class Simulation {
         return hands.aim(state, shot);
     }
 
+    /** Returns true if the player of a state would pick up a body. */
+    public boolean canPickUp(SimState state) {
+        return hands.canPickUp(state);
+    }
+
     /**
      * Returns the state one tick later. The stages are:
      *

@@ -36,6 +36,9 @@ public final class Hud {
             HelpPanel.draw(canvas, area, content.keys());
         } else if (content.sight() != null) {
             Crosshair.draw(canvas, area, content.sight());
+            if (content.sight().prompt() != null) {
+                PromptLine.draw(canvas, area, content.sight().prompt());
+            }
         }
         if (content.banner() != null && content.menu() == null && content.page() == HudContent.Page.NONE) {
             BannerPanel.draw(canvas, area, content.banner());

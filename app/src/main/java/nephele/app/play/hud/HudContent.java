@@ -20,8 +20,8 @@ public record HudContent(
     /** The keys of the help page, and its language. */
     public record Keys(KeyBindings bindings, Language language) {}
 
-    /** The crosshair and the colours of its halves. */
-    public record Sight(CrosshairState crosshair, ShotPalette palette) {}
+    /** The crosshair, the colours of its halves, and a line below it; null for none. */
+    public record Sight(CrosshairState crosshair, ShotPalette palette, String prompt) {}
 
     /** A title and a line in the upper part of the picture. */
     public record Banner(String title, String line) {}

@@ -95,6 +95,15 @@ public final class PlayerActions {
                 : shots.aim(state, shot, worlds.of(state.world().portals()));
     }
 
+    /** Returns true if the player holds nothing and would pick up a body now. */
+    public boolean canPickUp(SimState state) {
+        if (level.bodies().size() == 0 || state.world().holding().isHolding()) {
+            return false;
+        }
+        HeldBody grasp = carry.reach(state, worlds.of(state.world().portals()));
+        return grasp.isHolding() && level.bodies().massKilograms(grasp.body()) <= HEAVIEST_KILOGRAMS;
+    }
+
     private SimState fire(SimState state, GunPortals.Colour shot, List<TickEvent> events) {
         if (shots == null) {
             return state;

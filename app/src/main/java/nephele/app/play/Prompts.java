@@ -1,0 +1,81 @@
+package nephele.app.play;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import nephele.app.settings.GameSettings;
+import nephele.app.settings.Settings;
+import nephele.app.text.Phrase;
+import nephele.app.window.Control;
+import nephele.engine.level.Language;
+import nephele.engine.playthrough.CrosshairState;
+import nephele.engine.playthrough.Playthrough;
+import nephele.engine.sim.state.GunPortals;
+import nephele.engine.sim.state.TickEvent;
+import nephele.engine.sim.state.TickEvent.Handled;
+
+/** Names the key of an action that is possible now, until the player has done it once. */
+final class Prompts {
+    /** The actions in the order of their prompts. */
+    private static final List<Control> ACTIONS =
+            List.of(Control.CARRY, Control.THROW, Control.FIRE_FIRST, Control.FIRE_SECOND);
+
+    private final Set<Control> learned = EnumSet.noneOf(Control.class);
+
+    /** Learns what the player did in these events. */
+    void after(List<TickEvent> events) {
+        for (TickEvent event : events) {
+            if (event instanceof TickEvent.PortalOpened opened) {
+                learned.add(opened.shot() == GunPortals.Colour.FIRST ? Control.FIRE_FIRST : Control.FIRE_SECOND);
+            } else if (event instanceof Handled handled) {
+                learn(handled.kind());
+            }
+        }
+    }
+
+    private void learn(Handled.Kind kind) {
+        switch (kind) {
+            case PICKED_UP -> learned.add(Control.CARRY);
+            case THROWN, DROPPED -> learned.add(Control.THROW);
+            case LOST, TOO_HEAVY -> {}
+        }
+    }
+
+    /** Returns the prompt; null for none. */
+    String text(Playthrough playthrough, CrosshairState crosshair, GameSettings settings) {
+        for (Control action : ACTIONS) {
+            if (!learned.contains(action) && isPossible(action, playthrough, crosshair)) {
+                return text(action, settings);
+            }
+        }
+        return null;
+    }
+
+    private static boolean isPossible(Control action, Playthrough playthrough, CrosshairState crosshair) {
+        boolean holds = playthrough.state().world().holding().isHolding();
+        return switch (action) {
+            case CARRY -> playthrough.canPickUp();
+            case THROW -> holds;
+            case FIRE_FIRST -> !holds && opens(crosshair.first());
+            case FIRE_SECOND -> opens(crosshair.second());
+            default -> false;
+        };
+    }
+
+    private static boolean opens(CrosshairState.Half half) {
+        return half != null && half.shot() == CrosshairState.Shot.OPENS;
+    }
+
+    private static String text(Control action, GameSettings settings) {
+        List<String> keys = Settings.bindings(settings).keys(action);
+        Language language = settings.get(Settings.LANGUAGE);
+        Phrase phrase =
+                switch (action) {
+                    case CARRY -> Phrase.PROMPT_PICK_UP;
+                    case THROW -> Phrase.PROMPT_THROW;
+                    case FIRE_FIRST -> Phrase.PROMPT_FIRST;
+                    default -> Phrase.PROMPT_SECOND;
+                };
+        return keys.isEmpty() ? null : Phrase.keyName(keys.get(0), language) + ": " + phrase.in(language);
+    }
+}
