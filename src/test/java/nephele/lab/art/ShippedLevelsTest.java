@@ -16,6 +16,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.math.Vec3;
+import nephele.engine.named.LevelCatalogue;
 import nephele.engine.sim.WorldRules;
 import nephele.engine.sim.replay.Replay;
 import org.joml.Vector3d;
@@ -35,9 +36,7 @@ class ShippedLevelsTest {
         List<Path> files = new ArrayList<>();
         for (String folder : List.of("levels", "levels/samples")) {
             try (Stream<Path> inFolder = Files.list(Path.of(folder))) {
-                inFolder.filter(file -> file.toString().endsWith(".json"))
-                        .sorted()
-                        .forEach(files::add);
+                inFolder.filter(LevelCatalogue::isLevel).sorted().forEach(files::add);
             }
         }
         return files.stream();

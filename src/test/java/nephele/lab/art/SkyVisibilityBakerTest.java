@@ -16,7 +16,7 @@ class SkyVisibilityBakerTest {
     @Test
     void levelsOfTheGameCarryTheirLight() throws IOException {
         for (String folder : List.of("levels", "levels/samples")) {
-            for (Path level : SkyVisibilityBaker.files(Path.of(folder), ".json")) {
+            for (Path level : SkyVisibilityBaker.levels(Path.of(folder))) {
                 var name = SkyVisibilityBaker.fileNameFor(level);
                 assertTrue(
                         name.isEmpty() || Files.exists(Path.of(folder, "baked", name.get())),

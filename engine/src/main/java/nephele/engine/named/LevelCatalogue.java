@@ -54,6 +54,12 @@ public final class LevelCatalogue {
         return Optional.empty();
     }
 
+    /** Returns true for the name of a level's file: any JSON file but the campaign's. */
+    public static boolean isLevel(Path file) {
+        String name = file.getFileName().toString();
+        return name.endsWith(".json") && !name.equals(CAMPAIGN);
+    }
+
     private static Optional<List<LevelName>> inCheckout() {
         Path file = Path.of(FOLDER + CAMPAIGN);
         if (!Files.isRegularFile(file)) {

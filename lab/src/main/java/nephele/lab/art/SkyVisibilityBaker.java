@@ -12,6 +12,7 @@ import nephele.engine.asset.LevelAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.named.LevelCatalogue;
 import nephele.engine.scene.light.LightRequirements;
 import nephele.engine.scene.light.bake.SkyVisibility;
 import nephele.engine.scene.light.bake.SkyVisibilityCache;
@@ -32,11 +33,11 @@ public final class SkyVisibilityBaker {
         Path baked = folder.resolve(SkyVisibilityCache.SHIPPED);
         Files.createDirectories(baked);
         Set<String> wanted = new TreeSet<>();
-        for (Path level : files(folder, ".json")) {
+        for (Path level : levels(folder)) {
             fileNameFor(level).ifPresent(wanted::add);
             bake(level, baked);
         }
-        for (Path file : files(baked, ".bin")) {
+        for (Path file : bakedFiles(baked)) {
             if (!wanted.contains(file.getFileName().toString())) {
                 Files.delete(file);
             }
@@ -68,9 +69,16 @@ public final class SkyVisibilityBaker {
         return StaticShapes.of(read(levelFile), LevelAssets.beside(levelFile)).split(SkyVisibility.MODEL_EDGE_METRES);
     }
 
-    public static List<Path> files(Path folder, String ending) throws IOException {
+    /** Returns the levels in a folder, sorted. */
+    public static List<Path> levels(Path folder) throws IOException {
         try (Stream<Path> all = Files.list(folder)) {
-            return all.filter(file -> file.toString().endsWith(ending)).sorted().toList();
+            return all.filter(LevelCatalogue::isLevel).sorted().toList();
+        }
+    }
+
+    private static List<Path> bakedFiles(Path folder) throws IOException {
+        try (Stream<Path> all = Files.list(folder)) {
+            return all.filter(file -> file.toString().endsWith(".bin")).sorted().toList();
         }
     }
 }

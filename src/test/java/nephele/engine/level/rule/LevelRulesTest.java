@@ -16,6 +16,7 @@ import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.json.LevelJsonTest;
 import nephele.engine.level.json.NumberText;
+import nephele.engine.named.LevelCatalogue;
 import org.junit.jupiter.api.Test;
 
 /** The rules accept what they should; {@link nephele.engine.level.BadRelations} has what they refuse. */
@@ -29,7 +30,7 @@ class LevelRulesTest {
     void everyShippedLevelIsFreeOfErrorsAndCanBeSaved() throws IOException {
         List<Path> files;
         try (var levels = Files.walk(Path.of("levels"))) {
-            files = levels.filter(file -> file.toString().endsWith(".json"))
+            files = levels.filter(LevelCatalogue::isLevel)
                     .filter(file -> !file.toString().contains("replays"))
                     .toList();
         }

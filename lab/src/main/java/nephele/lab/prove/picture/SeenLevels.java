@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import nephele.engine.named.LevelCatalogue;
 
 /** The levels of a checkout that are compared in pictures. */
 final class SeenLevels {
@@ -25,8 +26,8 @@ final class SeenLevels {
             return List.of();
         }
         try (Stream<Path> files = Files.list(folder)) {
-            return files.map(Path::toString)
-                    .filter(file -> file.endsWith(".json"))
+            return files.filter(LevelCatalogue::isLevel)
+                    .map(Path::toString)
                     .sorted()
                     .toList();
         } catch (IOException unreadable) {
