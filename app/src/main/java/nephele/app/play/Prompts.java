@@ -21,6 +21,9 @@ final class Prompts {
             List.of(Control.CARRY, Control.THROW, Control.FIRE_FIRST, Control.FIRE_SECOND);
 
     private final Set<Control> learned = EnumSet.noneOf(Control.class);
+    private Control shownAction;
+    private GameSettings shownSettings;
+    private String shown;
 
     /** Learns what the player did in these events. */
     void after(List<TickEvent> events) {
@@ -45,10 +48,20 @@ final class Prompts {
     String text(Playthrough playthrough, CrosshairState crosshair, GameSettings settings) {
         for (Control action : ACTIONS) {
             if (!learned.contains(action) && isPossible(action, playthrough, crosshair)) {
-                return text(action, settings);
+                return shown(action, settings);
             }
         }
         return null;
+    }
+
+    /** Returns the same text while action and settings stay the same. */
+    private String shown(Control action, GameSettings settings) {
+        if (shownAction != action || shownSettings != settings) {
+            shownAction = action;
+            shownSettings = settings;
+            shown = text(action, settings);
+        }
+        return shown;
     }
 
     private static boolean isPossible(Control action, Playthrough playthrough, CrosshairState crosshair) {

@@ -2,6 +2,8 @@ package nephele.app.settings;
 
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
+import java.util.IdentityHashMap;
+import java.util.Map;
 import java.util.function.Consumer;
 
 /**
@@ -11,9 +13,16 @@ public final class GameSettings {
     public static final GameSettings DEFAULT = new GameSettings(new JsonObject());
 
     private final JsonObject entries;
+    private final Map<GameSetting<?>, Object> values = new IdentityHashMap<>();
 
     private GameSettings(JsonObject entries) {
         this.entries = entries;
+        Settings.ALL.forEach(setting -> values.put(setting, read(setting)));
+    }
+
+    private <T> T read(GameSetting<T> setting) {
+        JsonElement entry = entries.get(setting.key());
+        return entry == null ? setting.absent() : setting.values().read(entry).orElse(setting.absent());
     }
 
     /**
@@ -37,10 +46,10 @@ public final class GameSettings {
         return new GameSettings(entries.deepCopy());
     }
 
-    /** Returns the value of a setting. */
+    /** Returns the value of a setting of {@link Settings#ALL}. Allocates nothing: frames ask for it. */
+    @SuppressWarnings("unchecked") // read() has put a T there
     public <T> T get(GameSetting<T> setting) {
-        JsonElement entry = entries.get(setting.key());
-        return entry == null ? setting.absent() : setting.values().read(entry).orElse(setting.absent());
+        return (T) values.get(setting);
     }
 
     /** Returns these settings with another value, which replaces a broken entry. */

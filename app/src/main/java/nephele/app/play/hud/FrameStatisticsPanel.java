@@ -13,15 +13,19 @@ final class FrameStatisticsPanel {
 
     private FrameStatisticsPanel() {}
 
-    static void draw(OverlayCanvas canvas, List<HudContent.Figure> figures) {
+    /** A low window shrinks the panel, so that no line is left out. */
+    static void draw(OverlayCanvas canvas, Area area, List<HudContent.Figure> figures) {
         double height = 2 * PADDING + figures.size() * LINE_HEIGHT;
-        canvas.rectangle(MARGIN, MARGIN, WIDTH, height, HudPalette.PANEL);
-        double baseline = MARGIN + PADDING + 0.7 * EM + 2;
+        double scale = Math.min(1, area.height() / (height + 2 * MARGIN));
+        double em = scale * EM;
+        double left = scale * MARGIN;
+        canvas.rectangle(left, left, scale * WIDTH, scale * height, HudPalette.PANEL);
+        double baseline = scale * (MARGIN + PADDING + 0.7 * EM + 2);
         for (var figure : figures) {
-            double valueLeft = MARGIN + WIDTH - PADDING - canvas.width(EM, figure.value());
-            canvas.text(MARGIN + PADDING, baseline, EM, HudPalette.QUIET_INK, figure.name());
-            canvas.text(valueLeft, baseline, EM, HudPalette.INK, figure.value());
-            baseline += LINE_HEIGHT;
+            double valueLeft = scale * (MARGIN + WIDTH - PADDING) - canvas.width(em, figure.value());
+            canvas.text(scale * (MARGIN + PADDING), baseline, em, HudPalette.QUIET_INK, figure.name());
+            canvas.text(valueLeft, baseline, em, HudPalette.INK, figure.value());
+            baseline += scale * LINE_HEIGHT;
         }
     }
 }

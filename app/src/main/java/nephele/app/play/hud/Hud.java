@@ -44,7 +44,7 @@ public final class Hud {
             BannerPanel.draw(canvas, area, content.banner());
         }
         if (!content.figures().isEmpty() && content.menu() == null) {
-            FrameStatisticsPanel.draw(canvas, content.figures());
+            FrameStatisticsPanel.draw(canvas, area, content.figures());
         }
         if (content.message() != null && MessageBar.top(area) >= covered) {
             MessageBar.draw(canvas, area, content.message());
