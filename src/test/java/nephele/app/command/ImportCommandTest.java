@@ -19,6 +19,8 @@ import org.junit.jupiter.api.io.TempDir;
 class ImportCommandTest {
     private static final String SCENE = "<scene>\n<models><model file=\"box_2_3.3d\"/>"
             + "<model file=\"own/tri.3d\" texture=\"own/t.png\"/>\n<model file=\"nowhere.3d\"/></models></scene>";
+    private static final String TURNING =
+            "<group><rotate y=\"1\" time=\"9\"/><models><model file=\"box_2_3.3d\"/></models></group>\n";
     private static final String TRIANGLE = "0 0 0\n1 0 0\n0 1 0\n";
 
     @TempDir
@@ -56,6 +58,30 @@ class ImportCommandTest {
         Level read = LevelFile.read(level);
         assertEquals(2, read.models().size());
         assertEquals("scene", read.name());
+    }
+
+    /** Every written file is listed, and equal warnings are one line with their number. */
+    @Test
+    void whatWasWrittenAndWhatWasLeftOutIsListed() throws IOException {
+        Path level = folder.resolve("to/level.json");
+        Captured answer = imported(scene(SCENE.replace("<models>", TURNING + TURNING + "<models>")), level);
+        List<String> written = answer.out()
+                .lines()
+                .filter(line -> line.startsWith("written: "))
+                .map(line -> level.getParent()
+                        .toAbsolutePath()
+                        .relativize(Path.of(line.substring(9)).toAbsolutePath())
+                        .toString()
+                        .replace('\\', '/'))
+                .sorted()
+                .toList();
+        assertEquals(names(level.getParent()), written);
+        List<String> stays = answer.err()
+                .lines()
+                .filter(line -> line.contains("a level's models stay"))
+                .toList();
+        assertEquals(1, stays.size(), answer.err());
+        assertTrue(stays.get(0).endsWith("(2 places, this is the first)"), answer.err());
     }
 
     @Test

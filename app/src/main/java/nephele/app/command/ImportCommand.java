@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.Locale;
 import nephele.app.scenes.SceneImport;
 import nephele.app.scenes.SceneName;
-import nephele.engine.level.Level;
 import nephele.engine.terminal.CommandFailure;
 import nephele.engine.terminal.ExitCode;
 import nephele.engine.terminal.Terminal;
@@ -29,8 +28,10 @@ final class ImportCommand implements Command {
         if (!out.toString().toLowerCase(Locale.ROOT).endsWith(".json")) {
             throw CommandFailure.usage("--out must end in .json: " + out);
         }
-        Level level = SceneImport.save(new SceneName(scene), out, terminal.err()::println);
-        terminal.out().println(out + ": " + level.models().size() + " models; play it with: nephele play " + word(out));
+        var imported = SceneImport.save(new SceneName(scene), out, terminal.err()::println);
+        imported.written().forEach(file -> terminal.out().println("written: " + file));
+        int models = imported.level().models().size();
+        terminal.out().println(out + ": " + models + " models; play it with: nephele play " + word(out));
         return ExitCode.DONE;
     }
 

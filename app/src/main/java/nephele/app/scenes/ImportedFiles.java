@@ -37,6 +37,11 @@ final class ImportedFiles {
         this.folder = level.toAbsolutePath().normalize().getParent();
     }
 
+    /** Returns all written files, by their names beside the level. */
+    List<Path> written() {
+        return written.stream().map(folder::relativize).toList();
+    }
+
     /** Deletes all written files, and the folders made for them, after a failure. */
     void takeBack() throws IOException {
         for (Path file : written) {

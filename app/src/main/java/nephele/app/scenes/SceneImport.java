@@ -55,13 +55,32 @@ public final class SceneImport {
     }
 
     /**
+     * An imported level.
+     *
+     * @param written all files that were written, the level first
+     */
+    public record Imported(Level level, List<Path> written) {}
+
+    /**
      * Saves the level made of a scene, with its meshes and pictures beside it, or nothing at all after a failure.
      *
-     * @param complaints receives a line for each oddity or omission
+     * @param complaints receives a line for each kind of oddity or omission
      */
-    public static Level save(SceneName name, Path target, Consumer<String> complaints) {
+    public static Imported save(SceneName name, Path target, Consumer<String> complaints) {
+        var counted = new CountedWarnings();
         try {
-            return new SceneImport(name, target, complaints).saved(target);
+            return save(name, target, new SceneImport(name, target, counted));
+        } finally {
+            counted.tell(complaints);
+        }
+    }
+
+    private static Imported save(SceneName name, Path target, SceneImport scene) {
+        try {
+            Level level = scene.saved(target);
+            List<Path> written = new ArrayList<>(List.of(target));
+            scene.files.written().forEach(file -> written.add(target.resolveSibling(file)));
+            return new Imported(level, List.copyOf(written));
         } catch (ModelFileException problem) {
             throw CommandFailure.input(problem.getMessage());
         } catch (IOException failure) {
