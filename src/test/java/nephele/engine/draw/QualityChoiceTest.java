@@ -9,6 +9,8 @@ import java.util.Map;
 import nephele.engine.render.frame.Output;
 import nephele.engine.terminal.CommandFailure;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class QualityChoiceTest {
     private static QualityChoice choice(String key, int value) {
@@ -36,5 +38,25 @@ class QualityChoiceTest {
                         .settings(Output.DIRECT, true)
                         .quality()
                         .shadowTexels());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"low, 2, 2, 1, 1", "medium, 4, 4, 1, 1", "high, 4, 8, 1, 1", "ultra, 8, 16, 4, 8", "auto, 8, 16, 1, 1"})
+    void aGraphicsCardDrawsMoreSamples(
+            String preset, int samples, int anisotropy, int softwareSamples, int softwareAnisotropy) {
+        var choice = new QualityChoice(preset, Map.of());
+        var hardware = choice.settings(Output.DIRECT, false).quality();
+        var software = choice.settings(Output.DIRECT, true).quality();
+        assertEquals(samples, hardware.samples());
+        assertEquals(anisotropy, hardware.anisotropy());
+        assertEquals(softwareSamples, software.samples());
+        assertEquals(softwareAnisotropy, software.anisotropy());
+        assertEquals(software.viewBudget(), hardware.viewBudget());
+    }
+
+    @Test
+    void aSettingGoesBeforeTheGraphicsCardsPreset() {
+        assertEquals(
+                1, choice("samples", 1).settings(Output.DIRECT, false).quality().samples());
     }
 }

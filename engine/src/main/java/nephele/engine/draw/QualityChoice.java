@@ -75,13 +75,13 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                         throw CommandFailure.usage(
                                 "--quality is low, medium, high, ultra or auto, not `" + preset + "`");
                 };
-        return quality;
+        return software ? quality : quality.onHardware();
     }
 
     /**
      * Returns all render settings. Ids are drawn without multisampling, decoration or reuse of other frames.
      *
-     * @param software true for a software renderer, for which auto is low instead of ultra
+     * @param software true for a software renderer: auto is low instead of ultra, and presets have fewer samples
      * @throws CommandFailure for an unknown preset or setting
      */
     public RenderSettings settings(Output output, boolean software) {

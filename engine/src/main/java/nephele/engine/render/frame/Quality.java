@@ -22,6 +22,21 @@ public record Quality(
     public static final Quality HIGH = new Quality(1, 4096, 1, PortalTechnique.STENCIL, 12, 1);
     public static final Quality ULTRA = new Quality(8, 4096, 4, PortalTechnique.STENCIL, 32, 1);
 
+    /**
+     * Returns the preset as a graphics card draws it, where samples and anisotropy cost little: 2, 4, 4 and 8 samples a
+     * pixel, anisotropy 2, 4, 8 and 16.
+     */
+    public Quality onHardware() {
+        if (equals(LOW)) {
+            return withSamples(2).withAnisotropy(2);
+        } else if (equals(MEDIUM)) {
+            return withSamples(4).withAnisotropy(4);
+        } else if (equals(HIGH)) {
+            return withSamples(4).withAnisotropy(8);
+        }
+        return equals(ULTRA) ? withSamples(8).withAnisotropy(16) : this;
+    }
+
     /** Returns this quality with another anisotropy. */
     public Quality withAnisotropy(int newAnisotropy) {
         return new Quality(newAnisotropy, shadowTexels, samples, portalTechnique, viewBudget, portalResolution);
