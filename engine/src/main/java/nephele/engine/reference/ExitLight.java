@@ -8,9 +8,8 @@ import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /**
- * The light that the curtains of exits add along a path: the integral of their emission, attenuated by fog. Each
- * segment's part within a cylinder is integrated by the midpoint rule, separately before, between and after the crossings
- * of the shell's inner side.
+ * The light that the curtains of exits add along a path: the integral of their emission, attenuated by fog. A segment's
+ * two ways through a shell are integrated one by one with the midpoint rule.
  */
 final class ExitLight {
     private static final int STEPS = 24;
