@@ -135,7 +135,12 @@ class LightTwinsGlTest {
         return new Vector3d(
                 ShadowFilter.litShare(nearerBy, four.weight(), half, slope),
                 ShadowFilter.litShareOfMapped(nearerBy, isLike, four.weight(), half, slope),
-                ofLight[0] + 2 * ofLight[1] + 3 * ofLight[2] + 4 * ofLight[3]);
+                ofLight[0]
+                        + 2 * ofLight[1]
+                        + 3 * ofLight[2]
+                        + 4 * ofLight[3]
+                        + (ShadowFilter.litByNearest(nearerBy[0], half, slope) ? 100 : 0)
+                        + (ShadowFilter.litByNearestOfMapped(nearerBy[0], isLike[0], half, slope) ? 200 : 0));
     }
 
     /** Mapped normals equal the twin's, for degenerate texels and opposite vectors too. */

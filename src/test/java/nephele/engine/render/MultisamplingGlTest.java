@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
+import nephele.engine.level.Light;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
@@ -67,6 +68,51 @@ class MultisamplingGlTest {
             // 90° of view: SIZE / 2 pixels a unit at distance 1.
             double side = SIZE / 2.0 / 1.5;
             assertEquals(side * side, count, 4 * side / 4);
+        }
+    }
+
+    /**
+     * A ledge narrower than a pixel, under a lamp: at its pixels' centres there is the wall, in whose shadow the ledge is
+     * not. The mean of many more pixels tells its light.
+     */
+    @Test
+    void thinFacesAreLitWhereTheyAre() {
+        Level ledge = new TestLevel()
+                .material("white", TestLevel.grey(0.8))
+                .light(new Light.Point("lamp", new Vec3(0, 3, 2), new Vec3(20, 20, 20), 20.0, true))
+                .box("white", new Vec3(0, 0, -1), new Vec3(8, 6, 2))
+                .box("white", new Vec3(0, -1.5, 0.02), new Vec3(8, 3, 0.04))
+                .level();
+        View view = View.lookAt(
+                new Vec3(1, 0.5, 6),
+                new Vec3(-1, 0, 0),
+                new Vec3(0, 1, 0),
+                new nephele.engine.scene.Projection(Math.PI / 3, 1, 0.05, 1000));
+        float[] drawn;
+        try (Offscreen offscreen = new Offscreen(SIZE, SIZE)) {
+            drawn = radiance(offscreen, ledge, view, 4);
+        }
+        float[] exact;
+        try (Offscreen offscreen = new Offscreen(8 * SIZE, 8 * SIZE)) {
+            exact = radiance(offscreen, ledge, view, 1);
+        }
+        for (int i = SIZE * SIZE / 4; i < SIZE * SIZE * 3 / 4; i++) {
+            double mean = 0;
+            for (int k = 0; k < 64; k++) {
+                int x = 8 * (i % SIZE) + k % 8;
+                int y = 8 * (i / SIZE) + k / 8;
+                mean += exact[3 * (8 * SIZE * y + x)] / 64;
+            }
+            assertTrue(
+                    drawn[3 * i] >= 0.7 * mean - 0.02,
+                    "pixel " + i % SIZE + ", " + i / SIZE + ": " + drawn[3 * i] + " of " + mean);
+        }
+    }
+
+    private static float[] radiance(Offscreen offscreen, Level level, View view, int samples) {
+        try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, settings(Output.HDR, samples))) {
+            renderer.draw(view, offscreen.picture);
+            return renderer.readRadiance();
         }
     }
 

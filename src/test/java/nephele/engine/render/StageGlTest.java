@@ -59,7 +59,10 @@ class StageGlTest {
 
     private static List<RenderFeature> withTrial(Stage stage) {
         List<RenderFeature> features = new ArrayList<>(RenderFeatures.ALL);
-        features.add(features.size() - 1, DistancePass.of(stage));
+        int afterAll = (int) features.stream()
+                .filter(feature -> feature.stage() != Stage.AFTER_ALL)
+                .count();
+        features.add(afterAll, DistancePass.of(stage));
         return features;
     }
 
@@ -73,7 +76,7 @@ class StageGlTest {
     }
 
     private static Quality technique(PortalTechnique technique) {
-        return Quality.LOW.withPortalTechnique(technique);
+        return Quality.HIGH.withViewBudget(6).withPortalTechnique(technique);
     }
 
     @Test
@@ -83,8 +86,8 @@ class StageGlTest {
             all.add(settings(technique(technique).withSamples(4)));
         }
         all.add(settings(technique(PortalTechnique.TEXTURE).withPortalResolution(0.5)));
-        all.add(settings(Quality.LOW));
-        all.add(settings(Quality.LOW).with(Narrowing.OFF));
+        all.add(settings(Quality.HIGH.withViewBudget(6)));
+        all.add(settings(Quality.HIGH.withViewBudget(6)).with(Narrowing.OFF));
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
             for (RenderSettings each : all) {
                 try (Renderer renderer = trial(offscreen, threeWalls(), each)) {
@@ -118,7 +121,7 @@ class StageGlTest {
                 Renderer renderer = trial(
                         offscreen,
                         threeWalls(),
-                        RenderSettings.of(Output.HDR, Quality.LOW.withSamples(4))
+                        RenderSettings.of(Output.HDR, Quality.HIGH.withViewBudget(6).withSamples(4))
                                 .with(Decoration.OFF))) {
             renderer.draw(view(offscreen), offscreen.picture);
             float[] radiance = renderer.readRadiance();
@@ -145,7 +148,7 @@ class StageGlTest {
     @Test
     void onlyWhatIsReadIsCopied() {
         Level level = walls().cube("wall", new Vec3(0, 0, 9), 0.5).level();
-        RenderSettings played = settings(Quality.LOW).with(CharacterPresence.POSSIBLE);
+        RenderSettings played = settings(Quality.HIGH.withViewBudget(6)).with(CharacterPresence.POSSIBLE);
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE)) {
             try (Renderer renderer = Renderer.load(offscreen.gl, level, TestAssets.NONE, played)) {
                 var loaded = offscreen.gl.live().counts();
@@ -179,7 +182,7 @@ class StageGlTest {
     @Test
     void theBareTwinReadsItsViewsToo() {
         try (Offscreen offscreen = new Offscreen(SIDE, SIDE);
-                Renderer renderer = trial(offscreen, threeWalls(), settings(Quality.LOW));
+                Renderer renderer = trial(offscreen, threeWalls(), settings(Quality.HIGH.withViewBudget(6)));
                 BareTwin twin = new BareTwin(offscreen.gl, renderer, List.of(view(offscreen)), offscreen.picture)) {
             offscreen.picture.clear(1, 0, 1);
             twin.draw(0);

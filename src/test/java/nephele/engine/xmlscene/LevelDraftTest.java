@@ -17,6 +17,7 @@ import nephele.engine.level.Light;
 import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.ModelPlacement.TransformStep;
+import nephele.engine.level.Sky;
 import nephele.engine.level.Solid;
 import nephele.engine.level.json.LevelJson;
 import nephele.engine.level.rule.LevelRules;
@@ -153,15 +154,33 @@ class LevelDraftTest {
         assertTrue(level.lights().get(1).castsShadow());
     }
 
+    /** A plain of 60 m below the camera, a wider hill in view, and a hill behind the camera that is higher. */
+    @Test
+    void thePlayerStartsAboveTheHighestGroundInView() {
+        Level level = draft(read("<world><camera><position x='0' y='9' z='0'/><lookAt x='0' y='0' z='-9'/></camera>"
+                        + wide(0, -4, 0, 30) + wide(0, -2, -18, 4) + wide(0, 1, 18, 4) + "</world>"))
+                .level();
+        assertEquals(new Vec3(0, -0.98, -18), level.player().feet());
+        Solid.Box floor = (Solid.Box) level.solids().get(0);
+        assertFalse(floor.portalable());
+        assertEquals(-5.02, floor.centre().y() + floor.size().y() / 2, 1e-9);
+        assertEquals(new Sky.Constant(Vec3.ZERO), level.environment().sky());
+    }
+
+    private static String wide(double x, double y, double z, double half) {
+        return "<group><transform><translate x='" + x + "' y='" + y + "' z='" + z + "'/><scale x='" + half
+                + "' y='1' z='" + half + "'/></transform>" + SOMETHING + "</group>";
+    }
+
     @Test
     void theFloorIsBelowEverythingAndThePlayerOnItBesideEverything() {
         Level level = draft(read("<world><camera><position x='0' y='9' z='1'/></camera><group><transform>"
-                        + "<translate x='0' y='-4' z='0'/><scale x='30' y='1' z='30'/></transform>" + SOMETHING
+                        + "<translate x='0' y='-4' z='0'/><scale x='1.5' y='30' z='30'/></transform>" + SOMETHING
                         + "</group></world>"))
                 .level();
         Solid.Box floor = (Solid.Box) level.solids().get(0);
         double top = floor.centre().y() + floor.size().y() / 2;
-        assertEquals(-5.02, top, 1e-9);
+        assertEquals(-34.02, top, 1e-9);
         assertTrue(floor.portalable());
         Vec3 feet = level.player().feet();
         assertEquals(top, feet.y(), 1e-9);

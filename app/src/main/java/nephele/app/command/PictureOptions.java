@@ -67,6 +67,9 @@ final class PictureOptions {
         var choice = choice();
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
+        if (forced == Output.HDR) {
+            settings = settings.with(settings.quality().withPictureResolution(1));
+        }
         var shown = choice.shown(opened);
         return Renderer.load(gl, Scene.of(shown, BakedSky.of(shown, progress)), settings);
     }

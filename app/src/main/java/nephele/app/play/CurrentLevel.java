@@ -1,5 +1,8 @@
 package nephele.app.play;
 
+import java.util.List;
+import java.util.stream.Stream;
+import nephele.app.play.hud.HudContent;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.terminal.CommandFailure;
 
@@ -8,9 +11,11 @@ final class CurrentLevel implements AutoCloseable {
     private final FrameStatisticsControl figures;
     private final Recordings recordings;
     private final Message message;
+    private final AutoQuality auto;
     private Session session;
 
-    CurrentLevel(GlContext gl, Recordings recordings, Message message) {
+    CurrentLevel(GlContext gl, Recordings recordings, Message message, AutoQuality auto) {
+        this.auto = auto;
         figures = new FrameStatisticsControl(gl);
         this.recordings = recordings;
         this.message = message;
@@ -36,13 +41,34 @@ final class CurrentLevel implements AutoCloseable {
         keepRecordingOrSay();
         closeSession();
         session = loaded;
+        auto.levelBegins();
         session.notice().ifPresent(message::say);
     }
 
     /** Draws the level with the chosen quality. */
     void redraw(GlContext gl) {
+        boolean showsFigures = figures.isOpen();
         figures.close();
-        session.redraw(gl);
+        session.redraw(gl, auto);
+        if (showsFigures) {
+            toggleFigures();
+        }
+    }
+
+    /** Draws with another quality from the next frame on if the frame rate asks for it. */
+    void frameCost(GlContext gl, double millis) {
+        if (auto.frame(session.request(), millis)) {
+            redraw(gl);
+        }
+    }
+
+    /** Returns the lines of the panel of figures; empty if it is closed. */
+    List<HudContent.Figure> figureLines() {
+        if (figures.lines().isEmpty()) {
+            return List.of();
+        }
+        return Stream.concat(auto.figures(session.request()).stream(), figures.lines().stream())
+                .toList();
     }
 
     /** Restarts the level; the part played so far is saved as a recording of its own. */

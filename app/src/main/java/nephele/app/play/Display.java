@@ -10,6 +10,7 @@ import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayPass;
+import nephele.engine.render.timing.FrameCost;
 import nephele.engine.scene.View;
 
 /** Draws frames into a window: the level, then the overlay; takes screenshots in between. */
@@ -33,6 +34,7 @@ final class Display implements AutoCloseable {
     private final OverlayPass overlay;
     private final Hud hud = new Hud(lettering);
     private final Screenshots screenshots;
+    private final FrameCost cost;
     private RenderTarget target;
 
     Display(GameWindow window, GlContext gl, Screenshots screenshots) {
@@ -40,6 +42,7 @@ final class Display implements AutoCloseable {
         this.gl = gl;
         this.screenshots = screenshots;
         overlay = new OverlayPass(gl, lettering);
+        cost = new FrameCost(gl);
     }
 
     /** Draws the overlay over an empty picture: there is no level yet. */
@@ -63,14 +66,22 @@ final class Display implements AutoCloseable {
         if (walk.takeCut()) {
             session.renderer().forget();
         }
+        cost.begins(listener != StepListener.NONE);
         session.renderer().draw(view, walk.frameState(), picture, listener);
         String saved = shot == Shot.WITHOUT_OVERLAY ? screenshots.take(picture) : null;
         overlay.draw(hud.canvas(content, area(), window.scale()), picture);
         if (shot == Shot.WITH_OVERLAY) {
             saved = screenshots.take(picture);
         }
+        cost.submitted();
         window.show();
+        cost.shown();
         return saved;
+    }
+
+    /** Returns the time that the last frame of the game took, ms. */
+    double costMillis() {
+        return cost.millis();
     }
 
     /** Returns width over height. */
@@ -94,5 +105,6 @@ final class Display implements AutoCloseable {
     @Override
     public void close() {
         overlay.close();
+        cost.close();
     }
 }

@@ -29,6 +29,10 @@ final class FrameStatisticsControl implements AutoCloseable {
         }
     }
 
+    boolean isOpen() {
+        return figures != null;
+    }
+
     /** Returns the lines for the last frames; empty if the panel is closed. */
     List<HudContent.Figure> lines() {
         return lines;

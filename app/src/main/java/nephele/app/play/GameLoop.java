@@ -32,6 +32,7 @@ public final class GameLoop implements AutoCloseable {
     private final GameMenus menus;
     private final MenuControl menu;
     private final Message message = new Message();
+    private final AutoQuality auto;
     private final CurrentLevel current;
     private final GamePicture picture;
     private final SettingsControl settings;
@@ -55,10 +56,11 @@ public final class GameLoop implements AutoCloseable {
         log = new StageLog(request.player().log());
         menus = new GameMenus(files, LevelCatalogue.campaign());
         menu = new MenuControl(input);
-        current = new CurrentLevel(gl, new Recordings(request.record()), message);
+        auto = new AutoQuality(files, gl.limits().software());
+        current = new CurrentLevel(gl, new Recordings(request.record()), message, auto);
         display = new Display(window, gl, Screenshots.inUsualFolder());
         settings = new SettingsControl(window, gl, input, menus, menu, current, message);
-        picture = new GamePicture(display, current, menu, message, files);
+        picture = new GamePicture(gl, display, current, menu, message, files);
         if (!request.picture().fullScreen()) {
             settings.applyToWindow();
         }
@@ -257,7 +259,7 @@ public final class GameLoop implements AutoCloseable {
     /** The level behind the title may be missing: its problem is told when the player starts it. */
     private void loadBehindTitle() {
         try {
-            current.become(loading.session(gl, input));
+            current.become(loading.session(gl, input, auto));
         } catch (RuntimeException problem) {
             if (LoadProblem.line(problem).isEmpty()) {
                 throw problem;
@@ -271,7 +273,7 @@ public final class GameLoop implements AutoCloseable {
      */
     private void load() {
         try {
-            current.become(loading.session(gl, input));
+            current.become(loading.session(gl, input, auto));
             loading = null;
             begin();
         } catch (RuntimeException problem) {

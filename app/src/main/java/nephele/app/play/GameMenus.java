@@ -166,6 +166,9 @@ final class GameMenus {
         if (setting.equals(Settings.FRAME_CAP) && number == 0) {
             return text(Phrase.WORD_OFF);
         }
+        if (setting.equals(Settings.AUTO_FRAME_RATE) && number == 0) {
+            return text(Phrase.ofWord(Settings.QualityPreset.AUTO));
+        }
         String unit = setting.equals(Settings.FIELD_OF_VIEW) ? "°" : "";
         return (number == Math.rint(number) && !setting.equals(Settings.MOUSE_SPEED)
                         ? Long.toString((long) number)

@@ -9,10 +9,12 @@ import nephele.app.settings.GameSettings;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.engine.level.Language;
+import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.state.TickEvent;
 
 /** Draws a frame of the game: the level as the stage shows it, and the overlay above it. */
 final class GamePicture {
+    private final GlContext gl;
     private final Display display;
     private final CurrentLevel current;
     private final MenuControl menu;
@@ -24,7 +26,9 @@ final class GamePicture {
     private GameSettings keysOf;
     private HudContent.Keys keys;
 
-    GamePicture(Display display, CurrentLevel current, MenuControl menu, Message message, PlayerFiles files) {
+    GamePicture(
+            GlContext gl, Display display, CurrentLevel current, MenuControl menu, Message message, PlayerFiles files) {
+        this.gl = gl;
         this.display = display;
         this.current = current;
         this.menu = menu;
@@ -65,7 +69,7 @@ final class GamePicture {
         var content = new HudContent(
                 menu.page(),
                 page,
-                current.figures().lines(),
+                current.figureLines(),
                 message.text(),
                 banner(stage, loading),
                 isPlaying ? sight(session, area) : null,
@@ -75,6 +79,9 @@ final class GamePicture {
                 ? display.draw(session, session.titleView(display.aspect(), titleSeconds()), content, listener, shot)
                 : display.draw(session, content, listener, shot);
         current.figures().frameEnds(session.walk());
+        if (saved == null) {
+            current.frameCost(gl, display.costMillis());
+        }
         return saved;
     }
 

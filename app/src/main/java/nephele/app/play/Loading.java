@@ -43,7 +43,7 @@ final class Loading {
     }
 
     /** Returns the session of the prepared level; its problems are thrown before anything is allocated. */
-    Session session(GlContext gl, Input input) {
-        return Session.load(gl, request, preparation, input);
+    Session session(GlContext gl, Input input, AutoQuality auto) {
+        return Session.load(gl, request, preparation, input, auto);
     }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.Optional;
 import nephele.engine.draw.Preparation;
 import nephele.engine.level.Level;
 import nephele.engine.measure.FrameTimes;
@@ -45,7 +46,7 @@ public final class OffscreenWalk {
                 Preparation.begin(request.level(), request.chosenQuality(), PrintedProgress.ofBake(System.err));
         try (var gl = GlContext.offscreen();
                 var target = target(gl);
-                var renderer = Session.renderer(gl, request, preparation.get())) {
+                var renderer = Session.renderer(gl, request, preparation.get(), Optional.empty())) {
             var replay = replay();
             var playthrough = walk(preparation.get(), replay);
             out.println(
@@ -67,7 +68,7 @@ public final class OffscreenWalk {
             profile.done("context");
             var prepared = preparation.get();
             profile.done("waiting for the level");
-            try (var renderer = Session.renderer(gl, request, prepared)) {
+            try (var renderer = Session.renderer(gl, request, prepared, Optional.empty())) {
                 profile.done("upload and compile");
                 var playthrough = walk(prepared, replay());
                 renderer.draw(playthrough.view(aspect()), playthrough.frameState(), target);

@@ -14,6 +14,7 @@ import nephele.engine.playthrough.ReplayInput;
 import nephele.engine.playthrough.TakenOverInput;
 import nephele.engine.playthrough.TickInput;
 import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.scene.View;
 import nephele.engine.scene.dynamic.CharacterPresence;
@@ -49,15 +50,20 @@ final class Session implements AutoCloseable {
     }
 
     /** Builds the resources of a level; its problems are thrown before anything is allocated. */
-    static Session load(GlContext gl, PlayRequest request, Preparation preparation, Input input) {
+    static Session load(GlContext gl, PlayRequest request, Preparation preparation, Input input, AutoQuality auto) {
         var prepared = preparation.get();
-        return new Session(request, prepared, renderer(gl, request, prepared), input);
+        return new Session(request, prepared, renderer(gl, request, prepared, auto.of(request)), input);
     }
 
-    static Renderer renderer(GlContext gl, PlayRequest request, Preparation.Prepared prepared) {
-        var quality = request.chosenQuality();
-        var output = quality.output(prepared.opened().level());
-        var settings = quality.settings(output, gl.limits().software()).with(CharacterPresence.POSSIBLE);
+    /** @param automatic the quality in place of the preset */
+    static Renderer renderer(
+            GlContext gl, PlayRequest request, Preparation.Prepared prepared, Optional<Quality> automatic) {
+        var choice = request.chosenQuality();
+        var output = choice.output(prepared.opened().level());
+        var settings = automatic
+                .map(quality -> choice.settings(output, quality))
+                .orElseGet(() -> choice.settings(output, gl.limits().software()))
+                .with(CharacterPresence.POSSIBLE);
         return AssetProblems.named(prepared.opened(), () -> Renderer.load(gl, prepared.scene(), settings));
     }
 
@@ -89,8 +95,8 @@ final class Session implements AutoCloseable {
     }
 
     /** Replaces the renderer by one of the chosen quality. */
-    void redraw(GlContext gl) {
-        Renderer next = renderer(gl, request, prepared);
+    void redraw(GlContext gl, AutoQuality auto) {
+        Renderer next = renderer(gl, request, prepared, auto.of(request));
         renderer.close();
         renderer = next;
     }

@@ -71,6 +71,9 @@ public final class Settings {
     /** Frames a second; 0 for no cap. */
     public static final GameSetting<Double> FRAME_CAP = GameSetting.number("frameCap", 0, 360, 30, 0);
 
+    /** Frames a second that automatic quality holds; 0 for 60 on a graphics card and 30 on a software renderer. */
+    public static final GameSetting<Double> AUTO_FRAME_RATE = GameSetting.number("autoFrameRate", 0, 240, 15, 0);
+
     public static final GameSetting<Assists> ASSISTS = GameSetting.word("assists", Assists.USUAL);
     public static final GameSetting<Upright> UPRIGHT = GameSetting.word("uprightSpeed", Upright.NORMAL);
     public static final GameSetting<ShotPalette> PORTAL_COLOURS =
@@ -88,6 +91,7 @@ public final class Settings {
             INVERT_MOUSE,
             CROUCH,
             QUALITY,
+            AUTO_FRAME_RATE,
             WINDOW_MODE,
             VERTICAL_SYNC,
             FRAME_CAP,

@@ -16,6 +16,10 @@ import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.NormalMaps;
+import nephele.engine.render.frame.Quality.ReflectionModel;
+import nephele.engine.render.frame.Quality.ShadowSampling;
+import nephele.engine.render.frame.Quality.Upscale;
 import nephele.engine.terminal.CommandFailure;
 
 /**
@@ -27,13 +31,38 @@ import nephele.engine.terminal.CommandFailure;
 public record QualityChoice(String preset, Map<String, String> settings) {
     /** Every field of {@link Quality} and of {@link RenderSettings} that {@code --set} can change. */
     private static final List<SettingKey> KEYS = List.of(
+            SettingKey.share(
+                    "pictureResolution",
+                    0.25,
+                    (all, value) -> all.with(all.quality().withPictureResolution(value))),
+            SettingKey.word(
+                    "upscale",
+                    Upscale.class,
+                    (all, value) -> all.with(all.quality().withUpscale(value))),
             SettingKey.whole(
                     "anisotropy", 1, 16, (all, value) -> all.with(all.quality().withAnisotropy(value))),
+            SettingKey.word(
+                    "normalMaps",
+                    NormalMaps.class,
+                    (all, value) -> all.with(all.quality().withNormalMaps(value))),
+            SettingKey.word(
+                    "brdf",
+                    ReflectionModel.class,
+                    (all, value) -> all.with(all.quality().withBrdf(value))),
             SettingKey.whole(
                     "shadowTexels",
                     64,
                     16384,
                     (all, value) -> all.with(all.quality().withShadowTexels(value))),
+            SettingKey.word(
+                    "shadowFilter",
+                    ShadowSampling.class,
+                    (all, value) -> all.with(all.quality().withShadowFilter(value))),
+            SettingKey.whole(
+                    "lightShadows",
+                    0,
+                    Quality.ALL_LIGHTS,
+                    (all, value) -> all.with(all.quality().withLightShadows(value))),
             SettingKey.whole(
                     "samples", 1, 8, (all, value) -> all.with(all.quality().withSamples(value))),
             SettingKey.word(
@@ -70,12 +99,17 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     case "medium" -> Quality.MEDIUM;
                     case "high" -> Quality.HIGH;
                     case "ultra" -> Quality.ULTRA;
-                    case "auto" -> software ? Quality.LOW : Quality.ULTRA;
+                    case "auto" -> software ? Quality.LOW : Quality.ULTRA; // where the control of the frame rate begins
                     default ->
                         throw CommandFailure.usage(
                                 "--quality is low, medium, high, ultra or auto, not `" + preset + "`");
                 };
         return software ? quality : quality.onHardware();
+    }
+
+    /** Returns true if the quality follows the frame rate. */
+    public boolean isAuto() {
+        return preset.equalsIgnoreCase("auto");
     }
 
     /**
@@ -85,14 +119,21 @@ public record QualityChoice(String preset, Map<String, String> settings) {
      * @throws CommandFailure for an unknown preset or setting
      */
     public RenderSettings settings(Output output, boolean software) {
-        var all = RenderSettings.of(output, preset(software));
+        return settings(output, preset(software));
+    }
+
+    /** Returns all render settings, from a quality in place of the preset. */
+    public RenderSettings settings(Output output, Quality quality) {
+        var all = RenderSettings.of(output, quality);
         for (var setting : settings.entrySet()) {
             if (!setting.getKey().equals(DEBUG)) {
                 all = changed(all, setting.getKey(), setting.getValue());
             }
         }
         return showsIds()
-                ? all.with(all.quality().withSamples(1)).with(Decoration.OFF).with(Deepest.MARK)
+                ? all.with(all.quality().withSamples(1).withPictureResolution(1))
+                        .with(Decoration.OFF)
+                        .with(Deepest.MARK)
                 : all;
     }
 

@@ -3,6 +3,7 @@ package nephele.engine.render;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.PixelFormat;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.SamplePositions;
 
 /**
  * Draws surfaces with several coverage samples a pixel and averages them. If OpenGL cannot, or if one sample is
@@ -23,6 +24,11 @@ final class Multisampling implements AutoCloseable {
         this.gl = gl;
         this.isRead = isRead;
         this.samples = Math.min(samples, gl.limits().maxSamples());
+    }
+
+    /** Returns x and y of each sample of a pixel, pixels from the pixel's centre. */
+    float[] positions() {
+        return SamplePositions.of(gl, samples);
     }
 
     /**

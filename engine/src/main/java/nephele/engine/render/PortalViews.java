@@ -140,7 +140,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     @Override
     public void draw(FrameContext frame, ViewNode child) {
         enter(child);
-        drawPasses(child, frame.frameState(), frame.surface(), frame.picture(), copies);
+        drawPasses(child, frame.frameState(), frame.surface(), copies);
         enter(frame.node());
     }
 
@@ -148,7 +148,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
     public void drawSky(FrameContext frame, ViewNode child) {
         shared.frameUniforms().upload(child.view(), environment.exposure());
         FrameContext context = context(child.depth());
-        context.setTarget(frame.frameState(), frame.surface(), frame.picture());
+        context.begin(frame.frameState(), frame.surface());
         context.setView(child.view(), child, null, null);
         for (int i = 0; i < skies.size(); i++) {
             skies.get(i).draw(context);
@@ -196,7 +196,7 @@ final class PortalViews implements NestedViews, AutoCloseable {
         }
         ClearColour seen = environment.clearColour(node.view());
         target.clearWithinScissor(seen.red(), seen.green(), seen.blue());
-        drawPasses(node, frameState, target, picture, pictureCopies);
+        drawPasses(node, frameState, target, pictureCopies);
         copy(target, own);
         gl.state().noScissor();
         for (int i = 0; i < node.children().size(); i++) {
@@ -229,11 +229,10 @@ final class PortalViews implements NestedViews, AutoCloseable {
         gl.state().scissor(Math.max(x, 0), Math.max(y, 0), right - Math.max(x, 0), top - Math.max(y, 0));
     }
 
-    private void drawPasses(
-            ViewNode node, FrameState frameState, RenderTarget surface, RenderTarget picture, ViewCopies viewCopies) {
+    private void drawPasses(ViewNode node, FrameState frameState, RenderTarget surface, ViewCopies viewCopies) {
         VisibleSet seen = scene.solids().isEmpty() ? null : see(node);
         FrameContext context = context(node.depth());
-        context.setTarget(frameState, surface, picture);
+        context.begin(frameState, surface);
         context.setView(node.view(), node, seen, settings.limits(node));
         passes.draw(context, viewCopies);
     }

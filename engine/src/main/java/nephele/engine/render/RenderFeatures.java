@@ -16,6 +16,7 @@ import nephele.engine.render.pass.sky.GradientSkyPass;
 import nephele.engine.render.pass.sky.SkyboxPass;
 import nephele.engine.render.pass.solid.SolidPass;
 import nephele.engine.render.pass.tonemap.ToneMapPass;
+import nephele.engine.render.pass.upscale.UpscalePass;
 
 /** All features, in frame order: by {@link nephele.engine.render.frame.Stage}, and within each in the listed order. */
 public final class RenderFeatures {
@@ -38,7 +39,8 @@ public final class RenderFeatures {
             ExitPass.FEATURE,
             DynamicPass.HELD,
             // After everything else.
-            ToneMapPass.FEATURE);
+            ToneMapPass.FEATURE,
+            UpscalePass.FEATURE);
 
     private RenderFeatures() {}
 }

@@ -7,7 +7,6 @@ import nephele.engine.render.frame.ClearColour;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.FrameEnvironment;
 import nephele.engine.render.frame.FrameRequest;
-import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Pass;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.frame.SharedResources;
@@ -34,12 +33,12 @@ public final class Renderer implements AutoCloseable {
     private final FrameEnvironment environment;
     private final VisibleSet visible;
     private final FrameState start;
-    private final LinearTarget linear;
     // Set when the passes are known.
     private PassOrder passes;
     private List<Pass> onceAFrame;
     private ViewPasses views;
     private List<Pass> afterAll;
+    private PictureChain chain;
     private ViewCopies copies;
     private Multisampling multisampling;
     /** {@code null} in a level that cannot have portals. */
@@ -56,7 +55,6 @@ public final class Renderer implements AutoCloseable {
                 scene.level(), scene.statics(), settings.output(), settings.quality(), settings.character());
         this.shared = new SharedResources(gl, scene, request);
         this.environment = shared.surroundings();
-        this.linear = new LinearTarget(gl);
         this.start = FrameState.atStart(scene.level());
         this.visible = scene.solids().isEmpty() ? null : new VisibleSet(scene.solids());
     }
@@ -109,8 +107,12 @@ public final class Renderer implements AutoCloseable {
         onceAFrame = passes.of(Stage.ONCE_A_FRAME);
         views = passes.views();
         afterAll = passes.of(Stage.AFTER_ALL);
+        chain = new PictureChain(gl, settings, afterAll.size());
         copies = new ViewCopies(gl, shared, passes.reads());
         multisampling = new Multisampling(gl, settings.quality().samples(), copies.areRead());
+        if (!passes.isEmpty()) {
+            shared.frameUniforms().samplePositions(multisampling.positions());
+        }
         if (ViewTree.mayGrow(scene.level())) {
             portals = new PortalViews(gl, settings, shared, scene, views, copies);
         }
@@ -164,17 +166,17 @@ public final class Renderer implements AutoCloseable {
         gl.state().fill(Fill.WHOLE);
         gl.state().stencil(Stencil.OFF, 0);
         gl.state().depthOf(DepthOf.SURFACE);
-        RenderTarget surface = settings.output() == Output.HDR ? linear.ofSizeOf(picture) : picture;
+        RenderTarget surface = chain.surface(picture);
         RenderTarget drawn = multisampling.inPlaceOf(surface, surface.format());
         shared.follow(frameState);
         if (!passes.isEmpty()) {
-            begin(view, frameState, picture, drawn);
+            begin(view, frameState, surface, drawn);
             drawOnce(listener);
         }
         if (portals != null) {
             // Views with pictures of their own are drawn first: it is costly to continue in a target after a switch to
             // another one.
-            portals.drawPictures(frameState, picture, drawn);
+            portals.drawPictures(frameState, surface, drawn);
         }
         ClearColour behind = environment.clearColour();
         drawn.clear(behind.red(), behind.green(), behind.blue());
@@ -183,16 +185,16 @@ public final class Renderer implements AutoCloseable {
         }
         listener.submitted(onceAFrame.size());
         drawView(surface, listener);
-        drawAfterAll(listener);
+        drawAfterAll(picture, listener);
     }
 
-    private void begin(View view, FrameState frameState, RenderTarget picture, RenderTarget drawn) {
-        ViewNode root = portals == null ? null : portals.choose(view, frameState, picture);
+    private void begin(View view, FrameState frameState, RenderTarget surface, RenderTarget drawn) {
+        ViewNode root = portals == null ? null : portals.choose(view, frameState, surface);
         if (visible != null) {
             settings.culling().find(visible, view);
         }
         shared.frameUniforms().upload(view, environment.exposure());
-        frame.setTarget(frameState, drawn, picture);
+        frame.begin(frameState, drawn);
         frame.setView(view, root, visible, settings.limits(root));
     }
 
@@ -214,9 +216,10 @@ public final class Renderer implements AutoCloseable {
         }
     }
 
-    private void drawAfterAll(StepListener listener) {
+    private void drawAfterAll(RenderTarget picture, StepListener listener) {
         int first = onceAFrame.size() + 1 + views.passes().size();
         for (int i = 0; i < afterAll.size(); i++) {
+            frame.setPictures(chain.before(i, picture), chain.before(i + 1, picture));
             afterAll.get(i).draw(frame);
             listener.submitted(first + i);
         }
@@ -225,7 +228,6 @@ public final class Renderer implements AutoCloseable {
     /** Averages the samples; afterwards the surface's pixels can be read. */
     private void average(RenderTarget surface) {
         multisampling.resolve(surface);
-        frame.setTarget(surface);
         remember(surface);
     }
 
@@ -246,9 +248,10 @@ public final class Renderer implements AutoCloseable {
 
     /**
      * Returns the linear radiance of the last frame before exposure, RGB, the bottom row first; only for output HDR.
+     * It has the pixels that were drawn: fewer than the picture if {@code pictureResolution} is below 1.
      */
     public float[] readRadiance() {
-        return linear.read();
+        return chain.readRadiance();
     }
 
     /** Returns the number of views through openings in the last frame. */
@@ -269,8 +272,8 @@ public final class Renderer implements AutoCloseable {
     @Override
     public void close() {
         shared.close();
-        linear.close();
         if (copies != null) {
+            chain.close();
             copies.close();
             multisampling.close();
         }

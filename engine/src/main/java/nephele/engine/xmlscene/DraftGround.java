@@ -1,7 +1,9 @@
 package nephele.engine.xmlscene;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import nephele.engine.level.Camera;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.level.Solid;
@@ -11,7 +13,10 @@ import nephele.engine.math.Vec3;
 import org.joml.Matrix4dc;
 import org.joml.Vector3d;
 
-/** The additions that make a scene walkable: a floor below everything, and a start on it. */
+/**
+ * The additions that make a scene walkable: a floor below everything, and a start above the scene's own ground, or on
+ * that floor if it has none.
+ */
 record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
     static final String FLOOR = "floor";
 
@@ -24,6 +29,14 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
 
     /** Greatest extent of the floor; beyond, walking takes too long and the rest of a scene is sky. */
     private static final double FARTHEST_METRES = 1e5;
+
+    /** Least width of a model on which a player starts. */
+    private static final double GROUND_METRES = 4;
+
+    /** Cosine of the greatest angle between the camera's direction and ground that it sees, from above. */
+    private static final double IN_VIEW = 0.5;
+
+    private static final int STEPS_ASIDE = 12;
 
     static DraftGround around(List<Aabb> boxes, XmlScene.Eye eye) {
         Aabb all = Aabb.EMPTY;
@@ -71,7 +84,7 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
         return new Solid.Box(
                 FLOOR,
                 FLOOR,
-                true,
+                !hasGround(),
                 TextureMapping.WORLD,
                 new Vec3(middle.x(), top() - THICKNESS_METRES / 2, middle.z()),
                 new Vec3(x + around, THICKNESS_METRES, z + around),
@@ -91,19 +104,66 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
                 List.of());
     }
 
-    /**
-     * Returns a start below the camera if there is room, else beside everything on the camera's side; it looks at the
-     * middle.
-     */
+    /** Returns true if a model is wide enough to walk on; the floor then only catches what falls. */
+    boolean hasGround() {
+        return boxes.stream().anyMatch(DraftGround::isWide);
+    }
+
+    private static boolean isWide(Aabb box) {
+        return !box.isEmpty() && box.maxX() - box.minX() >= GROUND_METRES && box.maxZ() - box.minZ() >= GROUND_METRES;
+    }
+
+    /** Returns a start that looks at the middle, above the highest ground in view, else on the floor. */
     PlayerStart player() {
+        return boxes.stream()
+                .filter(DraftGround::isWide)
+                .filter(box -> box.maxY() <= eye.position().y() && isInView(box))
+                .sorted(Comparator.comparingDouble(box -> -box.maxY()))
+                .flatMap(box -> above(box).stream())
+                .findFirst()
+                .orElseGet(this::onFloor);
+    }
+
+    private boolean isInView(Aabb box) {
+        Vec3 forward = eye.lookAt().minus(eye.position());
+        Vec3 towards = box.centre().minus(eye.position());
+        double cosine = forward.x() * towards.x() + forward.z() * towards.z();
+        double lengths = Math.hypot(forward.x(), forward.z()) * Math.hypot(towards.x(), towards.z());
+        return cosine >= IN_VIEW * lengths;
+    }
+
+    /** Returns a free place on a model, from its middle towards the camera. */
+    private Optional<PlayerStart> above(Aabb box) {
+        Vec3 middle = box.centre();
+        double nearX =
+                Math.max(box.minX() + 1, Math.min(box.maxX() - 1, eye.position().x()));
+        double nearZ =
+                Math.max(box.minZ() + 1, Math.min(box.maxZ() - 1, eye.position().z()));
+        for (int step = 0; step <= STEPS_ASIDE; step++) {
+            double share = (double) step / STEPS_ASIDE;
+            double x = middle.x() + share * (nearX - middle.x());
+            double z = middle.z() + share * (nearZ - middle.z());
+            if (!isTaken(x, box.maxY() + GAP_METRES, z)) {
+                return Optional.of(new PlayerStart(new Vec3(x, box.maxY() + GAP_METRES, z), yaw(x, z), 0));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private double yaw(double x, double z) {
+        Vec3 middle = bounds.centre();
+        return Math.toDegrees(StrictMath.atan2(x - middle.x(), z - middle.z()));
+    }
+
+    /** Returns a start below the camera if there is room, else beside everything on the camera's side. */
+    private PlayerStart onFloor() {
         Vec3 middle = bounds.centre();
         double x = clampedTo(eye.position().x(), bounds.minX(), bounds.maxX());
         double z = clampedTo(eye.position().z(), bounds.minZ(), bounds.maxZ());
-        if (isTaken(x, z)) {
+        if (isTaken(x, top(), z)) {
             z = eye.position().z() < middle.z() ? bounds.minZ() - MARGIN_METRES / 4 : bounds.maxZ() + MARGIN_METRES / 4;
         }
-        double yaw = Math.toDegrees(StrictMath.atan2(x - middle.x(), z - middle.z()));
-        return new PlayerStart(new Vec3(x, top(), z), yaw, 0);
+        return new PlayerStart(new Vec3(x, top(), z), yaw(x, z), 0);
     }
 
     /** Clamps to the floor with a margin of a step. */
@@ -111,9 +171,9 @@ record DraftGround(Aabb bounds, List<Aabb> boxes, XmlScene.Eye eye) {
         return Math.max(low - MARGIN_METRES + 1, Math.min(high + MARGIN_METRES - 1, value));
     }
 
-    private boolean isTaken(double x, double z) {
+    private boolean isTaken(double x, double feet, double z) {
         double half = PLAYER_METRES / 2;
-        Aabb body = new Aabb(x - half, top(), z - half, x + half, top() + PLAYER_METRES, z + half);
+        Aabb body = new Aabb(x - half, feet, z - half, x + half, feet + PLAYER_METRES, z + half);
         return boxes.stream().anyMatch(body::overlaps);
     }
 

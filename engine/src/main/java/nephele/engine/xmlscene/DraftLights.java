@@ -118,7 +118,7 @@ final class DraftLights {
     }
 
     Environment environment(double ambient) {
-        Sky sky = new Sky.Gradient(new Vec3(0.18, 0.32, 0.62), new Vec3(0.62, 0.72, 0.85), grey(0.2));
+        Sky sky = new Sky.Constant(Vec3.ZERO);
         return new Environment(sun, sky, grey(ambient), 0, ToneCurve.CLIP, null, List.of());
     }
 }

@@ -74,11 +74,14 @@ final class DraftLooks {
         return diffuse > 0 ? Math.min(1, Math.max(LEAST_AMBIENT, ambient / diffuse)) : 1;
     }
 
-    /** Returns all materials, that of the floor included. */
-    List<Material> materials() {
+    /**
+     * Returns all materials, that of the floor included.
+     *
+     * @param floor its base colour
+     */
+    List<Material> materials(Vec3 floor) {
         List<Material> materials = new ArrayList<>(looks.values());
-        Vec3 grey = new Vec3(0.25, 0.26, 0.28);
-        materials.add(new Material(DraftGround.FLOOR, grey, null, null, null, null, Vec3.ZERO, 1));
+        materials.add(new Material(DraftGround.FLOOR, floor, null, null, null, null, Vec3.ZERO, 1));
         return List.copyOf(materials);
     }
 }

@@ -14,12 +14,17 @@ import nephele.engine.math.Vec3;
 import nephele.engine.xmlscene.XmlScene.XmlWarning;
 
 /**
- * A scene at time 0 as a playable level: its models stand over a portalable floor, under a sky. A unit is a metre.
+ * A scene at time 0 as a playable level: under the black that is behind a scene, over a floor where it
+ * has no ground of its own. A unit is a metre.
  *
  * @param warnings features that a level cannot hold, in the order of lines
  */
 public record LevelDraft(Level level, List<XmlWarning> warnings) {
     private static final int LONGEST_NAME = 200;
+    private static final Vec3 GREY = new Vec3(0.25, 0.26, 0.28);
+
+    /** The colour behind a scene, so that a floor that only catches what falls is not seen. */
+    private static final Vec3 BLACK = Vec3.ZERO;
 
     /**
      * A model's files as a level names them.
@@ -50,7 +55,7 @@ public record LevelDraft(Level level, List<XmlWarning> warnings) {
                 lights.environment(looks.ambientShare()),
                 ground.player(),
                 List.of(ground.camera()),
-                looks.materials(),
+                looks.materials(ground.hasGround() ? BLACK : GREY),
                 List.of(ground.floor()),
                 lights.lights(),
                 List.of(),

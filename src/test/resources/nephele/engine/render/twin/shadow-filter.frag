@@ -1,3 +1,4 @@
+#define NEAREST_SHADOW
 #include "shadow-filter.glsl"
 
 uniform samplerBuffer inputs;
@@ -17,5 +18,8 @@ void main() {
     vec4 ofLight = nearerThanPlaneOfLight(depths, receiver.w * scale.y, place.zw, scale.y, four);
     float share = litShare(nearerBy, four.weight, scale.x, slope);
     float ofMapped = litShareOfMapped(nearerBy, looksLike(depths, receiver.xyz), four.weight, scale.x, slope);
-    result = vec4(share, ofMapped, dot(ofLight, vec4(1.0, 2.0, 3.0, 4.0)), 1.0);
+    bool isLike = looksLike(depths, receiver.xyz).x > 0.0;
+    float nearest = 100.0 * litByNearest(nearerBy.x, scale.x, slope)
+            + 200.0 * litByNearestOfMapped(nearerBy.x, isLike, scale.x, slope);
+    result = vec4(share, ofMapped, dot(ofLight, vec4(1.0, 2.0, 3.0, 4.0)) + nearest, 1.0);
 }

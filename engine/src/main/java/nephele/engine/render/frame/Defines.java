@@ -16,8 +16,9 @@ public final class Defines {
      */
     public static Defines of(LoadContext context) {
         Environment environment = context.scene().level().environment();
-        return new Defines()
-                .with(context.output().define())
+        int samples = context.quality().samples();
+        Defines defines = samples > 1 ? new Defines().with("SAMPLES", samples) : new Defines();
+        return defines.with(context.output().define())
                 .with(ToneMapping.define(environment.toneCurve()))
                 .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
                 .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS")

@@ -23,16 +23,17 @@ public final class FrameContext {
         this.nested = nested;
     }
 
-    /** Begins a frame. */
-    public void setTarget(FrameState newFrameState, RenderTarget newSurface, RenderTarget newPicture) {
+    /** Begins the views of a frame. */
+    public void begin(FrameState newFrameState, RenderTarget newSurface) {
         frameState = newFrameState;
         surface = newSurface;
-        picture = newPicture;
+        picture = null;
     }
 
-    /** Replaces the target of surfaces, for example after their samples have been averaged. */
-    public void setTarget(RenderTarget newSurface) {
-        surface = newSurface;
+    /** Begins a pass after all views, which reads one picture and writes another one. */
+    public void setPictures(RenderTarget read, RenderTarget written) {
+        surface = read;
+        picture = written;
     }
 
     /**
@@ -57,13 +58,14 @@ public final class FrameContext {
     }
 
     /**
-     * Returns the target of surfaces, see {@link Target#SURFACE}. It is the same object as {@link #picture} unless the
-     * output is HDR or surfaces have several samples a pixel; then it has no texture until the samples are averaged.
+     * Returns the target of surfaces, see {@link Target#SURFACE}; it may have no texture. After all views: the picture
+     * that the pass reads.
      */
     public RenderTarget surface() {
         return surface;
     }
 
+    /** Returns the picture that a pass after all views writes; {@code null} before. */
     public RenderTarget picture() {
         return picture;
     }

@@ -20,7 +20,7 @@ public record FrameRequest(
      */
     public static FrameRequest of(
             Level level, StaticShapes statics, Output output, Quality quality, CharacterPresence character) {
-        return new FrameRequest(level, LightMaps.of(level, statics, character), output, quality, character);
+        return new FrameRequest(level, LightMaps.of(level, statics, quality, character), output, quality, character);
     }
 
     /** Returns a request with quality HIGH and without a character. */

@@ -10,7 +10,6 @@ import nephele.engine.render.gl.GlProgram;
 import nephele.engine.render.gl.RenderTarget;
 import nephele.engine.render.gl.shader.ShaderSource;
 import nephele.engine.render.gl.shader.Uniforms;
-import nephele.engine.render.resource.FrameUniforms;
 
 /** Runs one shader over a whole target. */
 public final class FullScreenDrawing {
@@ -22,20 +21,26 @@ public final class FullScreenDrawing {
     public record Stages(String vertex, String fragment) {}
 
     /**
-     * Compiles for the output of {@code context}; the frame's block is bound before {@code tie} is called.
+     * Compiles for the output of {@code context}.
      *
      * @param folder the folder of both resources, ending in a slash
+     * @param tie binds the program's samplers and blocks permanently
      */
     public FullScreenDrawing(LoadContext context, String folder, Stages stages, Consumer<Uniforms> tie) {
+        this(context, Defines.of(context), folder, stages, tie);
+    }
+
+    /** Compiles with other defines. */
+    public FullScreenDrawing(
+            LoadContext context, Defines choices, String folder, Stages stages, Consumer<Uniforms> tie) {
         gl = context.gl();
         triangle = context.own(new FullScreenTriangle(gl, stages.fragment()));
-        var defines = Defines.of(context).values();
+        var defines = choices.values();
         program = new GlProgram<>(
                 gl,
                 ShaderSource.load(folder + stages.vertex(), defines),
                 ShaderSource.load(folder + stages.fragment(), defines),
                 uniforms -> {
-                    uniforms.block("Frame", FrameUniforms.BINDING);
                     tie.accept(uniforms);
                     return uniforms;
                 });

@@ -14,10 +14,10 @@ import nephele.engine.scene.light.LightRequirements;
  * @param dynamicObjects textures for dynamic objects, which have no place in the light map
  */
 public record LightMaps(TargetReads all, TargetReads dynamicObjects) {
-    public static LightMaps of(Level level, StaticShapes statics, CharacterPresence character) {
+    public static LightMaps of(Level level, StaticShapes statics, Quality quality, CharacterPresence character) {
         List<Target> shadows = new ArrayList<>();
         boolean moving = !level.bodies().isEmpty() || character == CharacterPresence.POSSIBLE;
-        boolean lights = LightRequirements.lightShadow(level);
+        boolean lights = quality.lightShadows() > 0 && LightRequirements.lightShadow(level);
         addIf(LightRequirements.sunShadow(level, statics), Target.SUN_SHADOW, shadows);
         addIf(lights, Target.LIGHT_SHADOW, shadows);
         addIf(

@@ -18,14 +18,15 @@ final class PunctualLighting implements GlObject {
     private final BufferTexture grid;
 
     /**
-     * @param table the level's lights, or {@code null}
+     * @param table the level's lights, or {@code null}; the weaker ones lose their shadows, as quality decides
      * @param anchor the origin of positions in shaders
      */
     PunctualLighting(GlContext gl, FrameRequest request, PunctualLightTable table, Vec3 anchor) {
         this.anchor = anchor;
-        this.table = table;
+        int casting = request.quality().lightShadows();
+        this.table = table == null ? null : table.withMostShadows(casting);
         shadow = request.lightMaps().has(Target.LIGHT_SHADOW);
-        texels = table == null ? null : BufferTexture.ofFloats(gl, "punctual lights", table.packed(anchor));
+        texels = table == null ? null : BufferTexture.ofFloats(gl, "punctual lights", this.table.packed(anchor));
         grid = table == null ? null : grid(gl);
     }
 

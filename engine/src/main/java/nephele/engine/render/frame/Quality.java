@@ -1,68 +1,203 @@
 package nephele.engine.render.frame;
 
+import java.util.function.Consumer;
+
 /**
  * Settings that trade accuracy for speed.
  *
+ * @param pictureResolution pixels that are drawn along each side, as a share of the picture's; fewer are scaled up
+ * @param upscale filter that scales the picture up; without effect at resolution 1
  * @param anisotropy greatest number of texture samples along the steepest direction
+ * @param normalMaps whether normal maps change the light on surfaces
+ * @param brdf reflection of punctual, sun and ambient light
  * @param shadowTexels greatest length of the longer side of the sun's shadow map
+ * @param shadowFilter texels of depth maps that decide the light of a point
+ * @param lightShadows greatest number of punctual lights that cast shadows, the most powerful ones
  * @param samples greatest number of coverage samples a pixel; 1 draws without multisampling
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
  */
 public record Quality(
+        double pictureResolution,
+        Upscale upscale,
         int anisotropy,
+        NormalMaps normalMaps,
+        ReflectionModel brdf,
         int shadowTexels,
+        ShadowSampling shadowFilter,
+        int lightShadows,
         int samples,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
-    public static final Quality LOW = new Quality(1, 1024, 1, PortalTechnique.STENCIL, 6, 1);
-    public static final Quality MEDIUM = new Quality(1, 2048, 1, PortalTechnique.STENCIL, 9, 1);
-    public static final Quality HIGH = new Quality(1, 4096, 1, PortalTechnique.STENCIL, 12, 1);
-    public static final Quality ULTRA = new Quality(8, 4096, 4, PortalTechnique.STENCIL, 32, 1);
+    /** Enough for every light that can have a shadow. */
+    public static final int ALL_LIGHTS = 999;
+
+    public static final Quality HIGH = new Quality(
+            1,
+            Upscale.BILINEAR,
+            1,
+            NormalMaps.ON,
+            ReflectionModel.GGX,
+            4096,
+            ShadowSampling.BILINEAR,
+            ALL_LIGHTS,
+            1,
+            PortalTechnique.STENCIL,
+            12,
+            1);
+    public static final Quality LOW =
+            HIGH.withPictureResolution(0.5).withShadowTexels(2048).withViewBudget(6);
+    public static final Quality MEDIUM = HIGH.withPictureResolution(0.7).withViewBudget(9);
+    public static final Quality ULTRA = HIGH.withAnisotropy(8).withSamples(4).withViewBudget(32);
+
+    /** The filter that scales a picture up. */
+    public enum Upscale {
+        /** The four nearest pixels: on a software renderer, more pixels are the better use of the time. */
+        BILINEAR,
+        /** Sharper, from twelve pixels. */
+        CATMULL_ROM
+    }
+
+    /** Decides whether normal maps are read. */
+    public enum NormalMaps {
+        ON,
+        OFF
+    }
+
+    /** The reflection of light by a surface. */
+    public enum ReflectionModel {
+        /** All light is reflected diffusely, also by metal; nothing shines. */
+        LAMBERT,
+        /** {@link nephele.engine.level.appearance.Brdf}. */
+        GGX
+    }
+
+    /** The texels of a shadow map that decide the light of a point. */
+    public enum ShadowSampling {
+        /** The one that contains it: edges with steps. */
+        NEAREST,
+        /** The four around it, weighted. */
+        BILINEAR
+    }
 
     /**
-     * Returns the preset as a graphics card draws it, where samples and anisotropy cost little: 2, 4, 4 and 8 samples a
-     * pixel, anisotropy 2, 4, 8 and 16.
+     * Returns the preset as a graphics card draws it, where samples, anisotropy and filters cost little: 2, 4, 4 and 8
+     * samples a pixel, anisotropy 2, 4, 8 and 16.
      */
     public Quality onHardware() {
         if (equals(LOW)) {
-            return withSamples(2).withAnisotropy(2);
+            return onHardware(2, 2);
         } else if (equals(MEDIUM)) {
-            return withSamples(4).withAnisotropy(4);
+            return onHardware(4, 4);
         } else if (equals(HIGH)) {
-            return withSamples(4).withAnisotropy(8);
+            return onHardware(4, 8);
         }
-        return equals(ULTRA) ? withSamples(8).withAnisotropy(16) : this;
+        return equals(ULTRA) ? onHardware(8, 16) : this;
     }
 
-    /** Returns this quality with another anisotropy. */
-    public Quality withAnisotropy(int newAnisotropy) {
-        return new Quality(newAnisotropy, shadowTexels, samples, portalTechnique, viewBudget, portalResolution);
+    private Quality onHardware(int itsSamples, int itsAnisotropy) {
+        return withSamples(itsSamples).withAnisotropy(itsAnisotropy).withUpscale(Upscale.CATMULL_ROM);
     }
 
-    public Quality withShadowTexels(int newTexels) {
-        return new Quality(anisotropy, newTexels, samples, portalTechnique, viewBudget, portalResolution);
+    public Quality withPictureResolution(double share) {
+        return with(draft -> draft.pictureResolution = share);
     }
 
-    /** Returns this quality with another number of samples a pixel. */
-    public Quality withSamples(int newSamples) {
-        return new Quality(anisotropy, shadowTexels, newSamples, portalTechnique, viewBudget, portalResolution);
+    public Quality withUpscale(Upscale filter) {
+        return with(draft -> draft.upscale = filter);
     }
 
-    /** Returns this quality with another technique for views through openings. */
-    public Quality withPortalTechnique(PortalTechnique newTechnique) {
-        return new Quality(anisotropy, shadowTexels, samples, newTechnique, viewBudget, portalResolution);
+    public Quality withAnisotropy(int texels) {
+        return with(draft -> draft.anisotropy = texels);
     }
 
-    /** Returns this quality with another view budget. */
-    public Quality withViewBudget(int newBudget) {
-        return new Quality(anisotropy, shadowTexels, samples, portalTechnique, newBudget, portalResolution);
+    public Quality withNormalMaps(NormalMaps maps) {
+        return with(draft -> draft.normalMaps = maps);
     }
 
-    /** Returns this quality with another resolution of openings' own pictures. */
-    public Quality withPortalResolution(double newResolution) {
-        return new Quality(anisotropy, shadowTexels, samples, portalTechnique, viewBudget, newResolution);
+    public Quality withBrdf(ReflectionModel model) {
+        return with(draft -> draft.brdf = model);
+    }
+
+    public Quality withShadowTexels(int texels) {
+        return with(draft -> draft.shadowTexels = texels);
+    }
+
+    public Quality withShadowFilter(ShadowSampling sampling) {
+        return with(draft -> draft.shadowFilter = sampling);
+    }
+
+    public Quality withLightShadows(int lights) {
+        return with(draft -> draft.lightShadows = lights);
+    }
+
+    public Quality withSamples(int perPixel) {
+        return with(draft -> draft.samples = perPixel);
+    }
+
+    public Quality withPortalTechnique(PortalTechnique technique) {
+        return with(draft -> draft.portalTechnique = technique);
+    }
+
+    public Quality withViewBudget(int views) {
+        return with(draft -> draft.viewBudget = views);
+    }
+
+    public Quality withPortalResolution(double share) {
+        return with(draft -> draft.portalResolution = share);
+    }
+
+    private Quality with(Consumer<Draft> change) {
+        Draft draft = new Draft(this);
+        change.accept(draft);
+        return draft.quality();
+    }
+
+    private static final class Draft {
+        private double pictureResolution;
+        private Upscale upscale;
+        private int anisotropy;
+        private NormalMaps normalMaps;
+        private ReflectionModel brdf;
+        private int shadowTexels;
+        private ShadowSampling shadowFilter;
+        private int lightShadows;
+        private int samples;
+        private PortalTechnique portalTechnique;
+        private int viewBudget;
+        private double portalResolution;
+
+        Draft(Quality from) {
+            pictureResolution = from.pictureResolution;
+            upscale = from.upscale;
+            anisotropy = from.anisotropy;
+            normalMaps = from.normalMaps;
+            brdf = from.brdf;
+            shadowTexels = from.shadowTexels;
+            shadowFilter = from.shadowFilter;
+            lightShadows = from.lightShadows;
+            samples = from.samples;
+            portalTechnique = from.portalTechnique;
+            viewBudget = from.viewBudget;
+            portalResolution = from.portalResolution;
+        }
+
+        Quality quality() {
+            return new Quality(
+                    pictureResolution,
+                    upscale,
+                    anisotropy,
+                    normalMaps,
+                    brdf,
+                    shadowTexels,
+                    shadowFilter,
+                    lightShadows,
+                    samples,
+                    portalTechnique,
+                    viewBudget,
+                    portalResolution);
+        }
     }
 }

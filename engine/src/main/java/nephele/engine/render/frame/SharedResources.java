@@ -139,7 +139,13 @@ public final class SharedResources implements GlObject {
     }
 
     private PictureArrays pictures(List<PictureArray> arrays, PixelFormat format) {
-        return PictureArrays.of(gl, this, arrays, format, request.quality().anisotropy());
+        return PictureArrays.of(gl, this, arrays, format, anisotropy());
+    }
+
+    /** Mesa's llvmpipe 22.3 takes minutes for some pixels that have both several samples and anisotropic textures. */
+    private int anisotropy() {
+        boolean isTooSlow = gl.limits().software() && request.quality().samples() > 1;
+        return isTooSlow ? 1 : request.quality().anisotropy();
     }
 
     /** Returns the dynamic objects on the GPU. */

@@ -6,6 +6,7 @@ import nephele.engine.level.Sky;
 import nephele.engine.level.appearance.ColourDecoding;
 import nephele.engine.level.appearance.SkyRadiance;
 import nephele.engine.math.Vec3;
+import nephele.engine.render.frame.Quality.ShadowSampling;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.GlObject;
 import nephele.engine.render.gl.SharedObjects.Same;
@@ -27,6 +28,7 @@ public final class SurfaceLight implements GlObject {
     private final Scene scene;
     private final SharedResources shared;
     private final LightMaps maps;
+    private final ShadowSampling sampling;
     private final LightBlock block;
     private final SunLight sun;
     private final PunctualLighting lights;
@@ -39,6 +41,7 @@ public final class SurfaceLight implements GlObject {
         level = scene.level();
         maps = request.lightMaps();
         block = shared.own(new LightBlock(gl));
+        sampling = request.quality().shadowFilter();
         sun = new SunLight(request, scene.statics(), anchor());
         lights = new PunctualLighting(gl, request, scene.lights(), anchor());
         dynamicShadows = new DynamicShadows(gl, maps);
@@ -128,6 +131,7 @@ public final class SurfaceLight implements GlObject {
 
     private Defines addLights(Defines defines) {
         return lights.addTo(sun.addTo(dynamicShadows.addTo(defines)))
+                .withIf(sampling == ShadowSampling.NEAREST, "NEAREST_SHADOW")
                 .withIf(level.environment().ambient() != null, "AMBIENT_CONSTANT");
     }
 

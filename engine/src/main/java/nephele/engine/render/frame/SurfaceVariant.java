@@ -1,5 +1,7 @@
 package nephele.engine.render.frame;
 
+import nephele.engine.render.frame.Quality.NormalMaps;
+import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.gl.shader.TextureUnit;
 import nephele.engine.render.gl.shader.Uniforms;
 import nephele.engine.render.resource.FrameUniforms;
@@ -7,9 +9,33 @@ import nephele.engine.render.resource.MaterialBlocks;
 import nephele.engine.scene.SolidBatch;
 
 /** The variant of the material code in a shader, for solids or dynamic objects. */
-public record SurfaceVariant(boolean lambert, boolean textured, boolean normalMapped) {
-    public static SurfaceVariant of(SolidBatch.Kind kind) {
-        return new SurfaceVariant(kind.lambert(), kind.isTextured(), kind.isNormalMapped());
+public record SurfaceVariant(Reflection reflection, boolean textured, boolean normalMapped) {
+    /** The reflection that is compiled. */
+    private enum Reflection {
+        /** All materials of the batch are Lambertian. */
+        LAMBERT,
+        /** Quality replaces the specular lobe by diffuse light. */
+        ALL_DIFFUSE,
+        METALLIC_ROUGHNESS;
+
+        static Reflection of(SolidBatch.Kind kind, Quality quality) {
+            if (kind.lambert()) {
+                return LAMBERT;
+            }
+            return quality.brdf() == ReflectionModel.LAMBERT ? ALL_DIFFUSE : METALLIC_ROUGHNESS;
+        }
+    }
+
+    public static SurfaceVariant of(SolidBatch.Kind kind, Quality quality) {
+        return new SurfaceVariant(
+                Reflection.of(kind, quality),
+                kind.isTextured(),
+                kind.isNormalMapped() && quality.normalMaps() == NormalMaps.ON);
+    }
+
+    /** Returns true if the reflected light is the base colour times a factor that depends on the normal alone. */
+    public boolean isLambert() {
+        return reflection == Reflection.LAMBERT;
     }
 
     /**
@@ -19,7 +45,7 @@ public record SurfaceVariant(boolean lambert, boolean textured, boolean normalMa
      */
     public Defines addTo(Defines defines, int materialsPerBlock) {
         return defines.with("MATERIAL_COUNT", materialsPerBlock)
-                .with(lambert ? "LAMBERT" : "METALLIC_ROUGHNESS")
+                .with(reflection.name())
                 .withIf(textured, "TEXTURED")
                 .withIf(normalMapped, "NORMAL_MAP");
     }

@@ -25,7 +25,8 @@ public final class FrameUniforms implements GlObject {
      */
     private static final double CLIP_SLACK_METRES = 5e-4;
 
-    private static final int FLOATS = 16 + 7 * 4;
+    private static final int FLOATS = 16 + 11 * 4;
+    private static final int SAMPLE_POSITIONS = 40;
 
     private final DrawState state;
     private final UniformBuffer buffer;
@@ -44,6 +45,15 @@ public final class FrameUniforms implements GlObject {
     }
 
     /**
+     * Sets the positions of a pixel's samples.
+     *
+     * @param positions x and y of each, pixels from the pixel's centre
+     */
+    public void samplePositions(float[] positions) {
+        System.arraycopy(positions, 0, values, SAMPLE_POSITIONS, positions.length);
+    }
+
+    /**
      * Sets the view of the following draws: its numbers, and the winding of triangles in it.
      *
      * @param exposure factor on radiance before the tone curve
@@ -55,7 +65,7 @@ public final class FrameUniforms implements GlObject {
         put(24, view.direction(0, 0, -1, direction));
         values[27] = view.isMirrored() ? -1 : 1;
         values[28] = (float) exposure;
-        put(40, view.tint());
+        put(56, view.tint());
         putClip(view);
         buffer.upload(values);
         buffer.bind(BINDING);

@@ -73,6 +73,21 @@ public record LightShadowLayers(int[] firstLayer, List<Layer> layers, int side) 
         return new LightShadowLayers(first, List.copyOf(layers), side);
     }
 
+    /** Returns the layers of the {@code lights} most powerful lights; this object if no more lights have any. */
+    LightShadowLayers ofMostPowerful(int lights) {
+        List<Integer> byPower = layers.stream().map(Layer::light).distinct().toList();
+        if (byPower.size() <= lights) {
+            return this;
+        }
+        List<Integer> kept = byPower.subList(0, lights);
+        int[] first = firstLayer.clone();
+        byPower.subList(lights, byPower.size()).forEach(light -> first[light] = -1);
+        return new LightShadowLayers(
+                first,
+                layers.stream().filter(layer -> kept.contains(layer.light())).toList(),
+                side);
+    }
+
     private static double power(PunctualLight light) {
         Vec3 i = light.radiantIntensity();
         return i.x() + i.y() + i.z();

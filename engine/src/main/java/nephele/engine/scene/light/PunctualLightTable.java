@@ -79,6 +79,12 @@ public record PunctualLightTable(
         }
     }
 
+    /** Returns the same table in which only the {@code lights} most powerful lights cast shadows. */
+    public PunctualLightTable withMostShadows(int lights) {
+        LightShadowLayers fewer = shadows.ofMostPowerful(lights);
+        return fewer == shadows ? this : new PunctualLightTable(this.lights, grid, fewer, cells);
+    }
+
     /**
      * Returns a token for everything that may cast a shadow in a light: the same object after an edit as long as
      * neither the light nor anything within its range has changed.

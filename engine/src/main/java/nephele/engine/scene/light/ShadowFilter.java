@@ -110,6 +110,20 @@ public final class ShadowFilter {
         return nearer > 0 ? 0 : 1;
     }
 
+    /** Returns the same as {@link #litShare} for the one texel that contains the position. */
+    public static boolean litByNearest(double nearerBy, double halfTexelDepth, double slope) {
+        return nearerBy <= halfTexelDepth + Math.min(slope, 4 * halfTexelDepth);
+    }
+
+    /**
+     * Returns the same as {@link #litShareOfMapped} for one texel; a texel that shows another face shades only if that
+     * face cannot be at a joint.
+     */
+    public static boolean litByNearestOfMapped(double nearerBy, boolean isLike, double halfTexelDepth, double slope) {
+        double rounding = 0.125 * halfTexelDepth + Math.min(slope / 64, 2 * halfTexelDepth);
+        return nearerBy < (isLike ? rounding : 5 * halfTexelDepth + 2 * slope);
+    }
+
     /** Returns a code for the direction of a face, 0–7; it differs for the six faces of an axis-aligned box. */
     public static int octantOf(Vec3 normal) {
         double first = 0.8971 * normal.x() + 0.8113 * normal.y() + 0.7019 * normal.z();

@@ -21,10 +21,18 @@ float dynamicSunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
     }
     vec2 gradient = vec2(dot(faceNormal, dynamicMapRight.xyz), dot(faceNormal, dynamicMapUp.xyz))
             * (dynamicMapRight.w / max(nDotSun, 1e-4));
+    float slope = abs(gradient.x) + abs(gradient.y);
+#ifdef NEAREST_SHADOW
+    ivec2 nearest = nearestTexel(texel, size);
+    float depth = texelFetch(dynamicSunMap, ivec3(nearest, 0), 0).r;
+    float nearerBy = min(m.z + dot(gradient, vec2(nearest) + 0.5 - texel), 1.0) - depth;
+    return litByNearest(nearerBy, dynamicMapUp.w, slope);
+#else
     Footprint four = footprintAt(texel);
     vec4 depths = textureGather(dynamicSunMap, vec3(gatherPoint(texel) / size, 0.0));
     vec4 nearerBy = nearerThanPlane(depths, m.z, gradient, four);
-    return litShare(nearerBy, four.weight, dynamicMapUp.w, abs(gradient.x) + abs(gradient.y));
+    return litShare(nearerBy, four.weight, dynamicMapUp.w, slope);
+#endif
 }
 #endif
 
@@ -32,6 +40,14 @@ float dynamicSunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
 uniform sampler2DArray dynamicLightMaps;
 
 // Returns the depths of a light's picture: the nearer of static geometry and dynamic objects.
+#ifdef NEAREST_SHADOW
+float nearerDepth(float depth, ivec3 texel) {
+    if (dynamicLayers[texel.z / 4][texel.z % 4] > 0.0) {
+        return min(depth, texelFetch(dynamicLightMaps, texel, 0).r);
+    }
+    return depth;
+}
+#else
 vec4 nearerDepths(vec4 depths, vec3 coordinates) {
     int layer = int(coordinates.z);
     if (dynamicLayers[layer / 4][layer % 4] > 0.0) {
@@ -39,4 +55,5 @@ vec4 nearerDepths(vec4 depths, vec3 coordinates) {
     }
     return depths;
 }
+#endif
 #endif

@@ -8,5 +8,6 @@ layout(std140) uniform Frame {
     vec4 toneMapping; // x: exposure factor
     vec4 viewClip; // for a view through an opening: normal of its clip plane and the eye's distance from it
     vec4 fog; // rgb: radiance, a: extinction per metre
+    vec4 samplePositions[4]; // two in each: from the pixel's centre, pixels
     vec4 mirrorTint; // rgb: product of the tints of the mirrors in front of the view
 };

@@ -36,6 +36,20 @@ float lightLitShare(PunctualLight punctualLight, vec3 fromLight, vec3 faceNormal
     vec2 gradient = n.xy * (texelsToTangent / planeDistance);
     float halfTexel = 0.5 * texelsToTangent * distance / range;
     float slope = (abs(gradient.x) + abs(gradient.y)) * distance * distance / range;
+#ifdef NEAREST_SHADOW
+    ivec3 nearest = ivec3(nearestTexel(texel, vec2(size)), layer);
+    float depth = texelFetch(lightShadowMaps, nearest, 0).r;
+#ifdef DYNAMIC_LIGHT_SHADOW
+    depth = nearerDepth(depth, nearest);
+#endif
+    float perDistance = 1.0 / distance + dot(gradient, vec2(nearest.xy) + 0.5 - texel);
+    float nearerBy = 1.0 / max(perDistance * range, 1.0) - depth;
+#if defined(MOVING_RECEIVER) || defined(CURVED_RECEIVER)
+    return litByNearest(nearerBy, halfTexel, slope);
+#else
+    return litByNearestOfMapped(nearerBy, looksLike(vec4(depth), faceNormal).x > 0.0, halfTexel, slope);
+#endif
+#else
     Footprint four = footprintAt(texel);
     vec3 coordinates = vec3(gatherPoint(texel) / size, layer);
     vec4 depths = textureGather(lightShadowMaps, coordinates);
@@ -47,5 +61,6 @@ float lightLitShare(PunctualLight punctualLight, vec3 fromLight, vec3 faceNormal
     return litShare(nearerBy, four.weight, halfTexel, slope);
 #else
     return litShareOfMapped(nearerBy, looksLike(depths, faceNormal), four.weight, halfTexel, slope);
+#endif
 #endif
 }

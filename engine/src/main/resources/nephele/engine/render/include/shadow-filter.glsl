@@ -72,3 +72,21 @@ float litShareOfMapped(vec4 nearerBy, vec4 isLike, vec4 weight, float halfTexelD
     }
     return before > 0.0 ? 0.0 : 1.0;
 }
+
+#ifdef NEAREST_SHADOW
+// Returns the column and row of the texel that contains a position, within the picture.
+ivec2 nearestTexel(vec2 texelPosition, vec2 size) {
+    return ivec2(clamp(texelPosition, vec2(0.0), size - 1.0));
+}
+
+// As litShare, of one texel.
+float litByNearest(float nearerBy, float halfTexelDepth, float slope) {
+    return nearerBy <= halfTexelDepth + min(slope, 4.0 * halfTexelDepth) ? 1.0 : 0.0;
+}
+
+// As litShareOfMapped, of one texel: one that shows another face shades only if that face cannot be at a joint.
+float litByNearestOfMapped(float nearerBy, bool isLike, float halfTexelDepth, float slope) {
+    float rounding = 0.125 * halfTexelDepth + min(slope / 64.0, 2.0 * halfTexelDepth);
+    return nearerBy < (isLike ? rounding : 5.0 * halfTexelDepth + 2.0 * slope) ? 1.0 : 0.0;
+}
+#endif

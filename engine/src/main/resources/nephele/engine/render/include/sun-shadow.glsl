@@ -10,6 +10,16 @@ float sunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
     vec2 gradient = vec2(dot(faceNormal, sunMapRight.xyz), dot(faceNormal, sunMapUp.xyz))
             * (sunMapRight.w / max(nDotSun, 1e-4));
     float slope = abs(gradient.x) + abs(gradient.y);
+#ifdef NEAREST_SHADOW
+    ivec2 nearest = nearestTexel(texel, size);
+    float depth = texelFetch(sunShadowMap, ivec3(nearest, 0), 0).r;
+    float nearerBy = min(m.z + dot(gradient, vec2(nearest) + 0.5 - texel), 1.0) - depth;
+#if defined(MOVING_RECEIVER) || defined(CURVED_RECEIVER)
+    return litByNearest(nearerBy, sunMapUp.w, slope);
+#else
+    return litByNearestOfMapped(nearerBy, looksLike(vec4(depth), faceNormal).x > 0.0, sunMapUp.w, slope);
+#endif
+#else
     Footprint four = footprintAt(texel);
     vec4 depths = textureGather(sunShadowMap, vec3(gatherPoint(texel) / size, 0.0));
     vec4 nearerBy = nearerThanPlane(depths, m.z, gradient, four);
@@ -17,5 +27,6 @@ float sunLitShare(vec3 anchorPosition, vec3 faceNormal, float nDotSun) {
     return litShare(nearerBy, four.weight, sunMapUp.w, slope);
 #else
     return litShareOfMapped(nearerBy, looksLike(depths, faceNormal), four.weight, sunMapUp.w, slope);
+#endif
 #endif
 }

@@ -1,8 +1,8 @@
 // Radiance that a surface sends to the eye; numbers and textures come from render.frame.SurfaceLight. The level's light
-// decides what is compiled: METALLIC_ROUGHNESS (else Lambert), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
+// decides what is compiled: METALLIC_ROUGHNESS (else Lambert; ALL_DIFFUSE: with the light of the omitted lobe), SUN, SUN_SHADOW, DYNAMIC_SUN_SHADOW,
 // DYNAMIC_LIGHT_SHADOW, PUNCTUAL_LIGHTS, LIGHT_SHADOW, AMBIENT_CONSTANT, SKY_AMBIENT; SKY_VISIBILITY with it on static
 // faces. CURVED_RECEIVER: triangles that approximate a curved surface, whose planes no depth map resolves, are shaded
-// as dynamic objects are. ANCHOR_POSITION goes with each of SUN_SHADOW, DYNAMIC_SUN_SHADOW and PUNCTUAL_LIGHTS.
+// as dynamic objects are. NEAREST_SHADOW: one texel of a depth map decides, not four. ANCHOR_POSITION goes with each of SUN_SHADOW, DYNAMIC_SUN_SHADOW and PUNCTUAL_LIGHTS.
 
 struct Surface {
     vec3 baseColour;
@@ -13,8 +13,10 @@ struct Surface {
 #endif
 #ifdef METALLIC_ROUGHNESS
     float roughness;
-    float metallic;
     vec3 toEye;  // unit
+#endif
+#if defined(METALLIC_ROUGHNESS) || defined(ALL_DIFFUSE)
+    float metallic;
 #endif
 #ifdef ANCHOR_POSITION
     vec3 anchorPosition;  // metres from the anchor of the level's light
@@ -70,7 +72,12 @@ vec3 reflected(Brdf b, Surface s, vec3 toLight) {
 #else
 #define REFLECTANCE vec3
 vec3 reflectanceOf(Surface s) {
+#ifdef ALL_DIFFUSE
+    // An insulator's specular lobe returns about 5 % of equal light from all directions, whatever its roughness.
+    return s.baseColour + (1.0 - s.baseColour) * (0.05 - 0.05 * s.metallic);
+#else
     return s.baseColour;
+#endif
 }
 vec3 reflected(vec3 albedo, Surface s, vec3 toLight) {
     return albedo * (max(dot(s.normal, toLight), 0.0) * (1.0 / PI));

@@ -43,7 +43,9 @@ final class DoorwayWalk implements AutoCloseable {
         this.picture = picture;
         Cube cube = manner == Manner.HELD_CUBE ? Cube.IN_SIGHT : Cube.ASIDE;
         Level level = DoorwayRooms.level(count, doors, cube);
-        var settings = RenderSettings.of(Output.DIRECT, Quality.LOW).with(Decoration.OFF);
+        var settings = RenderSettings.of(
+                        Output.DIRECT, Quality.HIGH.withShadowTexels(1024).withViewBudget(6))
+                .with(Decoration.OFF);
         renderer = Renderer.load(gl, level, LevelAssets.inJar(LevelAssets.JAR_LEVELS + "/doorways.json"), settings);
         playthrough = new Playthrough(
                 level, new Playthrough.Beginning("doorways.json", SimSettings.DEFAULT, null), new Steps(manner));

@@ -8,6 +8,7 @@ import nephele.lab.trade.subject.CullingSphereSubject;
 import nephele.lab.trade.subject.PictureSubjects;
 import nephele.lab.trade.subject.PlacementSubject;
 import nephele.lab.trade.subject.PortalSubjects;
+import nephele.lab.trade.subject.QualitySubjects;
 import nephele.lab.trade.subject.SceneSubjects;
 import nephele.lab.trade.subject.ShadowSubject;
 import nephele.lab.trade.subject.TickRateSubject;
@@ -16,6 +17,13 @@ import nephele.lab.trade.subject.TraversalSubject;
 /** The registry of subjects, in the order of the report. */
 public final class Trades {
     public static final List<Trade> ALL = List.of(
+            QualitySubjects.PRESETS,
+            QualitySubjects.RESOLUTION,
+            QualitySubjects.UPSCALE,
+            QualitySubjects.NORMAL_MAPS,
+            QualitySubjects.BRDF,
+            QualitySubjects.SHADOW_FILTER,
+            QualitySubjects.LIGHT_SHADOWS,
             PortalSubjects.TECHNIQUE,
             PortalSubjects.BUDGET,
             PortalSubjects.BUDGET_BETWEEN_FACING,

@@ -46,33 +46,21 @@ enum Compared {
             return ToneMappedPicture.of(picture.rgb(), picture.width(), environment, Output.DIRECT);
         }
     },
-    /** The light that the display emits, against the engine's own radiance tone-mapped in double precision. */
-    DISPLAY {
+    /** The light that the display emits, against the oracle's tone-mapped radiance: the picture that a player sees. */
+    SEEN {
         @Override
         Shot judged(Shot shot) {
-            return shot;
+            return shot.set("rims", "off");
         }
 
         @Override
         LinearPicture read(float[] radiance, RenderTarget picture) {
-            ByteBuffer rgba = picture.readBytes();
-            float[] rgb = new float[3 * picture.width() * picture.height()];
-            for (int i = 0; i < rgb.length; i++) {
-                rgb[i] = (float) ToneMapping.decodeSrgb((rgba.get(i / 3 * 4 + i % 3) & 0xff) / 255.0);
-            }
-            return new LinearPicture(picture.width(), picture.height(), rgb);
+            return displayed(picture);
         }
 
         @Override
         LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
-            LinearPicture radiance = drawn.get();
-            var environment = site.level().environment();
-            float[] rgb = radiance.rgb().clone();
-            double exposure = Math.pow(2, environment.exposureStops());
-            for (int i = 0; i < rgb.length; i++) {
-                rgb[i] = (float) ToneMapping.toneCurve(Math.max(exposure * rgb[i], 0), environment.toneCurve());
-            }
-            return new LinearPicture(radiance.width(), radiance.height(), rgb);
+            return toneMapped(site.oracle(), site.level().environment());
         }
 
         @Override
@@ -82,18 +70,67 @@ enum Compared {
 
         @Override
         BufferedImage shown(LinearPicture picture, Environment environment) {
-            var image = new BufferedImage(picture.width(), picture.height(), BufferedImage.TYPE_INT_RGB);
-            for (int pixel = 0; pixel < picture.pixels(); pixel++) {
-                int code = 0;
-                for (int channel = 0; channel < 3; channel++) {
-                    double shown = ToneMapping.encodeSrgb(picture.rgb()[3 * pixel + channel]);
-                    code = code << 8 | (int) Math.rint(255 * Math.min(Math.max(shown, 0), 1));
-                }
-                image.setRGB(pixel % picture.width(), picture.height() - 1 - pixel / picture.width(), code);
-            }
-            return image;
+            return encoded(picture);
+        }
+    },
+    /** The light that the display emits, against the engine's own radiance tone-mapped in double precision. */
+    DISPLAY {
+        @Override
+        Shot judged(Shot shot) {
+            return shot;
+        }
+
+        @Override
+        LinearPicture read(float[] radiance, RenderTarget picture) {
+            return displayed(picture);
+        }
+
+        @Override
+        LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
+            return toneMapped(drawn.get(), site.level().environment());
+        }
+
+        @Override
+        ErrorMap flip(LinearPicture exact, LinearPicture test) {
+            return Flip.ofDisplayed(exact, test);
+        }
+
+        @Override
+        BufferedImage shown(LinearPicture picture, Environment environment) {
+            return encoded(picture);
         }
     };
+
+    private static LinearPicture displayed(RenderTarget picture) {
+        ByteBuffer rgba = picture.readBytes();
+        float[] rgb = new float[3 * picture.width() * picture.height()];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = (float) ToneMapping.decodeSrgb((rgba.get(i / 3 * 4 + i % 3) & 0xff) / 255.0);
+        }
+        return new LinearPicture(picture.width(), picture.height(), rgb);
+    }
+
+    private static LinearPicture toneMapped(LinearPicture radiance, Environment environment) {
+        float[] rgb = radiance.rgb().clone();
+        double exposure = Math.pow(2, environment.exposureStops());
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = (float) ToneMapping.toneCurve(Math.max(exposure * rgb[i], 0), environment.toneCurve());
+        }
+        return new LinearPicture(radiance.width(), radiance.height(), rgb);
+    }
+
+    private static BufferedImage encoded(LinearPicture picture) {
+        var image = new BufferedImage(picture.width(), picture.height(), BufferedImage.TYPE_INT_RGB);
+        for (int pixel = 0; pixel < picture.pixels(); pixel++) {
+            int code = 0;
+            for (int channel = 0; channel < 3; channel++) {
+                double shown = ToneMapping.encodeSrgb(picture.rgb()[3 * pixel + channel]);
+                code = code << 8 | (int) Math.rint(255 * Math.min(Math.max(shown, 0), 1));
+            }
+            image.setRGB(pixel % picture.width(), picture.height() - 1 - pixel / picture.width(), code);
+        }
+        return image;
+    }
 
     /** Returns the shot to judge in place of the shot that is timed. */
     abstract Shot judged(Shot shot);

@@ -34,9 +34,8 @@ public final class ShadowSubject {
 
     private static String note(int texels) {
         return switch (texels) {
-            case 1024 -> "low";
-            case 2048 -> "medium";
-            case 4096 -> "high and ultra";
+            case 2048 -> "low";
+            case 4096 -> "medium, high and ultra";
             default -> "";
         };
     }

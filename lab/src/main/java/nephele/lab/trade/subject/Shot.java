@@ -20,6 +20,11 @@ record Shot(Level level, Output output, String preset, Map<String, String> set) 
         return new Shot(level, output, preset, Map.copyOf(more));
     }
 
+    /** Returns a shot with another preset, without changes to it. */
+    Shot ofPreset(String other) {
+        return new Shot(level, output, other, Map.of());
+    }
+
     Shot with(Level changed) {
         return new Shot(changed, output, preset, set);
     }

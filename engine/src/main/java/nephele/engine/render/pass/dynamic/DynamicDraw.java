@@ -7,6 +7,7 @@ import java.util.Map;
 import nephele.engine.render.frame.FrameContext;
 import nephele.engine.render.frame.LoadContext;
 import nephele.engine.render.frame.PictureArrays;
+import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.SharedResources;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.TargetReads;
@@ -39,6 +40,7 @@ final class DynamicDraw {
     private final PictureArrays colours;
     private final PictureArrays normals;
     private final SurfaceLight light;
+    private final boolean normalMaps;
     private final boolean cuts;
     private final MaterialBlocks materials;
     private final Map<DynamicVariant, GlProgram<DynamicUniforms>> programs = new HashMap<>();
@@ -56,6 +58,7 @@ final class DynamicDraw {
         colours = shared.colourPictures();
         normals = shared.normalPictures();
         light = shared.surfaceLight();
+        normalMaps = context.quality().normalMaps() == NormalMaps.ON;
         cuts = ViewTree.mayGrow(context.scene().level());
         materials = context.own(new MaterialBlocks(gl, meshes.dynamicObjects().materials()));
         meshes.dynamicObjects().groups().forEach(group -> programOfGroup.add(programFor(group, context)));
@@ -69,7 +72,7 @@ final class DynamicDraw {
         if (look == DynamicBlending.SEE_THROUGH && group.parts() > 1) {
             return null;
         }
-        DynamicVariant variant = DynamicVariant.of(group.kind(), context.output(), look);
+        DynamicVariant variant = DynamicVariant.of(group.kind(), context, look);
         return programs.computeIfAbsent(variant, wanted -> wanted.program(context, materials.materialsPerBlock()));
     }
 
@@ -106,7 +109,7 @@ final class DynamicDraw {
         if (kind.isTextured()) {
             colours.get(kind.colourArray()).bind(TextureUnit.COLOURS);
         }
-        if (kind.isNormalMapped()) {
+        if (normalMaps && kind.isNormalMapped()) {
             normals.get(kind.normalArray()).bind(TextureUnit.NORMALS);
         }
         meshes.draw(visible, run, program.uniforms().run());

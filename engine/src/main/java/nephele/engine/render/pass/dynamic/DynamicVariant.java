@@ -20,9 +20,10 @@ import nephele.engine.scene.ViewTree;
 record DynamicVariant(SurfaceVariant surface, boolean detailed, DynamicBlending look) {
     private static final String FOLDER = "/nephele/engine/render/pass/dynamic/";
 
-    static DynamicVariant of(SolidBatch.Kind kind, Output output, DynamicBlending look) {
+    static DynamicVariant of(SolidBatch.Kind kind, LoadContext context, DynamicBlending look) {
         boolean bare = !kind.isTextured() && !kind.isNormalMapped();
-        return new DynamicVariant(SurfaceVariant.of(kind), bare && output != Output.PLAIN, look);
+        return new DynamicVariant(
+                SurfaceVariant.of(kind, context.quality()), bare && context.output() != Output.PLAIN, look);
     }
 
     GlProgram<DynamicUniforms> program(LoadContext context, int materialsPerBlock) {

@@ -16,6 +16,7 @@ import nephele.engine.render.frame.Required;
 import nephele.engine.render.frame.Stage;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.Uniforms.Vector3;
+import nephele.engine.render.resource.FrameUniforms;
 
 /** Draws a gradient of zenith, horizon and ground by altitude where no solid has been drawn. Fog hides it. */
 public final class GradientSkyPass implements Pass {
@@ -31,11 +32,11 @@ public final class GradientSkyPass implements Pass {
 
     private GradientSkyPass(LoadContext context) {
         drawing = new FullScreenDrawing(
-                context,
-                FOLDER,
-                new FullScreenDrawing.Stages("sky.vert", "gradient.frag"),
-                uniforms -> colours = new Colours(
-                        uniforms.vector3("zenith"), uniforms.vector3("horizon"), uniforms.vector3("ground")));
+                context, FOLDER, new FullScreenDrawing.Stages("sky.vert", "gradient.frag"), uniforms -> {
+                    uniforms.block("Frame", FrameUniforms.BINDING);
+                    colours = new Colours(
+                            uniforms.vector3("zenith"), uniforms.vector3("horizon"), uniforms.vector3("ground"));
+                });
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

@@ -37,6 +37,7 @@ public final class SolidPass implements Pass {
     private final TargetReads reads;
     private final Map<SolidVariant, GlProgram<SolidUniforms>> programs = new HashMap<>();
     private final List<GlProgram<SolidUniforms>> programOfBatch = new ArrayList<>();
+    private final List<Boolean> normalMapped = new ArrayList<>();
     private final float[] eye = new float[6];
     private final MaterialBlocks materials;
     private final SolidMesh mesh;
@@ -57,7 +58,8 @@ public final class SolidPass implements Pass {
         materials =
                 context.own(new MaterialBlocks(gl, context.scene().materials().surfaces()));
         for (SolidBatch batch : mesh.batches()) {
-            SolidVariant variant = SolidVariant.of(batch, context.scene().level());
+            SolidVariant variant = SolidVariant.of(batch, context.scene().level(), context.quality());
+            normalMapped.add(variant.surface().normalMapped());
             programOfBatch.add(programs.computeIfAbsent(
                     variant, wanted -> wanted.program(context, materials.materialsPerBlock())));
         }
@@ -107,7 +109,7 @@ public final class SolidPass implements Pass {
         if (batch.kind().isTextured()) {
             colours.get(batch.kind().colourArray()).bind(TextureUnit.COLOURS);
         }
-        if (batch.kind().isNormalMapped()) {
+        if (normalMapped.get(index)) {
             normals.get(batch.kind().normalArray()).bind(TextureUnit.NORMALS);
         }
         mesh.draw(index, frame.visible());

@@ -5,6 +5,7 @@ import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Defines;
 import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.SurfaceLight;
 import nephele.engine.render.frame.SurfaceVariant;
 import nephele.engine.render.gl.GlProgram;
@@ -20,10 +21,10 @@ import nephele.engine.scene.SolidBatch;
 record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emission) {
     private static final String FOLDER = "/nephele/engine/render/pass/solid/";
 
-    static SolidVariant of(SolidBatch batch, Level level) {
+    static SolidVariant of(SolidBatch batch, Level level, Quality quality) {
         boolean emission =
                 level.materials().stream().anyMatch(m -> !m.emission().equals(Vec3.ZERO));
-        return new SolidVariant(batch.form(), SurfaceVariant.of(batch.kind()), emission);
+        return new SolidVariant(batch.form(), SurfaceVariant.of(batch.kind(), quality), emission);
     }
 
     GlProgram<SolidUniforms> program(LoadContext context, int materialsPerBlock) {
@@ -44,7 +45,7 @@ record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emissi
 
     /** Returns true if light cannot vary over a face. */
     private boolean isLitPerFace(SurfaceLight light) {
-        return !form.isModel() && surface.lambert() && !surface.normalMapped() && !light.variesOverFaces();
+        return !form.isModel() && surface.isLambert() && !surface.normalMapped() && !light.variesOverFaces();
     }
 
     private SolidUniforms uniforms(Uniforms uniforms, SurfaceLight light) {

@@ -15,6 +15,7 @@ import nephele.engine.render.frame.Stage;
 import nephele.engine.render.frame.Target;
 import nephele.engine.render.gl.DrawState.Depth;
 import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.resource.FrameUniforms;
 
 /** Exposure, tone curve, sRGB and dither over the whole picture; exists only for output HDR. */
 public final class ToneMapPass implements Pass {
@@ -26,8 +27,10 @@ public final class ToneMapPass implements Pass {
 
     private ToneMapPass(LoadContext context) {
         var stages = new FullScreenDrawing.Stages("tonemap.vert", "tonemap.frag");
-        drawing = new FullScreenDrawing(
-                context, FOLDER, stages, uniforms -> uniforms.sampler("linearPicture", TextureUnit.COLOURS));
+        drawing = new FullScreenDrawing(context, FOLDER, stages, uniforms -> {
+            uniforms.block("Frame", FrameUniforms.BINDING);
+            uniforms.sampler("linearPicture", TextureUnit.COLOURS);
+        });
     }
 
     private static List<Required> requiredBy(FrameRequest request) {

@@ -2,6 +2,7 @@
 #include "output.glsl"
 #include "materials.glsl"
 #include "surface-light.glsl"
+#include "covered-position.glsl"
 #include "dynamic-instance.glsl"
 #ifdef NORMAL_MAP
 #include "normal-map.glsl"
@@ -77,11 +78,13 @@ void main() {
 #endif
 #ifdef METALLIC_ROUGHNESS
     s.roughness = roughness;
-    s.metallic = material.emissionMetallic.a;
     s.toEye = -normalize(relativePosition);
 #endif
+#if defined(METALLIC_ROUGHNESS) || defined(ALL_DIFFUSE)
+    s.metallic = material.emissionMetallic.a;
+#endif
 #ifdef ANCHOR_POSITION
-    s.anchorPosition = anchorPosition;
+    s.anchorPosition = atCovered(anchorPosition, coveredOffset());
 #endif
 #ifdef SKY_AMBIENT
     s.skyVisibility = skySeen(instance, s.normal);

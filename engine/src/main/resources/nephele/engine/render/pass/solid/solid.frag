@@ -3,6 +3,7 @@
 #ifndef FLAT_LIGHT
 #include "surface-light.glsl"
 #endif
+#include "covered-position.glsl"
 #ifdef NORMAL_MAP
 #include "face-texture.glsl"
 #include "normal-map.glsl"
@@ -71,6 +72,7 @@ vec3 meshMappedNormal(vec3 texel, vec3 n) {
 
 #ifndef FLAT_LIGHT
 vec3 litRadiance(vec3 texel) {
+    vec2 offset = coveredOffset();
     Material material = materialAt(materialIndex);
     Surface s;
     s.baseColour = material.baseColourRoughness.rgb * texel;
@@ -94,14 +96,16 @@ vec3 litRadiance(vec3 texel) {
 #endif
 #ifdef METALLIC_ROUGHNESS
     s.roughness = roughness;
-    s.metallic = material.emissionMetallic.a;
     s.toEye = -normalize(relativePosition);
 #endif
+#if defined(METALLIC_ROUGHNESS) || defined(ALL_DIFFUSE)
+    s.metallic = material.emissionMetallic.a;
+#endif
 #ifdef ANCHOR_POSITION
-    s.anchorPosition = anchorPosition;
+    s.anchorPosition = atCovered(anchorPosition, offset);
 #endif
 #ifdef SKY_VISIBILITY
-    s.skyVisibility = skyVisibilityAt(lightMapPosition);
+    s.skyVisibility = skyVisibilityAt(atCovered(vec3(lightMapPosition, 0.0), offset).xy);
 #elif defined(SKY_AMBIENT)
     s.skyVisibility = skyVisibility;
 #endif

@@ -1,0 +1,65 @@
+package nephele.app.play;
+
+import java.util.List;
+import java.util.Optional;
+import nephele.app.play.hud.HudContent.Figure;
+import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Settings;
+import nephele.engine.draw.QualityController;
+import nephele.engine.draw.QualityFront;
+import nephele.engine.render.frame.Quality;
+
+/** The quality that holds the player's frame rate while quality is automatic. */
+final class AutoQuality {
+    private static final double HARDWARE_RATE = 60;
+    private static final double SOFTWARE_RATE = 30;
+
+    private final PlayerFiles files;
+    private final boolean software;
+    private final QualityController controller;
+    private long lastNanos = System.nanoTime();
+
+    AutoQuality(PlayerFiles files, boolean software) {
+        this.files = files;
+        this.software = software;
+        controller = new QualityController(QualityFront.of(software), budgetMillis());
+    }
+
+    private double budgetMillis() {
+        double chosen = files.settings().get(Settings.AUTO_FRAME_RATE);
+        double rate = chosen > 0 ? chosen : software ? SOFTWARE_RATE : HARDWARE_RATE;
+        return 1000 / rate;
+    }
+
+    /** Returns the quality for the next frames; empty if it is not automatic. */
+    Optional<Quality> of(PlayRequest request) {
+        return request.chosenQuality().isAuto() ? Optional.of(controller.point().quality()) : Optional.empty();
+    }
+
+    /** Begins to measure another level. */
+    void levelBegins() {
+        controller.begin();
+    }
+
+    /** Adds a frame; returns true if another quality shall draw the next one. */
+    boolean frame(PlayRequest request, double millis) {
+        long now = System.nanoTime();
+        double seconds = (now - lastNanos) / 1e9;
+        lastNanos = now;
+        if (!request.chosenQuality().isAuto()) {
+            return false;
+        }
+        controller.budgetMillis(budgetMillis());
+        return controller.add(millis, seconds);
+    }
+
+    /** Returns the lines of the panel of figures about the choice. */
+    List<Figure> figures(PlayRequest request) {
+        if (!request.chosenQuality().isAuto()) {
+            return List.of(new Figure("quality", request.chosenQuality().preset()));
+        }
+        return List.of(
+                new Figure("quality, auto", controller.point().name()),
+                new Figure("  slowest frame", controller.reason()));
+    }
+}

@@ -1,0 +1,194 @@
+package nephele.engine.draw;
+
+import java.util.Arrays;
+import java.util.Locale;
+
+/**
+ * Holds a frame rate by choosing among the points of a {@link QualityFront}. It knows nothing but the costs of the
+ * frames: it goes down after a few frames over budget, and up when the slowest of many frames would stay within the
+ * budget, at most once in {@value #CLIMB_SECONDS} s; each climb that fails doubles that time.
+ */
+public final class QualityController {
+    /** Frames after a change that are not counted: programs are compiled and targets allocated in them. */
+    static final int WARM_UP_FRAMES = 3;
+
+    /** Frames of the first decision, which may go to any point. */
+    static final int FIRST_FRAMES = 6;
+
+    /** Frames of a decision to climb. */
+    static final int WINDOW_FRAMES = 90;
+
+    /** Recent frames, and how many of them over budget make it go down. */
+    private static final int RECENT_FRAMES = 8;
+
+    private static final int TOO_SLOW_FRAMES = 3;
+    /** Frames over budget in the whole window that make it go down. */
+    private static final int TOO_SLOW_IN_WINDOW = 4;
+
+    /** The share of the budget that the first decision and a way down aim at, and that a climb may need. */
+    private static final double AIM = 0.8;
+
+    private static final double CLIMB_SECONDS = 10;
+    private static final double LONGEST_CLIMB_SECONDS = 320;
+
+    private final QualityFront front;
+    private final double[] window = new double[WINDOW_FRAMES];
+    private final double[] sorted = new double[WINDOW_FRAMES];
+    private double budgetMillis;
+    private int point;
+    private boolean isFirst;
+    private boolean hasClimbed;
+    private int frames;
+    private double secondsAtPoint;
+    private double climbSeconds = CLIMB_SECONDS;
+
+    /** @param budgetMillis greatest time of a frame */
+    public QualityController(QualityFront front, double budgetMillis) {
+        this.front = front;
+        this.budgetMillis = budgetMillis;
+        point = front.start();
+        begin();
+    }
+
+    /** Begins another level: its first frames decide anew. */
+    public void begin() {
+        isFirst = true;
+        hasClimbed = false;
+        climbSeconds = CLIMB_SECONDS;
+        restart();
+    }
+
+    private void restart() {
+        frames = 0;
+        secondsAtPoint = 0;
+    }
+
+    /** Sets another budget; the next frames decide anew if it differs. */
+    public void budgetMillis(double newBudget) {
+        if (newBudget != budgetMillis) {
+            budgetMillis = newBudget;
+            begin();
+        }
+    }
+
+    /** Returns the point for the next frame. */
+    public QualityFront.Point point() {
+        return front.points().get(point);
+    }
+
+    /**
+     * Adds a frame.
+     *
+     * @param millis its cost
+     * @param seconds time since the previous frame
+     * @return true if another point was chosen
+     */
+    public boolean add(double millis, double seconds) {
+        frames++;
+        secondsAtPoint += seconds;
+        if (frames <= WARM_UP_FRAMES) {
+            return false;
+        }
+        window[(frames - WARM_UP_FRAMES - 1) % WINDOW_FRAMES] = millis;
+        return change(isFirst ? first() : next());
+    }
+
+    private int counted() {
+        return Math.min(frames - WARM_UP_FRAMES, WINDOW_FRAMES);
+    }
+
+    private int first() {
+        if (counted() < FIRST_FRAMES) {
+            return point;
+        }
+        isFirst = false;
+        return bestWithin(AIM * budgetMillis, quantile(0.5), front.points().size() - 1);
+    }
+
+    private int next() {
+        if (isTooSlow()) {
+            int below = Math.max(point - 1, 0);
+            return bestWithin(AIM * budgetMillis, recentMedian(), below);
+        }
+        boolean mayClimb = point + 1 < front.points().size()
+                && counted() == WINDOW_FRAMES
+                && secondsAtPoint >= climbSeconds
+                && predicted(quantile(1), point + 1) <= AIM * budgetMillis;
+        return mayClimb ? point + 1 : point;
+    }
+
+    private boolean change(int next) {
+        if (next == point) {
+            return false;
+        }
+        if (next < point && hasClimbed && secondsAtPoint < 2 * climbSeconds) {
+            climbSeconds = Math.min(2 * climbSeconds, LONGEST_CLIMB_SECONDS);
+        }
+        hasClimbed = next > point;
+        point = next;
+        restart();
+        return true;
+    }
+
+    /** Returns the best point, no better than {@code most}, that is predicted to cost no more. */
+    private int bestWithin(double millis, double costHere, int most) {
+        for (int i = most; i > 0; i--) {
+            if (predicted(costHere, i) <= millis) {
+                return i;
+            }
+        }
+        return 0;
+    }
+
+    private double predicted(double costHere, int other) {
+        return costHere * front.points().get(other).cost() / point().cost();
+    }
+
+    private boolean isTooSlow() {
+        int last = frames - WARM_UP_FRAMES - 1;
+        int recent = 0;
+        for (int i = 0; i < Math.min(RECENT_FRAMES, counted()); i++) {
+            recent += window[(last - i) % WINDOW_FRAMES] > budgetMillis ? 1 : 0;
+        }
+        return recent >= TOO_SLOW_FRAMES || overBudget() >= TOO_SLOW_IN_WINDOW;
+    }
+
+    private int overBudget() {
+        int over = 0;
+        for (int i = 0; i < counted(); i++) {
+            over += window[i] > budgetMillis ? 1 : 0;
+        }
+        return over;
+    }
+
+    private double recentMedian() {
+        int last = frames - WARM_UP_FRAMES - 1;
+        int size = Math.min(RECENT_FRAMES, counted());
+        for (int i = 0; i < size; i++) {
+            sorted[i] = window[(last - i) % WINDOW_FRAMES];
+        }
+        Arrays.sort(sorted, 0, size);
+        return sorted[size / 2];
+    }
+
+    private double quantile(double share) {
+        int size = counted();
+        System.arraycopy(window, 0, sorted, 0, size);
+        Arrays.sort(sorted, 0, size);
+        return sorted[(int) Math.round(share * (size - 1))];
+    }
+
+    /** Returns the reason for the choice, in a few words. */
+    public String reason() {
+        if (counted() <= 0) {
+            return "measuring";
+        }
+        double slowest = quantile(1);
+        String here = String.format(Locale.ROOT, "%.0f of %.0f ms", slowest, budgetMillis);
+        if (point + 1 == front.points().size()) {
+            return here + ", the best";
+        }
+        String above = front.points().get(point + 1).name();
+        return here + String.format(Locale.ROOT, "; %s: %.0f ms", above, predicted(slowest, point + 1));
+    }
+}

@@ -1,0 +1,59 @@
+package nephele.engine.render.pass.upscale;
+
+import java.util.List;
+import java.util.Set;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.FullScreenDrawing;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.Quality.Upscale;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.shader.TextureUnit;
+
+/**
+ * Scales the picture up; exists only if quality draws fewer pixels than the final picture has.
+ */
+public final class UpscalePass implements Pass {
+    public static final RenderFeature FEATURE = new RenderFeature("upscale", Stage.AFTER_ALL, UpscalePass::requiredBy);
+
+    private static final String FOLDER = "/nephele/engine/render/pass/upscale/";
+
+    private final FullScreenDrawing drawing;
+
+    private UpscalePass(LoadContext context) {
+        var stages = new FullScreenDrawing.Stages("upscale.vert", "upscale.frag");
+        Defines defines =
+                new Defines().withIf(context.quality().upscale() == Upscale.CATMULL_ROM, Upscale.CATMULL_ROM.name());
+        drawing = new FullScreenDrawing(
+                context, defines, FOLDER, stages, uniforms -> uniforms.sampler("smallPicture", TextureUnit.COLOURS));
+    }
+
+    private static List<Required> requiredBy(FrameRequest request) {
+        double resolution = request.quality().pictureResolution();
+        return resolution == 1
+                ? List.of()
+                : List.of(new Required("quality: pictureResolution " + resolution, UpscalePass::new));
+    }
+
+    @Override
+    public Set<Target> reads() {
+        return Set.of(Target.PICTURE);
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.PICTURE);
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        frame.surface().colour().bind(TextureUnit.COLOURS);
+        drawing.draw(frame.picture(), Depth.OFF);
+    }
+}

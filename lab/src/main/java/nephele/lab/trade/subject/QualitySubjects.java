@@ -1,0 +1,137 @@
+package nephele.lab.trade.subject;
+
+import java.util.List;
+import java.util.stream.Stream;
+import nephele.lab.trade.CostMetric;
+import nephele.lab.trade.ErrorMetric;
+import nephele.lab.trade.Setting;
+import nephele.lab.trade.Trade;
+
+/** The presets of quality, and the fields that change every pixel of a picture. */
+public final class QualitySubjects {
+    private static final String LIT_LEVEL = "levels/01-courtyard.json";
+    private static final String ORACLE = "the oracle: rays through the level, many a pixel";
+    private static final String SEEN = "the oracle's picture as it is displayed";
+
+    public static final Trade PRESETS = seen(
+            "quality",
+            new Trade.Text(
+                    "Presets of quality",
+                    "Each preset is a point of the front that the other subjects measure: resolution first, then the"
+                            + " light on surfaces, then the edges.",
+                    SEEN),
+            List.of(),
+            "high",
+            Stream.of("low", "medium", "high", "ultra")
+                    .map(preset -> new PictureSetting(Setting.of(preset), shot -> shot.ofPreset(preset)))
+                    .toList());
+
+    public static final Trade RESOLUTION = seen(
+            "pictureResolution",
+            new Trade.Text(
+                    "Resolution of the picture",
+                    "How many pixels are drawn along each side, as a share of the window's; the rest is"
+                            + " interpolated. Menus, figures and prompts stay sharp.",
+                    SEEN),
+            List.of("pictureResolution"),
+            "1",
+            Stream.of("0.4", "0.5", "0.6", "0.7", "0.85", "1")
+                    .map(share -> PictureSetting.of("pictureResolution", share, resolutionNote(share)))
+                    .toList());
+
+    public static final Trade UPSCALE = seen(
+            "upscale",
+            new Trade.Text(
+                    "Filter that scales the picture up",
+                    "Catmull-Rom is sharper and reads five times; bilinear reads once and leaves time for more pixels."
+                            + " Both at 0.6 of the pixels along a side, and bilinear at 0.65.",
+                    SEEN),
+            List.of("upscale"),
+            "bilinear",
+            List.of(
+                    new PictureSetting(Setting.of("bilinear"), shot -> shot.set("pictureResolution", "0.6")),
+                    new PictureSetting(
+                            new Setting("catmull_rom", "presets on a graphics card"),
+                            shot -> shot.set("pictureResolution", "0.6").set("upscale", "catmull_rom")),
+                    new PictureSetting(
+                            new Setting("bilinear at 0.65", ""), shot -> shot.set("pictureResolution", "0.65"))));
+
+    public static final Trade NORMAL_MAPS = PictureSubjects.of(
+            "normalMaps",
+            new Trade.Text(
+                    "Normal maps",
+                    "Relief smaller than a triangle: joints, grain and ripples change the light. Without it surfaces"
+                            + " are as smooth as their geometry.",
+                    ORACLE),
+            List.of("normalMaps"),
+            "on",
+            List.of(PictureSetting.of("normalMaps", "off", ""), PictureSetting.of("normalMaps", "on", "all presets")));
+
+    public static final Trade BRDF = PictureSubjects.of(
+            "brdf",
+            new Trade.Text(
+                    "Reflection of surfaces",
+                    "GGX gives each roughness its highlight. Lambert reflects all light diffusely: nothing shines, and"
+                            + " metal looks like paint.",
+                    ORACLE),
+            List.of("brdf"),
+            "ggx",
+            List.of(PictureSetting.of("brdf", "lambert", ""), PictureSetting.of("brdf", "ggx", "all presets")));
+
+    public static final Trade SHADOW_FILTER = PictureSubjects.of(
+            "shadowFilter",
+            new Trade.Text(
+                    "Filter of shadow maps",
+                    "Whether one texel of a shadow map decides the light of a point, or the four around it, weighted."
+                            + " One gives shadows with steps.",
+                    ORACLE),
+            List.of("shadowFilter"),
+            "bilinear",
+            List.of(
+                    PictureSetting.of("shadowFilter", "nearest", ""),
+                    PictureSetting.of("shadowFilter", "bilinear", "all presets")));
+
+    private static final Trade.Text LIGHT_SHADOWS_TEXT = new Trade.Text(
+            "Lamps with shadows",
+            "So many lamps cast shadows at most, the most powerful ones. The light of the others goes through walls.",
+            ORACLE);
+
+    public static final Trade LIGHT_SHADOWS = PictureSubjects.of(
+                    "lightShadows",
+                    LIGHT_SHADOWS_TEXT,
+                    List.of("lightShadows"),
+                    "999",
+                    Stream.of(0, 1, 2, 4, 999)
+                            .map(lights ->
+                                    PictureSetting.of("lightShadows", lights, lights == 999 ? "all presets" : ""))
+                            .toList())
+            .in(LIT_LEVEL, "lightShadows", LIGHT_SHADOWS_TEXT);
+
+    private QualitySubjects() {}
+
+    private static String resolutionNote(String share) {
+        return switch (share) {
+            case "0.5" -> "low";
+            case "0.7" -> "medium";
+            case "1" -> "high and ultra";
+            default -> "";
+        };
+    }
+
+    private static Trade seen(
+            String subject, Trade.Text text, List<String> fields, String usual, List<PictureSetting> settings) {
+        List<String> names =
+                settings.stream().map(setting -> setting.setting().name()).toList();
+        return new Trade(
+                subject,
+                text,
+                fields,
+                settings.stream().map(PictureSetting::setting).toList(),
+                names.indexOf(usual),
+                new ErrorMetric("mean FLIP as displayed", "", 5e-4, 2e-3),
+                XmlPictureExperiment.FIGURES,
+                CostMetric.FRAME,
+                null,
+                site -> new PictureExperiment(site, settings, Compared.SEEN));
+    }
+}

@@ -1,0 +1,129 @@
+package nephele.engine.draw;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The controller on traces of frame costs: seeded ones and one recorded along a walk. */
+class QualityControllerTest {
+    private static final double BUDGET = 33.3;
+    private static final int MINUTE = 1800;
+
+    /** The result of a trace. */
+    private record Run(int frames, int over, int changes, int changesAtEnd, QualityFront.Point last) {}
+
+    /**
+     * Runs a trace.
+     *
+     * @param highMillis cost of each frame at quality high
+     */
+    private static Run run(QualityFront front, double budget, int frames, IntToDoubleFunction highMillis) {
+        var controller = new QualityController(front, budget);
+        double clock = 0;
+        int over = 0;
+        int counted = 0;
+        int changes = 0;
+        int atEnd = 0;
+        for (int i = 0; i < frames; i++) {
+            double cost = highMillis.applyAsDouble(i) * controller.point().cost();
+            double seconds = Math.max(cost, budget) / 1000;
+            clock += seconds;
+            if (clock > 2) {
+                counted++;
+                over += cost > budget ? 1 : 0;
+            }
+            if (controller.add(cost, seconds) && clock > 2) {
+                changes++;
+                atEnd += i > frames - MINUTE ? 1 : 0;
+            }
+        }
+        return new Run(counted, over, changes, atEnd, controller.point());
+    }
+
+    /** Noise of a few percent, and a frame in five hundred that takes half as long again. */
+    private static IntToDoubleFunction noisy(long seed, IntToDoubleFunction clean) {
+        var random = new SplittableRandom(seed);
+        return frame -> clean.applyAsDouble(frame)
+                * Math.exp(0.05 * random.nextGaussian())
+                * (random.nextInt(500) == 0 ? 1.5 : 1);
+    }
+
+    static Stream<Arguments> steady() {
+        return Stream.of(12.0, 20.0, 40.0, 55.0, 70.0, 100.0, 110.0)
+                .flatMap(cost -> Stream.of(1L, 2L, 3L).map(seed -> Arguments.of(cost, seed)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("steady")
+    void steadyScenesStayAtOnePoint(double highMillis, long seed) {
+        Run run = run(QualityFront.SOFTWARE, BUDGET, 4 * MINUTE, noisy(seed, frame -> highMillis));
+        assertTrue(run.over < 0.01 * run.frames, run.toString());
+        assertTrue(run.changes <= 6, run.toString());
+        assertTrue(run.changesAtEnd <= 1, run.toString());
+    }
+
+    /** A walk whose cost swells and falls slowly, and doubles in one step every minute. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void walksStayWithinTheBudget(long seed) {
+        IntToDoubleFunction walk = frame ->
+                (45 + 12 * Math.sin(frame / 400.0) + 5 * Math.sin(frame / 90.0)) * (frame / MINUTE % 2 == 0 ? 1 : 1.5);
+        Run run = run(QualityFront.SOFTWARE, BUDGET, 6 * MINUTE, noisy(seed, walk));
+        assertTrue(run.over < 0.01 * run.frames, run.toString());
+        assertTrue(run.changes <= 6 * MINUTE / 300, run.toString());
+    }
+
+    /** The cost between two points, where each climb fails: the time between climbs grows. */
+    @Test
+    void failedClimbsBecomeRare() {
+        IntToDoubleFunction trap = frame -> 30;
+        var dear = new QualityFront(
+                Stream.of(new QualityFront.Point("cheap", null, 1), new QualityFront.Point("dear", null, 1.01))
+                        .toList(),
+                0);
+        var controller = new QualityController(dear, BUDGET);
+        int changes = 0;
+        for (int frame = 0; frame < 20 * MINUTE; frame++) {
+            double cost = controller.point().name().equals("dear") ? 50 : 20;
+            changes += controller.add(cost, BUDGET / 1000) ? 1 : 0;
+        }
+        assertEquals(30, trap.applyAsDouble(0));
+        assertTrue(changes <= 16, changes + " changes in twenty minutes");
+    }
+
+    @Test
+    void firstFramesDecideAtOnce() {
+        assertEquals(
+                "ultra", run(QualityFront.SOFTWARE, BUDGET, 30, frame -> 5).last.name());
+        assertEquals(
+                "resolution 0.35",
+                run(QualityFront.SOFTWARE, BUDGET, 30, frame -> 900).last.name());
+        assertEquals(
+                "ultra",
+                run(QualityFront.HARDWARE, 1000 / 60.0, 30, frame -> 2).last.name());
+        assertEquals(
+                "low",
+                run(QualityFront.HARDWARE, 1000 / 60.0, 30, frame -> 40).last.name());
+    }
+
+    /** Programs are compiled in the first frames after a change: their time decides nothing. */
+    @Test
+    void framesAfterAChangeAreNotCounted() {
+        var controller = new QualityController(QualityFront.SOFTWARE, BUDGET);
+        int changes = 0;
+        for (int frame = 0; frame < 200; frame++) {
+            boolean isWarmUp = frame < QualityController.WARM_UP_FRAMES;
+            changes += controller.add(isWarmUp ? 2000 : 60 * controller.point().cost(), BUDGET / 1000) ? 1 : 0;
+        }
+        assertEquals("low", controller.point().name());
+        assertEquals(0, changes);
+    }
+}
