@@ -121,7 +121,9 @@ class StageGlTest {
                 Renderer renderer = trial(
                         offscreen,
                         threeWalls(),
-                        RenderSettings.of(Output.HDR, Quality.HIGH.withViewBudget(6).withSamples(4))
+                        RenderSettings.of(
+                                        Output.HDR,
+                                        Quality.HIGH.withViewBudget(6).withSamples(4))
                                 .with(Decoration.OFF))) {
             renderer.draw(view(offscreen), offscreen.picture);
             float[] radiance = renderer.readRadiance();
