@@ -104,7 +104,7 @@ class QualityControllerTest {
         assertEquals(
                 "ultra", run(QualityFront.SOFTWARE, BUDGET, 30, frame -> 5).last.name());
         assertEquals(
-                "resolution 0.35",
+                "resolution 0.3",
                 run(QualityFront.SOFTWARE, BUDGET, 30, frame -> 900).last.name());
         assertEquals(
                 "ultra",

@@ -1,6 +1,8 @@
 package nephele.app.play;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import nephele.app.play.hud.HudContent.Figure;
 import nephele.app.settings.PlayerFiles;
@@ -58,8 +60,16 @@ final class AutoQuality {
         if (!request.chosenQuality().isAuto()) {
             return List.of(new Figure("quality", request.chosenQuality().preset()));
         }
-        return List.of(
-                new Figure("quality, auto", controller.point().name()),
-                new Figure("  slowest frame", controller.reason()));
+        var reason = controller.reason();
+        List<Figure> lines = new ArrayList<>();
+        lines.add(new Figure("quality, auto", controller.point().name()));
+        lines.add(new Figure(
+                "  slowest",
+                String.format(Locale.ROOT, "%.0f of %.0f ms", reason.slowestMillis(), reason.budgetMillis())));
+        if (reason.next() != null) {
+            lines.add(new Figure(
+                    "  " + reason.next().name(), String.format(Locale.ROOT, "%.0f ms", reason.nextMillis())));
+        }
+        return lines;
     }
 }

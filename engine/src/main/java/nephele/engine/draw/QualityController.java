@@ -1,7 +1,6 @@
 package nephele.engine.draw;
 
 import java.util.Arrays;
-import java.util.Locale;
 
 /**
  * Holds a frame rate by choosing among the points of a {@link QualityFront}. It knows nothing but the costs of the
@@ -178,17 +177,21 @@ public final class QualityController {
         return sorted[(int) Math.round(share * (size - 1))];
     }
 
-    /** Returns the reason for the choice, in a few words. */
-    public String reason() {
-        if (counted() <= 0) {
-            return "measuring";
-        }
-        double slowest = quantile(1);
-        String here = String.format(Locale.ROOT, "%.0f of %.0f ms", slowest, budgetMillis);
+    /**
+     * The reason for a choice.
+     *
+     * @param slowestMillis cost of the slowest of the last frames; 0 before any was measured
+     * @param next the next better point; {@code null} if there is none
+     * @param nextMillis what the slowest frame would cost there
+     */
+    public record Reason(double slowestMillis, double budgetMillis, QualityFront.Point next, double nextMillis) {}
+
+    /** Returns the reason for the current choice. */
+    public Reason reason() {
+        double slowest = counted() <= 0 ? 0 : quantile(1);
         if (point + 1 == front.points().size()) {
-            return here + ", the best";
+            return new Reason(slowest, budgetMillis, null, 0);
         }
-        String above = front.points().get(point + 1).name();
-        return here + String.format(Locale.ROOT, "; %s: %.0f ms", above, predicted(slowest, point + 1));
+        return new Reason(slowest, budgetMillis, front.points().get(point + 1), predicted(slowest, point + 1));
     }
 }

@@ -2,6 +2,8 @@ package nephele.engine.draw;
 
 import java.util.List;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.NormalMaps;
+import nephele.engine.render.frame.Quality.ShadowSampling;
 
 /**
  * The points of quality among which a frame rate is held: each costs more than the one before and is nearer to the
@@ -22,6 +24,13 @@ public record QualityFront(List<Point> points, int start) {
     /** On a software renderer pixels are the cost, and their number is the best choice at every cost. */
     public static final QualityFront SOFTWARE = new QualityFront(
             List.of(
+                    new Point(
+                            "resolution 0.3",
+                            Quality.LOW
+                                    .withPictureResolution(0.3)
+                                    .withNormalMaps(NormalMaps.OFF)
+                                    .withShadowFilter(ShadowSampling.NEAREST),
+                            0.18),
                     new Point("resolution 0.35", Quality.LOW.withPictureResolution(0.35), 0.24),
                     new Point("resolution 0.4", Quality.LOW.withPictureResolution(0.4), 0.28),
                     new Point("low", Quality.LOW, 0.37),
@@ -30,7 +39,7 @@ public record QualityFront(List<Point> points, int start) {
                     new Point("resolution 0.85", Quality.MEDIUM.withPictureResolution(0.85), 0.78),
                     new Point("high", Quality.HIGH, 1),
                     new Point("ultra", Quality.ULTRA, 2.5)),
-            2);
+            3);
 
     /** Costs on a graphics card differ from card to card: these only have the right order. */
     public static final QualityFront HARDWARE = new QualityFront(

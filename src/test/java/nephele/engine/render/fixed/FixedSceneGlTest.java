@@ -108,6 +108,29 @@ class FixedSceneGlTest {
         }
     }
 
+    /** On an axis, where that axis is not seen, a cross in the corner shows the directions; elsewhere there is none. */
+    @Test
+    void aCrossShowsTheDirectionsWhereTheEyeIsOnAnAxis() {
+        var sources = new Sources(
+                scenes.source(world(group("<translate x='0' y='0' z='-50'/>", model("box_1_1.3d", "")))), null, null);
+        var look = SceneAppearance.USUAL.with(SceneAppearance.Axes.SHOWN);
+        try (var drawing = FixedSceneDrawing.load(scenes.gl, sources)) {
+            assertEquals(0, crossPixels(drawing, new Vec3(9, 9, 9), look));
+            assertTrue(crossPixels(drawing, Vec3.ZERO, look) > 20);
+            assertTrue(crossPixels(drawing, new Vec3(0, 5, 0), look) > 20);
+            assertEquals(0, crossPixels(drawing, Vec3.ZERO, SceneAppearance.USUAL));
+        }
+    }
+
+    /** Returns the pixels in the colour of the cross's x axis, which nothing else has. */
+    private long crossPixels(FixedSceneDrawing drawing, Vec3 eye, SceneAppearance look) {
+        var from = new XmlScene.Eye(eye, new Vec3(eye.x(), eye.y(), eye.z() - 1), new Vec3(0, 1, 0), 60, 1, 1000);
+        drawing.draw(FixedSceneDrawing.view(from, 1), 0, new Matrix4d(), look, scenes.picture);
+        return java.util.Arrays.stream(scenes.pixels())
+                .filter(pixel -> pixel == 0xff4033)
+                .count();
+    }
+
     /** The sum of the terms equals all together; each term is rounded separately. */
     @ParameterizedTest
     @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "WIREFRAME")

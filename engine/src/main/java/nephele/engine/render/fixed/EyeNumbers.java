@@ -33,6 +33,12 @@ final class EyeNumbers {
         return z;
     }
 
+    /** Returns true if the eye is so close to an axis that this axis is seen as a point or not at all. */
+    boolean isOnAxis() {
+        double near = 1e-3 * Math.max(1, Math.sqrt((double) x * x + (double) y * y + (double) z * z));
+        return Math.hypot(y, z) < near || Math.hypot(x, z) < near || Math.hypot(x, y) < near;
+    }
+
     float backX() {
         return (float) back.x;
     }

@@ -23,6 +23,7 @@ public final class FixedSceneDrawing implements AutoCloseable {
     private final SceneOnGpu entity;
     private final BackgroundDrawing background;
     private final AxesDrawing axes;
+    private final AxesCross cross;
     private final Texture white;
     private final Map<Shading, FixedProgram> programs = new EnumMap<>(Shading.class);
     private final EyeNumbers eye = new EyeNumbers();
@@ -46,6 +47,7 @@ public final class FixedSceneDrawing implements AutoCloseable {
         entity = sources.entity() == null ? null : SceneOnGpu.entity(gl, sources.entity(), white, scene);
         background = sources.background() == null ? null : new BackgroundDrawing(gl, sources.background());
         axes = new AxesDrawing(gl);
+        cross = new AxesCross(gl);
     }
 
     /** Uploads everything to the GPU. */
@@ -80,6 +82,9 @@ public final class FixedSceneDrawing implements AutoCloseable {
             axes.draw(eye);
         }
         drawModels(look);
+        if (look.axes() == SceneAppearance.Axes.SHOWN && eye.isOnAxis()) {
+            cross.draw(eye, target);
+        }
     }
 
     private void drawModels(SceneAppearance look) {
@@ -108,6 +113,7 @@ public final class FixedSceneDrawing implements AutoCloseable {
             background.close();
         }
         axes.close();
+        cross.close();
         white.close();
     }
 }
