@@ -92,6 +92,18 @@ class UserFileTest {
         return all.stream();
     }
 
+    @Test
+    void aSecondBrokenFileDoesNotReplaceTheFirst() throws IOException {
+        Path settings = folder.resolve("settings.json");
+        for (String text : List.of("one", "two", "two")) {
+            Files.writeString(settings, text);
+            file().save(entry("language", "en"));
+        }
+        assertEquals("one", Files.readString(folder.resolve("settings.json.broken")));
+        assertEquals("two", Files.readString(folder.resolve("settings.json.broken-2")));
+        assertTrue(Files.notExists(folder.resolve("settings.json.broken-3")));
+    }
+
     @ParameterizedTest
     @MethodSource("broken")
     void aBrokenFileGivesItsBackupAndIsKept(byte[] bytes) throws IOException {

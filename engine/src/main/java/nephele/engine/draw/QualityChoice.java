@@ -16,6 +16,7 @@ import nephele.engine.render.RenderSettings.Narrowing;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.PortalTechnique;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.Quality.NormalMaps;
 import nephele.engine.render.frame.Quality.ReflectionModel;
 import nephele.engine.render.frame.Quality.ShadowSampling;
@@ -65,6 +66,10 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     (all, value) -> all.with(all.quality().withLightShadows(value))),
             SettingKey.whole(
                     "samples", 1, 8, (all, value) -> all.with(all.quality().withSamples(value))),
+            SettingKey.word(
+                    "edgeFilter",
+                    EdgeFilter.class,
+                    (all, value) -> all.with(all.quality().withEdgeFilter(value))),
             SettingKey.word(
                     "portalTechnique",
                     PortalTechnique.class,
@@ -131,7 +136,10 @@ public record QualityChoice(String preset, Map<String, String> settings) {
             }
         }
         return showsIds()
-                ? all.with(all.quality().withSamples(1).withPictureResolution(1))
+                ? all.with(all.quality()
+                                .withSamples(1)
+                                .withEdgeFilter(EdgeFilter.NONE)
+                                .withPictureResolution(1))
                         .with(Decoration.OFF)
                         .with(Deepest.MARK)
                 : all;

@@ -3,6 +3,7 @@ package nephele.engine.render;
 import java.util.List;
 import nephele.engine.render.frame.RenderFeature;
 import nephele.engine.render.pass.dynamic.DynamicPass;
+import nephele.engine.render.pass.edge.EdgeFilterPass;
 import nephele.engine.render.pass.exit.ExitPass;
 import nephele.engine.render.pass.portal.OpeningDepthPass;
 import nephele.engine.render.pass.portal.PortalPass;
@@ -40,6 +41,7 @@ public final class RenderFeatures {
             DynamicPass.HELD,
             // After everything else.
             ToneMapPass.FEATURE,
+            EdgeFilterPass.FEATURE,
             UpscalePass.FEATURE);
 
     private RenderFeatures() {}

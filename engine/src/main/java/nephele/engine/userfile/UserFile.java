@@ -15,7 +15,6 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.function.Consumer;
 import nephele.engine.asset.AtomicFile;
 
@@ -25,6 +24,9 @@ import nephele.engine.asset.AtomicFile;
  * first replaced. Saving is atomic, and the version before stays as {@code .bak}.
  */
 public final class UserFile {
+    /** Greatest number of different damaged files that are kept; the last one is replaced. */
+    private static final int MOST_BROKEN = 20;
+
     private static final int LARGEST_BYTES = 1 << 20;
 
     private final Path path;
@@ -69,8 +71,8 @@ public final class UserFile {
                 report.accept(path + ": " + problem.getMessage() + "; its backup " + backup.getFileName() + " is used");
                 return kept;
             } catch (Unusable neither) {
-                report.accept(path + ": " + problem.getMessage() + "; it is kept as "
-                        + beside(".broken").getFileName() + " when a new one is saved");
+                report.accept(path + ": " + problem.getMessage() + "; it is kept as " + nameToReport()
+                        + " when a new one is saved");
                 return new JsonObject();
             }
         }
@@ -112,8 +114,27 @@ public final class UserFile {
             parsed(path);
             AtomicFile.write(beside(".bak"), Files.readAllBytes(path));
         } catch (Unusable damaged) {
-            Files.copy(path, beside(".broken"), StandardCopyOption.REPLACE_EXISTING);
+            AtomicFile.write(brokenName(), Files.readAllBytes(path));
         }
+    }
+
+    private Path nameToReport() {
+        try {
+            return brokenName().getFileName();
+        } catch (IOException unreadable) {
+            return beside(".broken").getFileName();
+        }
+    }
+
+    /** Returns the name under which the damaged file is kept: one that no other damaged file has. */
+    private Path brokenName() throws IOException {
+        for (int number = 1; number < MOST_BROKEN; number++) {
+            Path name = beside(number == 1 ? ".broken" : ".broken-" + number);
+            if (!Files.exists(name) || Files.mismatch(name, path) == -1) {
+                return name;
+            }
+        }
+        return beside(".broken-" + MOST_BROKEN);
     }
 
     private Path beside(String suffix) {

@@ -14,6 +14,7 @@ import java.util.function.Consumer;
  * @param shadowFilter texels of depth maps that decide the light of a point
  * @param lightShadows greatest number of punctual lights that cast shadows, the most powerful ones
  * @param samples greatest number of coverage samples a pixel; 1 draws without multisampling
+ * @param edgeFilter filter of the displayed picture that smooths edges
  * @param portalTechnique technique of drawing a view through an opening
  * @param viewBudget greatest number of views through openings in a frame; the largest ones are drawn
  * @param portalResolution pixels of an opening's own picture along each side, as a share of the picture's; for TEXTURE
@@ -28,6 +29,7 @@ public record Quality(
         ShadowSampling shadowFilter,
         int lightShadows,
         int samples,
+        EdgeFilter edgeFilter,
         PortalTechnique portalTechnique,
         int viewBudget,
         double portalResolution) {
@@ -44,6 +46,7 @@ public record Quality(
             ShadowSampling.BILINEAR,
             ALL_LIGHTS,
             1,
+            EdgeFilter.NONE,
             PortalTechnique.STENCIL,
             12,
             1);
@@ -51,6 +54,13 @@ public record Quality(
             HIGH.withPictureResolution(0.5).withShadowTexels(2048).withViewBudget(6);
     public static final Quality MEDIUM = HIGH.withPictureResolution(0.7).withViewBudget(9);
     public static final Quality ULTRA = HIGH.withAnisotropy(8).withSamples(4).withViewBudget(32);
+
+    /** The filter that smooths edges of the displayed picture. */
+    public enum EdgeFilter {
+        NONE,
+        /** By the shapes of edges. */
+        MORPHOLOGICAL
+    }
 
     /** The filter that scales a picture up. */
     public enum Upscale {
@@ -137,6 +147,10 @@ public record Quality(
         return with(draft -> draft.samples = perPixel);
     }
 
+    public Quality withEdgeFilter(EdgeFilter filter) {
+        return with(draft -> draft.edgeFilter = filter);
+    }
+
     public Quality withPortalTechnique(PortalTechnique technique) {
         return with(draft -> draft.portalTechnique = technique);
     }
@@ -165,6 +179,7 @@ public record Quality(
         private ShadowSampling shadowFilter;
         private int lightShadows;
         private int samples;
+        private EdgeFilter edgeFilter;
         private PortalTechnique portalTechnique;
         private int viewBudget;
         private double portalResolution;
@@ -179,6 +194,7 @@ public record Quality(
             shadowFilter = from.shadowFilter;
             lightShadows = from.lightShadows;
             samples = from.samples;
+            edgeFilter = from.edgeFilter;
             portalTechnique = from.portalTechnique;
             viewBudget = from.viewBudget;
             portalResolution = from.portalResolution;
@@ -195,6 +211,7 @@ public record Quality(
                     shadowFilter,
                     lightShadows,
                     samples,
+                    edgeFilter,
                     portalTechnique,
                     viewBudget,
                     portalResolution);

@@ -20,6 +20,7 @@ public final class Trades {
             QualitySubjects.PRESETS,
             QualitySubjects.RESOLUTION,
             QualitySubjects.UPSCALE,
+            QualitySubjects.EDGE_FILTER,
             QualitySubjects.NORMAL_MAPS,
             QualitySubjects.BRDF,
             QualitySubjects.SHADOW_FILTER,

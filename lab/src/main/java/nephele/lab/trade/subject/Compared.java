@@ -54,23 +54,8 @@ enum Compared {
         }
 
         @Override
-        LinearPicture read(float[] radiance, RenderTarget picture) {
-            return displayed(picture);
-        }
-
-        @Override
         LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
             return toneMapped(site.oracle(), site.level().environment());
-        }
-
-        @Override
-        ErrorMap flip(LinearPicture exact, LinearPicture test) {
-            return Flip.ofDisplayed(exact, test);
-        }
-
-        @Override
-        BufferedImage shown(LinearPicture picture, Environment environment) {
-            return encoded(picture);
         }
     },
     /** The light that the display emits, against the engine's own radiance tone-mapped in double precision. */
@@ -81,23 +66,8 @@ enum Compared {
         }
 
         @Override
-        LinearPicture read(float[] radiance, RenderTarget picture) {
-            return displayed(picture);
-        }
-
-        @Override
         LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site) {
             return toneMapped(drawn.get(), site.level().environment());
-        }
-
-        @Override
-        ErrorMap flip(LinearPicture exact, LinearPicture test) {
-            return Flip.ofDisplayed(exact, test);
-        }
-
-        @Override
-        BufferedImage shown(LinearPicture picture, Environment environment) {
-            return encoded(picture);
         }
     };
 
@@ -136,12 +106,18 @@ enum Compared {
     abstract Shot judged(Shot shot);
 
     /** @param radiance of the judged shot if its output is HDR; otherwise {@code null} */
-    abstract LinearPicture read(float[] radiance, RenderTarget picture);
+    LinearPicture read(float[] radiance, RenderTarget picture) {
+        return displayed(picture);
+    }
 
     /** @param drawn draws the usual picture's radiance, on request */
     abstract LinearPicture exact(Supplier<LinearPicture> drawn, TradeSite site);
 
-    abstract ErrorMap flip(LinearPicture exact, LinearPicture test);
+    ErrorMap flip(LinearPicture exact, LinearPicture test) {
+        return Flip.ofDisplayed(exact, test);
+    }
 
-    abstract BufferedImage shown(LinearPicture picture, Environment environment);
+    BufferedImage shown(LinearPicture picture, Environment environment) {
+        return encoded(picture);
+    }
 }

@@ -10,6 +10,8 @@ public enum TextureUnit {
     /** An image during allocation or replacement; draws bind their own afterwards. */
     UPLOAD(0),
     NORMALS(1),
+    /** The edges of a displayed picture. */
+    EDGES(1),
     SUN_SHADOW(2),
     LIGHT_SHADOW(3),
     SKY_VISIBILITY(4),

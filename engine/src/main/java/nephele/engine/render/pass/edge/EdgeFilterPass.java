@@ -1,0 +1,81 @@
+package nephele.engine.render.pass.edge;
+
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import nephele.engine.render.frame.Defines;
+import nephele.engine.render.frame.FrameContext;
+import nephele.engine.render.frame.FrameRequest;
+import nephele.engine.render.frame.FullScreenDrawing;
+import nephele.engine.render.frame.LoadContext;
+import nephele.engine.render.frame.Pass;
+import nephele.engine.render.frame.Quality.EdgeFilter;
+import nephele.engine.render.frame.RenderFeature;
+import nephele.engine.render.frame.Required;
+import nephele.engine.render.frame.Stage;
+import nephele.engine.render.frame.Target;
+import nephele.engine.render.gl.DrawState.Depth;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.gl.shader.TextureUnit;
+import nephele.engine.render.gl.shader.Uniforms;
+
+/**
+ * Smooths stairs along edges of the displayed picture, before it is scaled up and before anything is written over it;
+ * exists only if quality requests it.
+ */
+public final class EdgeFilterPass implements Pass {
+    public static final RenderFeature FEATURE =
+            new RenderFeature("edge-filter", Stage.AFTER_ALL, EdgeFilterPass::requiredBy);
+
+    private static final String FOLDER = "/nephele/engine/render/pass/edge/";
+
+    private final EdgePicture edges;
+    private final FullScreenDrawing find;
+    private final FullScreenDrawing copy;
+    private final FullScreenDrawing smooth;
+
+    private EdgeFilterPass(LoadContext context) {
+        edges = context.own(new EdgePicture(context.gl()));
+        find = drawing(context, "full.vert", "edges.frag", uniforms -> {});
+        copy = drawing(context, "full.vert", "copy.frag", uniforms -> uniforms.sampler("edges", TextureUnit.EDGES));
+        smooth = drawing(
+                context, "smooth.vert", "smooth.frag", uniforms -> uniforms.sampler("edges", TextureUnit.EDGES));
+    }
+
+    private static FullScreenDrawing drawing(
+            LoadContext context, String vertex, String fragment, Consumer<Uniforms> more) {
+        var stages = new FullScreenDrawing.Stages(vertex, fragment);
+        return new FullScreenDrawing(context, new Defines(), FOLDER, stages, uniforms -> {
+            uniforms.sampler("displayed", TextureUnit.COLOURS);
+            more.accept(uniforms);
+        });
+    }
+
+    private static List<Required> requiredBy(FrameRequest request) {
+        return request.quality().edgeFilter() == EdgeFilter.NONE
+                ? List.of()
+                : List.of(new Required("quality: edgeFilter", EdgeFilterPass::new));
+    }
+
+    @Override
+    public Set<Target> reads() {
+        return Set.of(Target.PICTURE);
+    }
+
+    @Override
+    public Set<Target> writes() {
+        return Set.of(Target.PICTURE);
+    }
+
+    @Override
+    public void draw(FrameContext frame) {
+        RenderTarget found = edges.ofSizeOf(frame.surface());
+        frame.surface().colour().bind(TextureUnit.COLOURS);
+        find.draw(found, Depth.OFF);
+        edges.colour().bind(TextureUnit.EDGES);
+        RenderTarget written = frame.picture();
+        written.clear(0, 0, 0);
+        copy.draw(written, Depth.LESS_AND_WRITE);
+        smooth.draw(written, Depth.LESS_AND_WRITE);
+    }
+}
