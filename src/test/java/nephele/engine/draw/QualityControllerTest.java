@@ -120,7 +120,7 @@ class QualityControllerTest {
         var controller = new QualityController(QualityFront.SOFTWARE, BUDGET);
         int changes = 0;
         for (int frame = 0; frame < 200; frame++) {
-            boolean isWarmUp = frame < QualityController.WARM_UP_FRAMES;
+            boolean isWarmUp = frame < QualityController.FIRST_WARM_UP_FRAMES;
             changes += controller.add(isWarmUp ? 2000 : 60 * controller.point().cost(), BUDGET / 1000) ? 1 : 0;
         }
         assertEquals("low", controller.point().name());

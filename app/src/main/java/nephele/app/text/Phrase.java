@@ -47,7 +47,7 @@ public enum Phrase {
     SETTING_INVERT_MOUSE("Invert mouse", "Inverter mouse", "Inverter rato"),
     SETTING_CROUCH("Crouch", "Agachar", "Agachar"),
     SETTING_QUALITY("Quality", "Qualidade", "Qualidade"),
-    SETTING_AUTO_FRAME_RATE("Frame rate of automatic", "Taxa do automático", "Taxa do automático"),
+    SETTING_AUTO_FRAME_RATE("Auto: frames/s", "Auto: quadros/s", "Auto: imagens/s"),
     SETTING_WINDOW_MODE("Window", "Janela", "Janela"),
     SETTING_VERTICAL_SYNC("Vertical sync", "Sincronia vertical", "Sincronização vertical"),
     SETTING_FRAME_CAP("Frame cap", "Limite de quadros", "Limite de imagens"),

@@ -4,15 +4,18 @@ import java.util.Arrays;
 
 /**
  * Holds a frame rate by choosing among the points of a {@link QualityFront}. It knows nothing but the costs of the
- * frames: it goes down after a few frames over budget, and up when the slowest of many frames would stay within the
+ * frames: it goes down after a few frames over budget, and up when nearly all of many frames would stay within the
  * budget, at most once in {@value #CLIMB_SECONDS} s; each climb that fails doubles that time.
  */
 public final class QualityController {
     /** Frames after a change that are not counted: programs are compiled and targets allocated in them. */
     static final int WARM_UP_FRAMES = 3;
 
+    /** The same when a level begins: its code is compiled in them, too. */
+    static final int FIRST_WARM_UP_FRAMES = 8;
+
     /** Frames of the first decision, which may go to any point. */
-    static final int FIRST_FRAMES = 6;
+    static final int FIRST_FRAMES = 8;
 
     /** Frames of a decision to climb. */
     static final int WINDOW_FRAMES = 90;
@@ -20,12 +23,15 @@ public final class QualityController {
     /** Recent frames, and how many of them over budget make it go down. */
     private static final int RECENT_FRAMES = 8;
 
-    private static final int TOO_SLOW_FRAMES = 3;
+    private static final int TOO_SLOW_FRAMES = 5;
     /** Frames over budget in the whole window that make it go down. */
-    private static final int TOO_SLOW_IN_WINDOW = 4;
+    private static final int TOO_SLOW_IN_WINDOW = 7;
 
     /** The share of the budget that the first decision and a way down aim at, and that a climb may need. */
     private static final double AIM = 0.8;
+
+    /** The share of frames that a climb regards: a hitch of the system, such as a screenshot, says nothing of the scene. */
+    private static final double USUALLY = 0.97;
 
     private static final double CLIMB_SECONDS = 10;
     private static final double LONGEST_CLIMB_SECONDS = 320;
@@ -37,6 +43,7 @@ public final class QualityController {
     private int point;
     private boolean isFirst;
     private boolean hasClimbed;
+    private int warmUp;
     private int frames;
     private double secondsAtPoint;
     private double climbSeconds = CLIMB_SECONDS;
@@ -54,10 +61,11 @@ public final class QualityController {
         isFirst = true;
         hasClimbed = false;
         climbSeconds = CLIMB_SECONDS;
-        restart();
+        restart(FIRST_WARM_UP_FRAMES);
     }
 
-    private void restart() {
+    private void restart(int uncounted) {
+        warmUp = uncounted;
         frames = 0;
         secondsAtPoint = 0;
     }
@@ -85,15 +93,15 @@ public final class QualityController {
     public boolean add(double millis, double seconds) {
         frames++;
         secondsAtPoint += seconds;
-        if (frames <= WARM_UP_FRAMES) {
+        if (frames <= warmUp) {
             return false;
         }
-        window[(frames - WARM_UP_FRAMES - 1) % WINDOW_FRAMES] = millis;
+        window[(frames - warmUp - 1) % WINDOW_FRAMES] = millis;
         return change(isFirst ? first() : next());
     }
 
     private int counted() {
-        return Math.min(frames - WARM_UP_FRAMES, WINDOW_FRAMES);
+        return Math.min(frames - warmUp, WINDOW_FRAMES);
     }
 
     private int first() {
@@ -112,7 +120,7 @@ public final class QualityController {
         boolean mayClimb = point + 1 < front.points().size()
                 && counted() == WINDOW_FRAMES
                 && secondsAtPoint >= climbSeconds
-                && predicted(quantile(1), point + 1) <= AIM * budgetMillis;
+                && predicted(quantile(USUALLY), point + 1) <= AIM * budgetMillis;
         return mayClimb ? point + 1 : point;
     }
 
@@ -125,7 +133,7 @@ public final class QualityController {
         }
         hasClimbed = next > point;
         point = next;
-        restart();
+        restart(WARM_UP_FRAMES);
         return true;
     }
 
@@ -144,7 +152,7 @@ public final class QualityController {
     }
 
     private boolean isTooSlow() {
-        int last = frames - WARM_UP_FRAMES - 1;
+        int last = frames - warmUp - 1;
         int recent = 0;
         for (int i = 0; i < Math.min(RECENT_FRAMES, counted()); i++) {
             recent += window[(last - i) % WINDOW_FRAMES] > budgetMillis ? 1 : 0;
@@ -161,7 +169,7 @@ public final class QualityController {
     }
 
     private double recentMedian() {
-        int last = frames - WARM_UP_FRAMES - 1;
+        int last = frames - warmUp - 1;
         int size = Math.min(RECENT_FRAMES, counted());
         for (int i = 0; i < size; i++) {
             sorted[i] = window[(last - i) % WINDOW_FRAMES];
@@ -180,15 +188,15 @@ public final class QualityController {
     /**
      * The reason for a choice.
      *
-     * @param slowestMillis cost of the slowest of the last frames; 0 before any was measured
+     * @param slowestMillis cost that nearly all of the last frames stay below; 0 before any was measured
      * @param next the next better point; {@code null} if there is none
-     * @param nextMillis what the slowest frame would cost there
+     * @param nextMillis what it would be there
      */
     public record Reason(double slowestMillis, double budgetMillis, QualityFront.Point next, double nextMillis) {}
 
     /** Returns the reason for the current choice. */
     public Reason reason() {
-        double slowest = counted() <= 0 ? 0 : quantile(1);
+        double slowest = counted() <= 0 ? 0 : quantile(USUALLY);
         if (point + 1 == front.points().size()) {
             return new Reason(slowest, budgetMillis, null, 0);
         }

@@ -2,8 +2,6 @@ package nephele.engine.draw;
 
 import java.util.List;
 import nephele.engine.render.frame.Quality;
-import nephele.engine.render.frame.Quality.NormalMaps;
-import nephele.engine.render.frame.Quality.ShadowSampling;
 
 /**
  * The points of quality among which a frame rate is held: each costs more than the one before and is nearer to the
@@ -21,16 +19,13 @@ public record QualityFront(List<Point> points, int start) {
      */
     public record Point(String name, Quality quality, double cost) {}
 
-    /** On a software renderer pixels are the cost, and their number is the best choice at every cost. */
+    /**
+     * On a software renderer pixels are the cost, and their number is the best choice at every cost. All but {@code
+     * ultra} have the same programs, so that a change compiles none.
+     */
     public static final QualityFront SOFTWARE = new QualityFront(
             List.of(
-                    new Point(
-                            "resolution 0.3",
-                            Quality.LOW
-                                    .withPictureResolution(0.3)
-                                    .withNormalMaps(NormalMaps.OFF)
-                                    .withShadowFilter(ShadowSampling.NEAREST),
-                            0.18),
+                    new Point("resolution 0.3", Quality.LOW.withPictureResolution(0.3), 0.2),
                     new Point("resolution 0.35", Quality.LOW.withPictureResolution(0.35), 0.24),
                     new Point("resolution 0.4", Quality.LOW.withPictureResolution(0.4), 0.28),
                     new Point("low", Quality.LOW, 0.37),
