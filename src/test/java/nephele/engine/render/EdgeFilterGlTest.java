@@ -11,6 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.EdgeFilter;
+import nephele.engine.render.pass.edge.LineArea;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
 import org.junit.jupiter.api.Test;
@@ -80,6 +81,25 @@ class EdgeFilterGlTest {
             double with =
                     rms(offscreen.pixels(square(), TestAssets.NONE, view, settings(EdgeFilter.MORPHOLOGICAL)), exact);
             assertTrue(with <= most * without, with + " of " + without);
+        }
+    }
+
+    @Test
+    void areasEqualTheTwin() {
+        float[] in = new float[4 * 17 * 17 * 9];
+        int at = 0;
+        for (int i = 0; i < 17 * 17; i++) {
+            for (int ends = 0; ends < 9; ends++) {
+                in[at++] = i % 17;
+                in[at++] = i / 17;
+                in[at++] = ends % 3 - 1;
+                in[at++] = ends / 3 - 1;
+            }
+        }
+        float[] gpu = TwinProgram.run("line-area.frag", in, in.length / 4, uniforms -> {});
+        for (int i = 0; i < in.length / 4; i++) {
+            double exact = LineArea.beyond(in[4 * i], in[4 * i + 1], in[4 * i + 2], in[4 * i + 3]);
+            assertEquals(exact, gpu[3 * i], 1e-6);
         }
     }
 

@@ -12,6 +12,8 @@ import nephele.engine.scene.light.ShadowFilter;
 import nephele.engine.scene.light.SkyIrradiance;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Every include that computes light equals its Java twin: float on one side, double on the other. */
 class LightTwinsGlTest {
@@ -43,6 +45,19 @@ class LightTwinsGlTest {
             double roughness = Math.max(in[16 * i + 3], Brdf.MIN_ROUGHNESS);
             assertClose(expected, gpu, i, roughness < 0.2 ? 2e-2 : 2e-3, 1e-5);
         }
+    }
+
+    /** ALL_DIFFUSE adds diffuse light in place of an insulator's specular lobe: the lobe's albedo at middle roughness. */
+    @ParameterizedTest
+    @CsvSource({"0.1, 0.09", "0.6, 0.05", "1, 0.02"})
+    void anInsulatorsLobeReturnsFivePercent(double roughness, double albedo) {
+        double sum = 0;
+        for (int i = 0; i < 1000; i++) {
+            // Equal steps of the cosine's square are equal parts of the cosine-weighted hemisphere.
+            double mu = Math.sqrt((i + 0.5) / 1000);
+            sum += Brdf.of(new Vector3d(), roughness, 0, mu).ambientSpecular().x() / 1000;
+        }
+        assertEquals(albedo, sum, 0.005);
     }
 
     /** White metal and a white insulator of every roughness reflect 1 in a white furnace, on the GPU too. */

@@ -5,12 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import nephele.engine.asset.TestAssets;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
 import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
+import nephele.engine.render.frame.Quality.EdgeFilter;
 import nephele.engine.render.frame.Quality.Upscale;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
@@ -57,6 +59,59 @@ class UpscaleGlTest {
             }
             // A shift by half a pixel would leave 255 a pixel along the square's 64 rows, or half that.
             assertEquals(0, sum / 64.0, 12);
+        }
+    }
+
+    /**
+     * The scaled picture equals the small one, drawn for itself and interpolated in double precision by all sixteen
+     * weights; the shader omits the corner ones, which are below half a percent each.
+     */
+    @ParameterizedTest
+    @CsvSource({"BILINEAR, 1", "CATMULL_ROM, 3"})
+    void filtersEqualTheirTwins(Upscale filter, int most) {
+        View slanted = View.lookAt(
+                new Vec3(0.2, 0.1, 1.5), Vec3.ZERO, new Vec3(0.3, 1, 0), new Projection(Math.PI / 2, 1, 0.05, 1000));
+        int[] small;
+        try (var offscreen = new Offscreen(32, 32)) {
+            small = offscreen.pixels(square(), TestAssets.NONE, slanted, settings(Output.PLAIN, 1, filter));
+        }
+        try (var offscreen = new Offscreen(64, 64)) {
+            int[] scaled = offscreen.pixels(square(), TestAssets.NONE, slanted, settings(Output.PLAIN, 0.5, filter));
+            for (int i = 0; i < scaled.length; i++) {
+                double exact = interpolated(small, (i % 64 + 0.5) / 2 - 0.5, (i / 64 + 0.5) / 2 - 0.5, filter);
+                assertEquals(exact, Offscreen.red(scaled[i]), most, "pixel " + i % 64 + ", " + i / 64);
+            }
+        }
+    }
+
+    private static double interpolated(int[] small, double x, double y, Upscale filter) {
+        double sum = 0;
+        for (int row = -1; row <= 2; row++) {
+            for (int column = -1; column <= 2; column++) {
+                int texelX = (int) Math.floor(x) + column;
+                int texelY = (int) Math.floor(y) + row;
+                int texel = small[32 * Math.max(0, Math.min(31, texelY)) + Math.max(0, Math.min(31, texelX))];
+                sum += weight(x - texelX, filter) * weight(y - texelY, filter) * Offscreen.red(texel);
+            }
+        }
+        return Math.max(0, Math.min(255, sum));
+    }
+
+    private static double weight(double distance, Upscale filter) {
+        double d = Math.abs(distance);
+        if (filter == Upscale.BILINEAR) {
+            return Math.max(0, 1 - d);
+        }
+        return d < 1 ? 1 + d * d * (1.5 * d - 2.5) : d < 2 ? 2 + d * (-4 + d * (2.5 - 0.5 * d)) : 0;
+    }
+
+    /** One colour needs no pixels. */
+    @Test
+    void theEmptyLevelIsOneClearAtEveryQuality() {
+        var settings = RenderSettings.of(Output.PLAIN, Quality.LOW.withEdgeFilter(EdgeFilter.MORPHOLOGICAL));
+        try (var offscreen = new Offscreen(8, 8);
+                var renderer = Renderer.load(offscreen.gl, new TestLevel().level(), TestAssets.NONE, settings)) {
+            assertEquals(List.of("clear"), renderer.stepNames());
         }
     }
 

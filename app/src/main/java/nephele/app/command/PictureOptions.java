@@ -68,6 +68,7 @@ final class PictureOptions {
         var settings = choice.settings(
                 forced != null ? forced : output(opened), gl.limits().software());
         if (forced == Output.HDR) {
+            // Radiance is read before the picture is scaled up.
             settings = settings.with(settings.quality().withPictureResolution(1));
         }
         var shown = choice.shown(opened);

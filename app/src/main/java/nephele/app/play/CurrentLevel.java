@@ -8,6 +8,7 @@ import nephele.engine.terminal.CommandFailure;
 
 /** The level being played, if any, with its figures and its recording. */
 final class CurrentLevel implements AutoCloseable {
+    private final GlContext gl;
     private final FrameStatisticsControl figures;
     private final Recordings recordings;
     private final Message message;
@@ -15,6 +16,7 @@ final class CurrentLevel implements AutoCloseable {
     private Session session;
 
     CurrentLevel(GlContext gl, Recordings recordings, Message message, AutoQuality auto) {
+        this.gl = gl;
         this.auto = auto;
         figures = new FrameStatisticsControl(gl);
         this.recordings = recordings;
@@ -46,7 +48,7 @@ final class CurrentLevel implements AutoCloseable {
     }
 
     /** Draws the level with the chosen quality. */
-    void redraw(GlContext gl) {
+    void redraw() {
         boolean showsFigures = figures.isOpen();
         figures.close();
         session.redraw(gl, auto);
@@ -56,9 +58,9 @@ final class CurrentLevel implements AutoCloseable {
     }
 
     /** Draws with another quality from the next frame on if the frame rate asks for it. */
-    void frameCost(GlContext gl, double millis) {
+    void frameCost(double millis) {
         if (auto.frame(session.request(), millis)) {
-            redraw(gl);
+            redraw();
         }
     }
 

@@ -59,8 +59,8 @@ public final class GameLoop implements AutoCloseable {
         auto = new AutoQuality(files, gl.limits().software());
         current = new CurrentLevel(gl, new Recordings(request.record()), message, auto);
         display = new Display(window, gl, Screenshots.inUsualFolder());
-        settings = new SettingsControl(window, gl, input, menus, menu, current, message);
-        picture = new GamePicture(gl, display, current, menu, message, files);
+        settings = new SettingsControl(window, input, menus, menu, current, message);
+        picture = new GamePicture(display, current, menu, message, files);
         if (!request.picture().fullScreen()) {
             settings.applyToWindow();
         }

@@ -9,12 +9,10 @@ import nephele.app.settings.GameSettings;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.engine.level.Language;
-import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.state.TickEvent;
 
 /** Draws a frame of the game: the level as the stage shows it, and the overlay above it. */
 final class GamePicture {
-    private final GlContext gl;
     private final Display display;
     private final CurrentLevel current;
     private final MenuControl menu;
@@ -26,9 +24,7 @@ final class GamePicture {
     private GameSettings keysOf;
     private HudContent.Keys keys;
 
-    GamePicture(
-            GlContext gl, Display display, CurrentLevel current, MenuControl menu, Message message, PlayerFiles files) {
-        this.gl = gl;
+    GamePicture(Display display, CurrentLevel current, MenuControl menu, Message message, PlayerFiles files) {
         this.display = display;
         this.current = current;
         this.menu = menu;
@@ -80,7 +76,8 @@ final class GamePicture {
                 : display.draw(session, content, listener, shot);
         current.figures().frameEnds(session.walk());
         if (saved == null) {
-            current.frameCost(gl, display.costMillis());
+            // A frame with a screenshot waits for a file.
+            current.frameCost(display.costMillis());
         }
         return saved;
     }

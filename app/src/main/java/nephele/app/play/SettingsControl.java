@@ -12,7 +12,6 @@ import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
 import nephele.app.window.KeyNames;
-import nephele.engine.render.gl.GlContext;
 
 /** Changes settings from the menu, keeps them, and applies them at once to window and level. */
 final class SettingsControl {
@@ -21,7 +20,6 @@ final class SettingsControl {
             Set.of(Settings.ASSISTS, Settings.UPRIGHT, Settings.REDUCED_MOTION);
 
     private final GameWindow window;
-    private final GlContext gl;
     private final Input input;
     private final PlayerFiles files;
     private final GameMenus menus;
@@ -31,15 +29,8 @@ final class SettingsControl {
     private Control awaited;
 
     SettingsControl(
-            GameWindow window,
-            GlContext gl,
-            Input input,
-            GameMenus menus,
-            MenuControl menu,
-            CurrentLevel current,
-            Message message) {
+            GameWindow window, Input input, GameMenus menus, MenuControl menu, CurrentLevel current, Message message) {
         this.window = window;
-        this.gl = gl;
         this.input = input;
         this.menus = menus;
         this.menu = menu;
@@ -60,7 +51,7 @@ final class SettingsControl {
         if (current.session() != null) {
             current.session().apply();
             if (step.setting().equals(Settings.QUALITY)) {
-                current.redraw(gl);
+                current.redraw();
             }
         }
     }

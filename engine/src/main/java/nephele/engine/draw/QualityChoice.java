@@ -104,7 +104,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
                     case "medium" -> Quality.MEDIUM;
                     case "high" -> Quality.HIGH;
                     case "ultra" -> Quality.ULTRA;
-                    case "auto" -> software ? Quality.LOW : Quality.ULTRA; // where the control of the frame rate begins
+                    case "auto" -> QualityFront.of(software).first().quality();
                     default ->
                         throw CommandFailure.usage(
                                 "--quality is low, medium, high, ultra or auto, not `" + preset + "`");
@@ -120,7 +120,7 @@ public record QualityChoice(String preset, Map<String, String> settings) {
     /**
      * Returns all render settings. Ids are drawn without multisampling, decoration or reuse of other frames.
      *
-     * @param software true for a software renderer: auto is low instead of ultra, and presets have fewer samples
+     * @param software true for a software renderer: auto begins with low instead of ultra, and presets have fewer samples
      * @throws CommandFailure for an unknown preset or setting
      */
     public RenderSettings settings(Output output, boolean software) {

@@ -49,6 +49,11 @@ public record QualityFront(List<Point> points, int start) {
         points = List.copyOf(points);
     }
 
+    /** Returns the point of the first frames. */
+    public Point first() {
+        return points.get(start);
+    }
+
     public static QualityFront of(boolean software) {
         return software ? SOFTWARE : HARDWARE;
     }

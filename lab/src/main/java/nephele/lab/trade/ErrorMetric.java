@@ -14,4 +14,7 @@ public record ErrorMetric(String name, String unit, double step, double enough) 
      * visible.
      */
     public static final ErrorMetric PICTURE = new ErrorMetric("mean HDR-FLIP", "", 5e-4, 2e-3);
+
+    /** The same of pictures as they are displayed. */
+    public static final ErrorMetric DISPLAYED = new ErrorMetric("mean FLIP as displayed", "", 5e-4, 2e-3);
 }

@@ -1,9 +1,11 @@
 package nephele.engine.render.frame;
 
 import nephele.engine.level.Level;
+import nephele.engine.level.Sky;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.scene.dynamic.CharacterPresence;
+import nephele.engine.scene.light.LightRequirements;
 
 /**
  * The request that a renderer's frames fulfil: everything on which the choice of passes depends.
@@ -30,6 +32,17 @@ public record FrameRequest(
 
     public boolean hasBodies() {
         return !level.bodies().isEmpty();
+    }
+
+    /** Returns false if the level's picture is one colour, for which nothing is drawn but the clear. */
+    public boolean drawsSomething() {
+        Sky sky = level.environment().sky();
+        return LightRequirements.hasSurfaces(level)
+                || hasBodies()
+                || mayShowCharacter()
+                || !level.exits().isEmpty()
+                || sky instanceof Sky.Gradient
+                || sky instanceof Sky.Skybox;
     }
 
     public boolean mayShowCharacter() {

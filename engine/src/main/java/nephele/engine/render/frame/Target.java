@@ -4,7 +4,7 @@ import nephele.engine.render.gl.shader.TextureUnit;
 
 /** The targets by which passes depend on each other. */
 public enum Target {
-    /** The target of surfaces: the linear picture for output HDR, else the final one. */
+    /** The target of surfaces: linear for output HDR, else display-referred; afterwards what the passes make of it. */
     SURFACE(null),
     /** The final 8-bit picture, display-referred. */
     PICTURE(null),

@@ -18,6 +18,11 @@ public final class GpuTimer implements GlObject {
         glEndQuery(GL_TIME_ELAPSED);
     }
 
+    /** Returns true if {@link #nanoseconds} would not wait. */
+    public boolean isDone() {
+        return glGetQueryObjecti(query.id(), GL_QUERY_RESULT_AVAILABLE) == GL_TRUE;
+    }
+
     /** Waits for the result of the last start and stop, and returns it. */
     public long nanoseconds() {
         return glGetQueryObjecti64(query.id(), GL_QUERY_RESULT);

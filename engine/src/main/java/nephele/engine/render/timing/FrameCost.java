@@ -5,8 +5,8 @@ import nephele.engine.render.gl.GpuTimer;
 
 /**
  * The time that a frame takes, without waiting for the display: on hardware the longer of the CPU's time until all is
- * submitted and the GPU's time for the frame before; in software, which draws before it shows, the time until it is
- * shown.
+ * submitted and the GPU's time for the last frame that it has finished; in software, which draws before it shows, the
+ * time until it is shown.
  */
 public final class FrameCost implements AutoCloseable {
     /** {@code null} in software. */
@@ -29,11 +29,11 @@ public final class FrameCost implements AutoCloseable {
      * @param otherQueries true if other timer queries run in this frame, since queries cannot be nested
      */
     public void begins(boolean otherQueries) {
-        if (answerWaits) {
+        if (answerWaits && timer.isDone()) {
             gpuMillis = timer.nanoseconds() / 1e6;
             answerWaits = false;
         }
-        isTimed = timer != null && !otherQueries;
+        isTimed = timer != null && !otherQueries && !answerWaits;
         if (isTimed) {
             timer.start();
         }

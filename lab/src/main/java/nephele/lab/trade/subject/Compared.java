@@ -12,6 +12,7 @@ import nephele.engine.render.ToneMappedPicture;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.render.gl.RenderTarget;
+import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.TradeSite;
 
 /** The values of a picture that are judged, and their reference. */
@@ -20,7 +21,7 @@ enum Compared {
      * Radiance before exposure and tone curve, against the oracle, which draws no rims: the setting's own error at
      * every exposure.
      */
-    RADIANCE {
+    RADIANCE(ErrorMetric.PICTURE) {
         @Override
         Shot judged(Shot shot) {
             return shot.with(Output.HDR).set("rims", "off");
@@ -47,7 +48,7 @@ enum Compared {
         }
     },
     /** The light that the display emits, against the oracle's tone-mapped radiance: the picture that a player sees. */
-    SEEN {
+    SEEN(ErrorMetric.DISPLAYED) {
         @Override
         Shot judged(Shot shot) {
             return shot.set("rims", "off");
@@ -59,7 +60,7 @@ enum Compared {
         }
     },
     /** The light that the display emits, against the engine's own radiance tone-mapped in double precision. */
-    DISPLAY {
+    DISPLAY(ErrorMetric.DISPLAYED) {
         @Override
         Shot judged(Shot shot) {
             return shot;
@@ -70,6 +71,17 @@ enum Compared {
             return toneMapped(drawn.get(), site.level().environment());
         }
     };
+
+    private final ErrorMetric error;
+
+    Compared(ErrorMetric error) {
+        this.error = error;
+    }
+
+    /** Returns the measure of the difference from the reference. */
+    ErrorMetric error() {
+        return error;
+    }
 
     private static LinearPicture displayed(RenderTarget picture) {
         ByteBuffer rgba = picture.readBytes();

@@ -3,7 +3,6 @@ package nephele.lab.trade.subject;
 import java.util.List;
 import nephele.engine.render.frame.Output;
 import nephele.lab.trade.CostMetric;
-import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
@@ -37,11 +36,11 @@ public final class PictureSubjects {
             List.of("anisotropy"),
             "1",
             List.of(
-                    PictureSetting.of("anisotropy", 1, "low, medium and high"),
+                    PictureSetting.of("anisotropy", 1, "all presets in software"),
                     PictureSetting.of("anisotropy", 2, ""),
                     PictureSetting.of("anisotropy", 4, ""),
-                    PictureSetting.of("anisotropy", 8, "ultra"),
-                    PictureSetting.of("anisotropy", 16, "the most that drivers offer")));
+                    PictureSetting.of("anisotropy", 8, ""),
+                    PictureSetting.of("anisotropy", 16, "ultra on a graphics card")));
 
     private static final List<PictureSetting> OUTPUTS = List.of(
             new PictureSetting(
@@ -51,7 +50,7 @@ public final class PictureSubjects {
                     new Setting("hdr", "half floats first, then one tone-mapping pass"),
                     shot -> shot.with(Output.HDR)));
 
-    public static final Trade OUTPUT = new Trade(
+    public static final Trade OUTPUT = of(
             "output",
             new Trade.Text(
                     "Where the tone curve is applied",
@@ -61,13 +60,9 @@ public final class PictureSubjects {
                         + " to dither.",
                     "the engine's own radiance in linear light, tone-mapped in double precision"),
             List.of(),
-            OUTPUTS.stream().map(PictureSetting::setting).toList(),
-            0,
-            new ErrorMetric("mean FLIP as displayed", "", 5e-4, 2e-3),
-            XmlPictureExperiment.FIGURES,
-            CostMetric.FRAME,
-            null,
-            site -> new PictureExperiment(site, OUTPUTS, Compared.DISPLAY));
+            "direct",
+            OUTPUTS,
+            Compared.DISPLAY);
 
     public static final Trade CULLING = of(
             "culling",
@@ -94,6 +89,16 @@ public final class PictureSubjects {
     private PictureSubjects() {}
 
     static Trade of(String subject, Trade.Text text, List<String> fields, String usual, List<PictureSetting> settings) {
+        return of(subject, text, fields, usual, settings, Compared.RADIANCE);
+    }
+
+    static Trade of(
+            String subject,
+            Trade.Text text,
+            List<String> fields,
+            String usual,
+            List<PictureSetting> settings,
+            Compared compared) {
         List<String> names =
                 settings.stream().map(setting -> setting.setting().name()).toList();
         return new Trade(
@@ -102,10 +107,10 @@ public final class PictureSubjects {
                 fields,
                 settings.stream().map(PictureSetting::setting).toList(),
                 names.indexOf(usual),
-                ErrorMetric.PICTURE,
-                FIGURES,
+                compared.error(),
+                compared == Compared.RADIANCE ? FIGURES : XmlPictureExperiment.FIGURES,
                 CostMetric.FRAME,
                 null,
-                site -> new PictureExperiment(site, settings, Compared.RADIANCE));
+                site -> new PictureExperiment(site, settings, compared));
     }
 }

@@ -2,8 +2,6 @@ package nephele.lab.trade.subject;
 
 import java.util.List;
 import java.util.stream.Stream;
-import nephele.lab.trade.CostMetric;
-import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
@@ -17,8 +15,8 @@ public final class QualitySubjects {
             "quality",
             new Trade.Text(
                     "Presets of quality",
-                    "Each preset is a point of the front that the other subjects measure: resolution first, then the"
-                            + " light on surfaces, then the edges.",
+                    "Each preset is a point of the front that the other subjects measure: fewer pixels below,"
+                            + " more samples above.",
                     SEEN),
             List.of(),
             "high",
@@ -135,18 +133,6 @@ public final class QualitySubjects {
 
     private static Trade seen(
             String subject, Trade.Text text, List<String> fields, String usual, List<PictureSetting> settings) {
-        List<String> names =
-                settings.stream().map(setting -> setting.setting().name()).toList();
-        return new Trade(
-                subject,
-                text,
-                fields,
-                settings.stream().map(PictureSetting::setting).toList(),
-                names.indexOf(usual),
-                new ErrorMetric("mean FLIP as displayed", "", 5e-4, 2e-3),
-                XmlPictureExperiment.FIGURES,
-                CostMetric.FRAME,
-                null,
-                site -> new PictureExperiment(site, settings, Compared.SEEN));
+        return PictureSubjects.of(subject, text, fields, usual, settings, Compared.SEEN);
     }
 }

@@ -52,14 +52,14 @@ public final class EdgeFilterPass implements Pass {
     }
 
     private static List<Required> requiredBy(FrameRequest request) {
-        return request.quality().edgeFilter() == EdgeFilter.NONE
+        return request.quality().edgeFilter() == EdgeFilter.NONE || !request.drawsSomething()
                 ? List.of()
                 : List.of(new Required("quality: edgeFilter", EdgeFilterPass::new));
     }
 
     @Override
     public Set<Target> reads() {
-        return Set.of(Target.PICTURE);
+        return Set.of(Target.SURFACE);
     }
 
     @Override

@@ -1,6 +1,6 @@
 package nephele.engine.render.pass.edge;
 
-/** The part of a pixel beyond the straight line that an edge of the pixel grid stands for; twin of {@code smooth.frag}. */
+/** The part of a pixel beyond the straight line that an edge of the pixel grid stands for; twin of {@code line-area.glsl}. */
 public final class LineArea {
     private LineArea() {}
 

@@ -36,14 +36,14 @@ public final class UpscalePass implements Pass {
 
     private static List<Required> requiredBy(FrameRequest request) {
         double resolution = request.quality().pictureResolution();
-        return resolution == 1
+        return resolution == 1 || !request.drawsSomething()
                 ? List.of()
                 : List.of(new Required("quality: pictureResolution " + resolution, UpscalePass::new));
     }
 
     @Override
     public Set<Target> reads() {
-        return Set.of(Target.PICTURE);
+        return Set.of(Target.SURFACE);
     }
 
     @Override

@@ -1,10 +1,11 @@
 // Morphological antialiasing: an edge of the pixel grid is read as a straight line between the crossing edges at its ends,
 // and each pixel takes as much of its neighbour across the edge as lies on the other side of that line (Reshetov 2009,
 // "Morphological Antialiasing"; Jimenez et al. 2012, "SMAA: Enhanced Subpixel Morphological Antialiasing", sections 3 and
-// 4; areas are computed here, not looked up). Light is mixed linearly. Twin: nephele.engine.render.pass.edge.LineArea.
+// 4; areas are computed, not looked up). Light is mixed linearly.
 
 uniform sampler2D displayed;
 #include "surrounding-edges.glsl"
+#include "line-area.glsl"
 
 layout(location = 0) out vec4 pixel;
 
@@ -18,22 +19,6 @@ vec3 linearOf(vec3 encoded) {
 vec3 encodedOf(vec3 linear) {
     vec3 power = 1.055 * pow(max(linear, 1e-5), vec3(1.0 / 2.4)) - 0.055;
     return mix(12.92 * linear, power, greaterThan(linear, vec3(0.0031308)));
-}
-
-// Returns the integral from 0 to x of a line that falls from height at 0 to 0 at middle.
-float fallingArea(float x, float middle, float height) {
-    float t = min(x, middle);
-    return height * t * (1.0 - 0.5 * t / middle);
-}
-
-// Returns the part of a pixel that lies beyond the line: it starts `before` pixels before the pixel and ends `after` behind
-// it, half a pixel off the edge towards the side where each end is crossed: 1 this one, -1 the other one, 0 neither.
-float areaBeyond(float before, float after, float atStart, float atEnd) {
-    float size = before + 1.0 + after;
-    float middle = 0.5 * size;
-    float startPart = fallingArea(before + 1.0, middle, 0.5 * atStart) - fallingArea(before, middle, 0.5 * atStart);
-    float endPart = fallingArea(after + 1.0, middle, 0.5 * atEnd) - fallingArea(after, middle, 0.5 * atEnd);
-    return max(startPart, 0.0) + max(endPart, 0.0);
 }
 
 // Returns which side of a lower edge is crossed at the left end of a pixel: 1 the pixel's own, -1 the one below. A crossing
