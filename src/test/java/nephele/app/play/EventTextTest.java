@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
+import nephele.engine.level.Language;
 import nephele.engine.math.Vec3;
 import nephele.engine.portal.placement.Refusal;
 import nephele.engine.sim.state.GunPortals.Colour;
@@ -16,19 +17,22 @@ import org.junit.jupiter.api.Test;
 class EventTextTest {
     @Test
     void everyRefusalHasItsOwnReason() {
-        Set<String> texts = new HashSet<>();
-        for (Refusal reason : Refusal.values()) {
-            texts.add(EventText.of(new TickEvent.PortalRefused(Colour.FIRST, reason, Vec3.ZERO))
-                    .orElseThrow());
+        for (Language language : Language.values()) {
+            Set<String> texts = new HashSet<>();
+            for (Refusal reason : Refusal.values()) {
+                texts.add(EventText.of(new TickEvent.PortalRefused(Colour.FIRST, reason, Vec3.ZERO), language)
+                        .orElseThrow());
+            }
+            assertEquals(Refusal.values().length, texts.size());
+            assertTrue(texts.stream().allMatch(text -> text.contains(" portal: ")));
         }
-        assertEquals(Refusal.values().length, texts.size());
-        assertTrue(texts.stream().allMatch(text -> text.startsWith("No portal: ")));
     }
 
     @Test
     void whatWentWellNeedsNoWords() {
-        assertEquals(Optional.empty(), EventText.of(new TickEvent.PortalOpened(Colour.SECOND, 1)));
-        assertEquals(Optional.empty(), EventText.of(new Handled(Handled.Kind.PICKED_UP, 0)));
-        assertTrue(EventText.of(new Handled(Handled.Kind.TOO_HEAVY, 0)).isPresent());
+        assertEquals(Optional.empty(), EventText.of(new TickEvent.PortalOpened(Colour.SECOND, 1), Language.EN));
+        assertEquals(Optional.empty(), EventText.of(new Handled(Handled.Kind.PICKED_UP, 0), Language.EN));
+        assertTrue(EventText.of(new Handled(Handled.Kind.TOO_HEAVY, 0), Language.EN)
+                .isPresent());
     }
 }

@@ -3,10 +3,13 @@ package nephele.app.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Set;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.Settings;
 import nephele.app.window.Control;
+import nephele.app.window.Gamepad;
 import nephele.app.window.Input;
+import nephele.app.window.PadState;
 import nephele.engine.level.Level;
 import nephele.engine.named.LevelName;
 import nephele.engine.playthrough.Playthrough;
@@ -91,5 +94,19 @@ class LiveInputTest {
             input.key(Control.CROUCH, i == 0 || i == 1 || i == 3);
             assertEquals(expected[i], hands.next().holds(Action.CROUCH), "tick " + i);
         }
+    }
+
+    /** Half a stick is half the speed; with a key it is no more than full speed. */
+    @Test
+    void aStickWalksByDegrees() {
+        var gamepad = new Gamepad(input);
+        LiveInput hands = new LiveInput(input, () -> settings);
+        gamepad.update(new PadState(Set.of(), 0, -0.59, 0, 0), Gamepad.Use.PLAY, 0.01);
+        assertEquals(50, hands.next().forwardPercent());
+        input.key(Control.FORWARD, true);
+        assertEquals(100, hands.next().forwardPercent());
+        input.key(Control.FORWARD, false);
+        input.key(Control.BACK, true);
+        assertEquals(-50, hands.next().forwardPercent());
     }
 }

@@ -28,8 +28,8 @@ class MenuControlTest {
     private static final LevelName SHOT = new LevelName("levels/02-first-shot.json");
 
     private final PlayerFiles files = new PlayerFiles(new UserFolders(null, null));
-    private final GameMenus menus = new GameMenus(files, List.of(COURTYARD, SHOT));
     private final Input input = new Input();
+    private final GameMenus menus = new GameMenus(files, List.of(COURTYARD, SHOT), input::device);
     private final MenuControl control = new MenuControl(input);
 
     @BeforeEach

@@ -7,6 +7,7 @@ import java.util.List;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.Settings;
 import nephele.app.window.Control;
+import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.level.Level;
 import nephele.engine.level.TestLevel;
@@ -28,6 +29,7 @@ import org.junit.jupiter.api.Test;
 class PromptsTest {
     private final Prompts prompts = new Prompts();
     private GameSettings settings = GameSettings.DEFAULT;
+    private Input.Device device = Input.Device.KEYBOARD;
 
     private static Playthrough standing(double cubeZ) {
         Level level = new TestLevel()
@@ -40,13 +42,16 @@ class PromptsTest {
 
     private String text(Playthrough playthrough, Shot first) {
         Half half = new Half(Portal.NONE, first);
-        return prompts.text(playthrough, new CrosshairState(0, 0, half, half), settings);
+        return prompts.text(playthrough, new CrosshairState(0, 0, half, half), settings, device);
     }
 
     @Test
     void aBodyInReachIsOfferedUntilOneWasPickedUp() {
         Playthrough near = standing(-1.2);
         assertEquals("E: pick up", text(near, Shot.REFUSED));
+        device = Input.Device.GAMEPAD;
+        assertEquals("X: pick up", text(near, Shot.REFUSED));
+        device = Input.Device.KEYBOARD;
         assertNull(text(standing(-8), Shot.REFUSED));
         settings =
                 settings.with(Settings.KEYS.get(Control.CARRY), List.of("Q")).with(Settings.LANGUAGE, Language.PT_PT);

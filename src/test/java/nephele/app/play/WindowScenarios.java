@@ -2,6 +2,7 @@ package nephele.app.play;
 
 import static org.lwjgl.glfw.GLFW.*;
 
+import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -11,6 +12,8 @@ import nephele.app.settings.UserFolders;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
+import nephele.app.window.WindowMode;
+import nephele.app.window.WindowSize;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.named.LevelName;
 import nephele.engine.render.gl.GlContext;
@@ -23,6 +26,11 @@ import org.lwjgl.system.MemoryUtil;
  */
 public final class WindowScenarios {
     private static final int MOST_FRAMES = 400;
+    private static final int WARMING_FRAMES = 200;
+    private static final int MEASURED_FRAMES = 100;
+    private static final double BYTES_OF_A_TICK = 1 << 10;
+    private static final double MOST_BYTES_IN_PLAY = 2 << 10;
+    private static final double MOST_BYTES_IN_MENUS = 64 << 10;
 
     private final Input input = new Input();
     private final GameWindow window = GameWindow.open(new GameWindow.Request("Nephele test", 320, 180), input);
@@ -30,6 +38,7 @@ public final class WindowScenarios {
     private final GlContext gl = GlContext.ofCurrent();
     private final Map<?, Integer> baseline = gl.live().counts();
     private final GameLoop loop;
+    private double frameBytes;
 
     private WindowScenarios(String level) {
         var picture = new PlayRequest.Picture(320, 180, false);
@@ -91,8 +100,18 @@ public final class WindowScenarios {
                         () -> cursor() == GLFW_CURSOR_DISABLED && input.takeCountsRight() == 0),
                 new Scenario("fills the screen", () -> press(Control.FULL_SCREEN), () -> isSize(1024, 600)),
                 new Scenario("leaves the full screen", () -> press(Control.FULL_SCREEN), () -> isSize(400, 200)),
+                new Scenario(
+                        "covers the screen without a frame",
+                        () -> window.become(WindowMode.BORDERLESS, null),
+                        () -> isSize(1024, 600) && glfwGetWindowAttrib(handle, GLFW_DECORATED) == GLFW_FALSE),
+                new Scenario(
+                        "has a frame again and another size",
+                        () -> window.become(WindowMode.WINDOWED, new WindowSize(360, 190)),
+                        () -> isSize(360, 190) && glfwGetWindowAttrib(handle, GLFW_DECORATED) == GLFW_TRUE),
+                new Scenario("draws steadily", this::measureFrames, () -> frameBytes <= MOST_BYTES_IN_PLAY),
                 new Scenario("shows figures", () -> press(Control.FIGURES), () -> loop.stage() == GameStage.RUNNING),
                 new Scenario("opens the menu", () -> press(Control.MENU), () -> loop.stage() == GameStage.MENU),
+                new Scenario("rests in it", this::measureFrames, () -> frameBytes <= MOST_BYTES_IN_MENUS),
                 new Scenario("frees the mouse in it", () -> {}, () -> cursor() == GLFW_CURSOR_NORMAL),
                 new Scenario("continues", () -> press(Control.CONFIRM), () -> loop.stage() == GameStage.RUNNING),
                 new Scenario(
@@ -121,8 +140,8 @@ public final class WindowScenarios {
                 return "ok";
             }
         }
-        return "not after " + MOST_FRAMES + " frames; size " + window.width() + "x" + window.height() + ", stage "
-                + loop.stage() + ", focus " + window.hasFocus();
+        return "not after " + MOST_FRAMES + " frames; " + frameBytes + " bytes a frame, size " + window.width() + "x"
+                + window.height() + ", stage " + loop.stage() + ", focus " + window.hasFocus();
     }
 
     private void finish() {
@@ -141,6 +160,26 @@ public final class WindowScenarios {
 
     private boolean isSize(int width, int height) {
         return window.width() == width && window.height() == height;
+    }
+
+    /**
+     * Measures the heap memory that this thread takes for a frame, bytes, when caches are warm; without that of the
+     * ticks, which have a bound of their own.
+     */
+    private void measureFrames() {
+        var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long bytes = 0;
+        long nanos = 0;
+        for (int frame = -WARMING_FRAMES; frame < MEASURED_FRAMES; frame++) {
+            bytes = frame == 0 ? threads.getCurrentThreadAllocatedBytes() : bytes;
+            nanos = frame == 0 ? System.nanoTime() : nanos;
+            loop.frame();
+        }
+        bytes = threads.getCurrentThreadAllocatedBytes() - bytes;
+        double ticks = loop.stage() == GameStage.RUNNING
+                ? SimSettings.DEFAULT.ticksPerSecond() * (System.nanoTime() - nanos) / 1e9
+                : 0;
+        frameBytes = (bytes - ticks * BYTES_OF_A_TICK) / MEASURED_FRAMES;
     }
 
     private int cursor() {

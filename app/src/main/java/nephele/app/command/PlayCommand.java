@@ -8,8 +8,10 @@ import nephele.app.play.PlayRequest;
 import nephele.app.play.StartProfile;
 import nephele.app.play.WindowedGame;
 import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Settings;
 import nephele.app.settings.UserFolders;
 import nephele.app.window.SystemDisplay;
+import nephele.app.window.WindowSize;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
@@ -85,8 +87,8 @@ final class PlayCommand implements Command {
             names = "--size",
             paramLabel = "WxH",
             converter = Size.Converter.class,
-            description = "The window or picture in pixels (default: 1280x720).")
-    private Size size = Size.DEFAULT;
+            description = "The window or picture in pixels (default: the settings' resolution, else 1280x720).")
+    private Size size;
 
     @Option(
             names = "--profile-start",
@@ -119,10 +121,10 @@ final class PlayCommand implements Command {
     private PlayRequest request(Terminal terminal) {
         boolean showsTitle = level == null && SystemDisplay.isPresent() && replay == null && from == null;
         var name = showsTitle ? null : level == null ? LevelCatalogue.first() : new LevelName(level);
-        var picture = new PlayRequest.Picture(size.width(), size.height(), fullScreen);
         var log = terminal.detail() == Terminal.Detail.VERBOSE ? terminal.err() : null;
         var files = new PlayerFiles(UserFolders.ofThisUser());
         files.takeProblems().forEach(terminal.err()::println);
+        var picture = picture(Settings.resolution(files.settings()));
         return new PlayRequest(
                 name,
                 from,
@@ -132,6 +134,13 @@ final class PlayCommand implements Command {
                 settings(),
                 picture,
                 new PlayRequest.Player(files, log));
+    }
+
+    /** @param chosen by the player's settings; null for none */
+    private PlayRequest.Picture picture(WindowSize chosen) {
+        Size usual = chosen == null ? Size.DEFAULT : new Size(chosen.width(), chosen.height());
+        Size pixels = size == null ? usual : size;
+        return new PlayRequest.Picture(pixels.width(), pixels.height(), fullScreen);
     }
 
     private PlayRequest.Shown shown(LevelName name, Terminal terminal) {

@@ -35,7 +35,7 @@ final class AutoQuality {
 
     /** Returns the quality for the next frames; empty if it is not automatic. */
     Optional<Quality> of(PlayRequest request) {
-        return request.chosenQuality().isAuto() ? Optional.of(controller.point().quality()) : Optional.empty();
+        return request.isQualityAutomatic() ? Optional.of(controller.point().quality()) : Optional.empty();
     }
 
     /** Begins to measure another level. */
@@ -48,7 +48,7 @@ final class AutoQuality {
         long now = System.nanoTime();
         double seconds = (now - lastNanos) / 1e9;
         lastNanos = now;
-        if (!request.chosenQuality().isAuto()) {
+        if (!request.isQualityAutomatic()) {
             return false;
         }
         controller.budgetMillis(budgetMillis());
@@ -57,7 +57,7 @@ final class AutoQuality {
 
     /** Returns the lines of the panel of figures about the choice. */
     List<Figure> figures(PlayRequest request) {
-        if (!request.chosenQuality().isAuto()) {
+        if (!request.isQualityAutomatic()) {
             return List.of(new Figure("quality", request.chosenQuality().preset()));
         }
         var reason = controller.reason();

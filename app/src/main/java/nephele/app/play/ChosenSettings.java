@@ -24,7 +24,9 @@ final class ChosenSettings {
     }
 
     static QualityChoice quality(GameSettings settings) {
-        return new QualityChoice(GameSetting.word(settings.get(Settings.QUALITY)), Map.of());
+        Map<String, String> more =
+                settings.get(Settings.EDGE_FILTER) == Switch.ON ? Map.of("edgeFilter", "morphological") : Map.of();
+        return new QualityChoice(GameSetting.word(settings.get(Settings.QUALITY)), more);
     }
 
     static SimSettings simulation(GameSettings settings) {

@@ -3,6 +3,7 @@ package nephele.app.play;
 import java.util.List;
 import java.util.stream.Stream;
 import nephele.app.play.hud.HudContent;
+import nephele.app.text.Phrase;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.terminal.CommandFailure;
 
@@ -89,7 +90,7 @@ final class CurrentLevel implements AutoCloseable {
 
     private void keepRecording() {
         if (session != null) {
-            recordings.keep(session::recording).ifPresent(file -> message.say("Recorded " + file));
+            recordings.keep(session::recording).ifPresent(file -> message.say(Phrase.RECORDED, file));
         }
     }
 

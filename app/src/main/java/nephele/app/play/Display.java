@@ -1,8 +1,10 @@
 package nephele.app.play;
 
+import java.io.IOException;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.Hud;
 import nephele.app.play.hud.HudContent;
+import nephele.app.text.Phrase;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Screenshots;
 import nephele.engine.render.Renderer.StepListener;
@@ -34,13 +36,17 @@ final class Display implements AutoCloseable {
     private final OverlayPass overlay;
     private final Hud hud = new Hud(lettering);
     private final Screenshots screenshots;
+    private final Message message;
     private final FrameCost cost;
     private RenderTarget target;
+    private Area area;
 
-    Display(GameWindow window, GlContext gl, Screenshots screenshots) {
+    /** @param message is told where screenshots are */
+    Display(GameWindow window, GlContext gl, Screenshots screenshots, Message message) {
         this.window = window;
         this.gl = gl;
         this.screenshots = screenshots;
+        this.message = message;
         overlay = new OverlayPass(gl, lettering);
         cost = new FrameCost(gl);
     }
@@ -54,13 +60,13 @@ final class Display implements AutoCloseable {
         window.show();
     }
 
-    /** Draws one frame of the game. Returns the message of a screenshot, or null. */
-    String draw(Session session, HudContent content, StepListener listener, Shot shot) {
-        return draw(session, session.walk().view(aspect()), content, listener, shot);
+    /** Draws one frame of the game. */
+    void draw(Session session, HudContent content, StepListener listener, Shot shot) {
+        draw(session, session.walk().view(aspect()), content, listener, shot);
     }
 
-    /** Draws one frame from another eye. Returns the message of a screenshot, or null. */
-    String draw(Session session, View view, HudContent content, StepListener listener, Shot shot) {
+    /** Draws one frame from another eye. */
+    void draw(Session session, View view, HudContent content, StepListener listener, Shot shot) {
         var picture = target();
         var walk = session.walk();
         if (walk.takeCut()) {
@@ -68,15 +74,24 @@ final class Display implements AutoCloseable {
         }
         cost.begins(listener != StepListener.NONE);
         session.renderer().draw(view, walk.frameState(), picture, listener);
-        String saved = shot == Shot.WITHOUT_OVERLAY ? screenshots.take(picture) : null;
+        if (shot == Shot.WITHOUT_OVERLAY) {
+            save(picture);
+        }
         overlay.draw(hud.canvas(content, area(), window.scale()), picture);
         if (shot == Shot.WITH_OVERLAY) {
-            saved = screenshots.take(picture);
+            save(picture);
         }
         cost.submitted();
         window.show();
         cost.shown();
-        return saved;
+    }
+
+    private void save(RenderTarget picture) {
+        try {
+            message.say(Phrase.SAVED, screenshots.take(picture));
+        } catch (IOException failure) {
+            message.say(failure.getMessage());
+        }
     }
 
     /** Returns the time that the last frame of the game took, ms. */
@@ -91,7 +106,12 @@ final class Display implements AutoCloseable {
 
     /** Returns the window's size in points. */
     Area area() {
-        return new Area(window.width() / window.scale(), window.height() / window.scale());
+        double width = window.width() / window.scale();
+        double height = window.height() / window.scale();
+        if (area == null || area.width() != width || area.height() != height) {
+            area = new Area(width, height);
+        }
+        return area;
     }
 
     private RenderTarget target() {

@@ -1,7 +1,8 @@
 package nephele.app.play;
 
 import java.util.Optional;
-import nephele.engine.portal.placement.Refusal;
+import nephele.app.text.Phrase;
+import nephele.engine.level.Language;
 import nephele.engine.sim.state.TickEvent;
 import nephele.engine.sim.state.TickEvent.Handled;
 
@@ -9,30 +10,18 @@ import nephele.engine.sim.state.TickEvent.Handled;
 final class EventText {
     private EventText() {}
 
-    static Optional<String> of(TickEvent event) {
+    static Optional<String> of(TickEvent event, Language language) {
         if (event instanceof TickEvent.PortalRefused refused) {
-            return Optional.of("No portal: " + reason(refused.reason()));
+            String reason = Phrase.ofRefusal(refused.reason()).in(language);
+            return Optional.of(Phrase.NO_PORTAL.in(language, reason));
         }
         if (event instanceof Handled handled) {
             return switch (handled.kind()) {
-                case TOO_HEAVY -> Optional.of("Too heavy");
-                case LOST -> Optional.of("Let go: nothing leads to it any more");
+                case TOO_HEAVY -> Optional.of(Phrase.TOO_HEAVY.in(language));
+                case LOST -> Optional.of(Phrase.LOST.in(language));
                 case PICKED_UP, DROPPED, THROWN -> Optional.empty();
             };
         }
         return Optional.empty();
-    }
-
-    private static String reason(Refusal reason) {
-        return switch (reason) {
-            case NOTHING_HIT -> "nothing is there";
-            case OUT_OF_RANGE -> "too far away";
-            case MOVING_SURFACE -> "something that moves is in the way";
-            case NOT_PORTALABLE -> "this surface takes none";
-            case OVERLAPS_OTHER -> "the other portal is in its place";
-            case TOO_SMALL -> "the surface is too small";
-            case EDGE -> "too near the edge";
-            case OCCUPIED -> "something stands in the old one and has no room";
-        };
     }
 }

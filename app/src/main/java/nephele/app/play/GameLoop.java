@@ -1,5 +1,6 @@
 package nephele.app.play;
 
+import java.util.List;
 import java.util.Optional;
 import nephele.app.play.hud.HudContent.Page;
 import nephele.app.play.hud.Menu;
@@ -9,8 +10,11 @@ import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
+import nephele.app.window.Gamepad;
 import nephele.app.window.Input;
+import nephele.app.window.PadState;
 import nephele.app.window.Screenshots;
+import nephele.app.window.WindowMode;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelCatalogue;
 import nephele.engine.named.LevelName;
@@ -20,18 +24,22 @@ import nephele.engine.render.gl.GlContext;
 public final class GameLoop implements AutoCloseable {
     private static final double HIDDEN_WAIT_SECONDS = 0.1;
     private static final double PREPARATION_WAIT_SECONDS = 0.02;
+    /** A stick that is held while a level is loaded turns the view only a little. */
+    private static final double LONGEST_PAD_SECONDS = 0.25;
+
     static final String TITLE = "Nephele";
 
     private final GameWindow window;
     private final GlContext gl;
     private final Input input;
+    private final Gamepad gamepad;
     private final PlayerFiles files;
     private final Display display;
     private final StageMachine stages = new StageMachine();
     private final StageLog log;
     private final GameMenus menus;
     private final MenuControl menu;
-    private final Message message = new Message();
+    private final Message message = new Message(this::language);
     private final AutoQuality auto;
     private final CurrentLevel current;
     private final GamePicture picture;
@@ -54,15 +62,17 @@ public final class GameLoop implements AutoCloseable {
         this.input = input;
         files = request.player().files();
         log = new StageLog(request.player().log());
-        menus = new GameMenus(files, LevelCatalogue.campaign());
+        menus = new GameMenus(files, LevelCatalogue.campaign(), input::device);
+        gamepad = new Gamepad(input);
         menu = new MenuControl(input);
         auto = new AutoQuality(files, gl.limits().software());
         current = new CurrentLevel(gl, new Recordings(request.record()), message, auto);
-        display = new Display(window, gl, Screenshots.inUsualFolder());
+        display = new Display(window, gl, Screenshots.inUsualFolder(), message);
         settings = new SettingsControl(window, input, menus, menu, current, message);
-        picture = new GamePicture(display, current, menu, message, files);
-        if (!request.picture().fullScreen()) {
-            settings.applyToWindow();
+        picture = new GamePicture(display, current, menu, message, files, input::device);
+        settings.applyVerticalSync();
+        if (window.mode() == WindowMode.WINDOWED && files.settings().get(Settings.WINDOW_MODE) != WindowMode.WINDOWED) {
+            settings.applyMode();
         }
         if (request.level() == null) {
             openTitle();
@@ -101,6 +111,10 @@ public final class GameLoop implements AutoCloseable {
 
     private void poll() {
         window.poll();
+        gamepad.update(
+                window.hasFocus() ? window.pad() : PadState.RELEASED,
+                stages.inMenu() ? Gamepad.Use.MENU : Gamepad.Use.PLAY,
+                Math.min(LONGEST_PAD_SECONDS, (System.nanoTime() - lastNanos) / 1e9));
         if (!window.isDrawable()) {
             window.waitForEvents(HIDDEN_WAIT_SECONDS);
         }
@@ -283,7 +297,7 @@ public final class GameLoop implements AutoCloseable {
                 throw problem;
             }
             loading = null;
-            message.say(told.get());
+            message.say(Phrase.NOT_LOADED, told.get());
             if (current.session() == null) {
                 openTitle();
                 loading = null;
@@ -313,16 +327,18 @@ public final class GameLoop implements AutoCloseable {
         var walk = session.walk();
         walk.advance(now - lastNanos);
         var events = walk.takeEvents();
-        events.forEach(event -> EventText.of(event).ifPresent(message::say));
-        picture.after(events);
+        if (!events.isEmpty()) {
+            events.forEach(event -> EventText.of(event, language()).ifPresent(message::say));
+            picture.after(events);
+        }
         Optional<FinishedRun> finished = counter.after(events, walk);
         if (timeLoss.isNoticed(now, walk.lostNanos())) {
-            message.say(Phrase.SLOW.in(language()));
+            message.say(Phrase.SLOW);
         }
         if (finished.isPresent()) {
             end(session, finished.get());
         } else if (walk.isFinished()) {
-            message.say(Phrase.REPLAY_OVER.in(language()));
+            message.say(Phrase.REPLAY_OVER);
             openPauseOrClosePage();
         }
     }
@@ -346,15 +362,15 @@ public final class GameLoop implements AutoCloseable {
         if (!window.isDrawable()) {
             return;
         }
-        String saved = picture.draw(stages.current(), loading, page, shot);
+        picture.draw(stages.current(), loading, page, shot);
         shot = Display.Shot.NONE;
-        if (saved != null) {
-            message.say(saved);
-        }
     }
 
     /** Writes the state that the picture shows. */
     private void say() {
+        if (!log.isOn()) {
+            return;
+        }
         switch (stages.current()) {
             case TITLE, MENU, ENDED ->
                 log.say(
@@ -369,7 +385,10 @@ public final class GameLoop implements AutoCloseable {
     }
 
     private void tellProblems() {
-        files.takeProblems().forEach(message::say);
+        List<String> problems = files.takeProblems();
+        if (!problems.isEmpty()) {
+            problems.forEach(message::say);
+        }
     }
 
     /** Saves the recording, however the game ends. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Supplier;
 import nephele.app.play.hud.Menu;
 import nephele.app.play.hud.Menu.Choice;
 import nephele.app.play.hud.Menu.Entry;
@@ -13,6 +14,7 @@ import nephele.app.settings.Progress;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
+import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelName;
@@ -23,9 +25,12 @@ final class GameMenus {
 
     private final PlayerFiles files;
     private final List<LevelName> campaign;
+    private final Supplier<Input.Device> device;
 
-    GameMenus(PlayerFiles files, List<LevelName> campaign) {
+    /** @param device the one whose keys the pages name */
+    GameMenus(PlayerFiles files, List<LevelName> campaign, Supplier<Input.Device> device) {
         this.files = files;
+        this.device = device;
         this.campaign = campaign;
     }
 
@@ -162,6 +167,11 @@ final class GameMenus {
         if (value instanceof Enum<?> word) {
             return text(Phrase.ofWord(word));
         }
+        if (value instanceof String text) {
+            return text.equals(Settings.AUTO_RESOLUTION)
+                    ? text(Phrase.ofWord(Settings.QualityPreset.AUTO))
+                    : text.replace('x', '×');
+        }
         double number = (Double) value;
         if (setting.equals(Settings.FRAME_CAP) && number == 0) {
             return text(Phrase.WORD_OFF);
@@ -177,11 +187,13 @@ final class GameMenus {
     }
 
     private Menu menu(String name, String title, List<String> lines, List<Entry> entries, Choice escape) {
-        String foot = text(Phrase.MENU_KEYS);
+        boolean isPad = device.get() == Input.Device.GAMEPAD;
+        String foot = text(isPad ? Phrase.PAD_MENU_KEYS : Phrase.MENU_KEYS);
+        String back = isPad ? "B" : "Esc";
         if (escape instanceof Choice.Resume) {
-            foot += "     " + text(Phrase.ESC_CONTINUE);
+            foot += "     " + back + "  " + text(Phrase.FOOT_CONTINUE);
         } else if (escape instanceof Choice.Back) {
-            foot += "     " + text(Phrase.ESC_BACK);
+            foot += "     " + back + "  " + text(Phrase.FOOT_BACK);
         }
         return new Menu(name, title, lines, entries, 0, escape, foot);
     }

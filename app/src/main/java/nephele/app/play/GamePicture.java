@@ -1,6 +1,7 @@
 package nephele.app.play;
 
 import java.util.List;
+import java.util.function.Supplier;
 import nephele.app.play.hud.Area;
 import nephele.app.play.hud.HudContent;
 import nephele.app.play.hud.HudContent.Banner;
@@ -8,6 +9,7 @@ import nephele.app.play.hud.HudContent.Page;
 import nephele.app.settings.GameSettings;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
+import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.sim.state.TickEvent;
 
@@ -21,15 +23,23 @@ final class GamePicture {
     private final Captions captions = new Captions();
     private final Prompts prompts = new Prompts();
     private long titleNanos;
+    private final Supplier<Input.Device> device;
     private GameSettings keysOf;
     private HudContent.Keys keys;
 
-    GamePicture(Display display, CurrentLevel current, MenuControl menu, Message message, PlayerFiles files) {
+    GamePicture(
+            Display display,
+            CurrentLevel current,
+            MenuControl menu,
+            Message message,
+            PlayerFiles files,
+            Supplier<Input.Device> device) {
         this.display = display;
         this.current = current;
         this.menu = menu;
         this.message = message;
         this.files = files;
+        this.device = device;
     }
 
     /** Starts the motion behind the title. */
@@ -51,14 +61,13 @@ final class GamePicture {
      * Draws a frame.
      *
      * @param loading the level that is being loaded; null if none is
-     * @return the message of a screenshot, or null
      */
-    String draw(GameStage stage, Loading loading, Page page, Display.Shot shot) {
+    void draw(GameStage stage, Loading loading, Page page, Display.Shot shot) {
         Session session = current.session();
         if (session == null) {
-            display.drawEmpty(
-                    new HudContent(menu.page(), page, List.of(), message.text(), banner(stage, loading), null, keys()));
-            return null;
+            display.drawEmpty(new HudContent(
+                    menu.page(), page, List.of(), message.texts(), banner(stage, loading), null, keys()));
+            return;
         }
         var area = display.area();
         boolean isPlaying = stage == GameStage.RUNNING;
@@ -66,26 +75,26 @@ final class GamePicture {
                 menu.page(),
                 page,
                 current.figureLines(),
-                message.text(),
+                message.texts(),
                 banner(stage, loading),
                 isPlaying ? sight(session, area) : null,
                 keys());
         var listener = current.figures().frameBegins();
-        String saved = stage == GameStage.TITLE
-                ? display.draw(session, session.titleView(display.aspect(), titleSeconds()), content, listener, shot)
-                : display.draw(session, content, listener, shot);
+        if (stage == GameStage.TITLE) {
+            display.draw(session, session.titleView(display.aspect(), titleSeconds()), content, listener, shot);
+        } else {
+            display.draw(session, content, listener, shot);
+        }
         current.figures().frameEnds(session.walk());
-        if (saved == null) {
-            // A frame with a screenshot waits for a file.
+        if (shot == Display.Shot.NONE) { // a frame with a screenshot waits for a file
             current.frameCost(display.costMillis());
         }
-        return saved;
     }
 
     private HudContent.Keys keys() {
-        if (keysOf != files.settings()) {
+        if (keysOf != files.settings() || keys.device() != device.get()) {
             keysOf = files.settings();
-            keys = new HudContent.Keys(Settings.bindings(keysOf), keysOf.get(Settings.LANGUAGE));
+            keys = new HudContent.Keys(Settings.bindings(keysOf), device.get(), keysOf.get(Settings.LANGUAGE));
         }
         return keys;
     }
@@ -95,7 +104,9 @@ final class GamePicture {
         return new HudContent.Sight(
                 crosshair,
                 files.settings().get(Settings.PORTAL_COLOURS),
-                session.isInPlayersHands() ? prompts.text(session.walk(), crosshair, files.settings()) : null);
+                session.isInPlayersHands()
+                        ? prompts.text(session.walk(), crosshair, files.settings(), device.get())
+                        : null);
     }
 
     private double titleSeconds() {

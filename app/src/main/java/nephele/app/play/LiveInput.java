@@ -13,7 +13,7 @@ import nephele.engine.sim.state.Action;
 import nephele.engine.sim.state.PlayerInput;
 
 /**
- * Converts keyboard and mouse to the integer input of a tick. All motion since the last tick belongs to the next one.
+ * Converts keyboard, mouse and gamepad to the integer input of a tick. All motion since the last tick belongs to the next one.
  */
 final class LiveInput implements TickInput {
     private static final double DEGREES_PER_COUNT = 0.08;
@@ -33,11 +33,12 @@ final class LiveInput implements TickInput {
 
     @Override
     public PlayerInput next() {
-        int forward = axis(Control.FORWARD, Control.BACK);
-        int right = axis(Control.RIGHT, Control.LEFT);
+        int forward = axis(Control.FORWARD, Control.BACK, input.walkForward());
+        int right = axis(Control.RIGHT, Control.LEFT, input.walkRight());
         var walking = PlayerInput.NONE.walking(forward, right);
         var acting = walking;
-        for (var action : Action.values()) {
+        for (int i = 0; i < Action.ALL.size(); i++) {
+            Action action = Action.ALL.get(i);
             acting = isHeld(action) ? acting.holding(action) : acting;
         }
         double speed = settings.get().get(Settings.MOUSE_SPEED);
@@ -72,7 +73,8 @@ final class LiveInput implements TickInput {
         return false;
     }
 
-    private int axis(Control positive, Control negative) {
-        return (input.holds(positive) ? FULL_SPEED : 0) - (input.holds(negative) ? FULL_SPEED : 0);
+    private int axis(Control positive, Control negative, double stick) {
+        int keys = (input.holds(positive) ? FULL_SPEED : 0) - (input.holds(negative) ? FULL_SPEED : 0);
+        return Math.max(-FULL_SPEED, Math.min(FULL_SPEED, keys + (int) Math.rint(FULL_SPEED * stick)));
     }
 }

@@ -1,22 +1,56 @@
 package nephele.app.play;
 
-/** A line for the player that disappears after four seconds. */
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import nephele.app.text.Phrase;
+import nephele.engine.level.Language;
+
+/** The latest lines for the player; each disappears when there has been time to read it. */
 final class Message {
-    private static final long SHOWN_NANOS = 4_000_000_000L;
+    private static final int MOST_LINES = 3;
+    private static final long LEAST_NANOS = 4_000_000_000L;
+    private static final long NANOS_PER_LETTER = 60_000_000L;
 
-    private String text;
-    private long untilNanos;
+    private final Supplier<Language> language;
+    private final List<Line> lines = new ArrayList<>();
+    private List<String> texts = List.of();
 
-    void say(String newText) {
-        text = newText;
-        untilNanos = System.nanoTime() + SHOWN_NANOS;
+    private record Line(String text, long untilNanos) {}
+
+    /** @param language of the phrases that follow */
+    Message(Supplier<Language> language) {
+        this.language = language;
     }
 
-    /** Returns the line, or null. */
-    String text() {
-        if (text != null && System.nanoTime() - untilNanos > 0) {
-            text = null;
+    /** Shows a line; one that is shown already starts anew. */
+    void say(String text) {
+        lines.removeIf(line -> line.text.equals(text));
+        if (lines.size() == MOST_LINES) {
+            lines.remove(0);
         }
-        return text;
+        long nanos = Math.max(LEAST_NANOS, text.length() * NANOS_PER_LETTER);
+        lines.add(new Line(text, System.nanoTime() + nanos));
+        changed();
+    }
+
+    void say(Phrase phrase) {
+        say(phrase.in(language.get()));
+    }
+
+    void say(Phrase phrase, Object value) {
+        say(phrase.in(language.get(), value));
+    }
+
+    /** Returns the lines to show, the latest last. Allocates nothing while they stay the same. */
+    List<String> texts() {
+        if (!lines.isEmpty() && lines.removeIf(line -> System.nanoTime() - line.untilNanos > 0)) {
+            changed();
+        }
+        return texts;
+    }
+
+    private void changed() {
+        texts = lines.stream().map(Line::text).toList();
     }
 }

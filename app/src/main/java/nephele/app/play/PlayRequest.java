@@ -3,6 +3,7 @@ package nephele.app.play;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import nephele.app.settings.PlayerFiles;
+import nephele.app.settings.Settings;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.PlayerStart;
 import nephele.engine.named.LevelName;
@@ -71,6 +72,13 @@ public record PlayRequest(
     /** Returns the quality of the command line, else the player's. */
     QualityChoice chosenQuality() {
         return quality != null ? quality : ChosenSettings.quality(player.files().settings());
+    }
+
+    /** Returns true if the quality follows the frame rate. Allocates nothing: frames ask for it. */
+    boolean isQualityAutomatic() {
+        return quality != null
+                ? quality.isAuto()
+                : player.files().settings().get(Settings.QUALITY) == Settings.QualityPreset.AUTO;
     }
 
     /** Returns the request for another level, played by hand. */

@@ -7,6 +7,8 @@ import nephele.app.settings.GameSettings;
 import nephele.app.settings.Settings;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
+import nephele.app.window.Input;
+import nephele.app.window.PadButton;
 import nephele.engine.level.Language;
 import nephele.engine.playthrough.CrosshairState;
 import nephele.engine.playthrough.Playthrough;
@@ -23,6 +25,7 @@ final class Prompts {
     private final Set<Control> learned = EnumSet.noneOf(Control.class);
     private Control shownAction;
     private GameSettings shownSettings;
+    private Input.Device shownDevice;
     private String shown;
 
     /** Learns what the player did in these events. */
@@ -45,21 +48,23 @@ final class Prompts {
     }
 
     /** Returns the prompt; null for none. */
-    String text(Playthrough playthrough, CrosshairState crosshair, GameSettings settings) {
-        for (Control action : ACTIONS) {
+    String text(Playthrough playthrough, CrosshairState crosshair, GameSettings settings, Input.Device device) {
+        for (int i = 0; i < ACTIONS.size(); i++) {
+            Control action = ACTIONS.get(i);
             if (!learned.contains(action) && isPossible(action, playthrough, crosshair)) {
-                return shown(action, settings);
+                return shown(action, settings, device);
             }
         }
         return null;
     }
 
-    /** Returns the same text while action and settings stay the same. */
-    private String shown(Control action, GameSettings settings) {
-        if (shownAction != action || shownSettings != settings) {
+    /** Returns the same text while action, settings and device stay the same. */
+    private String shown(Control action, GameSettings settings, Input.Device device) {
+        if (shownAction != action || shownSettings != settings || shownDevice != device) {
+            shownDevice = device;
             shownAction = action;
             shownSettings = settings;
-            shown = text(action, settings);
+            shown = text(action, settings, device);
         }
         return shown;
     }
@@ -79,9 +84,9 @@ final class Prompts {
         return half != null && half.shot() == CrosshairState.Shot.OPENS;
     }
 
-    private static String text(Control action, GameSettings settings) {
-        List<String> keys = Settings.bindings(settings).keys(action);
+    private static String text(Control action, GameSettings settings, Input.Device device) {
         Language language = settings.get(Settings.LANGUAGE);
+        String key = keyName(action, settings, device);
         Phrase phrase =
                 switch (action) {
                     case CARRY -> Phrase.PROMPT_PICK_UP;
@@ -89,6 +94,15 @@ final class Prompts {
                     case FIRE_FIRST -> Phrase.PROMPT_FIRST;
                     default -> Phrase.PROMPT_SECOND;
                 };
-        return keys.isEmpty() ? null : Phrase.keyName(keys.get(0), language) + ": " + phrase.in(language);
+        return key == null ? null : key + ": " + phrase.in(language);
+    }
+
+    /** Returns null if no key has the control. */
+    private static String keyName(Control action, GameSettings settings, Input.Device device) {
+        if (device == Input.Device.GAMEPAD) {
+            return PadButton.of(action).name();
+        }
+        List<String> keys = Settings.bindings(settings).keys(action);
+        return keys.isEmpty() ? null : Phrase.keyName(keys.get(0), settings.get(Settings.LANGUAGE));
     }
 }

@@ -17,6 +17,9 @@ final class RunCounter {
 
     /** Returns the finished run if these events end it. */
     Optional<FinishedRun> after(List<TickEvent> events, Playthrough playthrough) {
+        if (events.isEmpty()) {
+            return Optional.empty();
+        }
         for (TickEvent event : events) {
             if (event instanceof TickEvent.PortalOpened) {
                 portals++;

@@ -6,18 +6,23 @@ import nephele.app.settings.GameSetting;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
 import nephele.app.settings.Settings.Switch;
-import nephele.app.settings.Settings.WindowMode;
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
 import nephele.app.window.KeyNames;
+import nephele.app.window.WindowMode;
 
 /** Changes settings from the menu, keeps them, and applies them at once to window and level. */
 final class SettingsControl {
     /** Settings of the simulation, which a running level keeps: its recording states them once. */
     private static final Set<GameSetting<?>> FROM_NEXT_START =
             Set.of(Settings.ASSISTS, Settings.UPRIGHT, Settings.REDUCED_MOTION);
+
+    /** Settings of the picture, for which the level is drawn anew. */
+    private static final Set<GameSetting<?>> REDRAWN = Set.of(Settings.QUALITY, Settings.EDGE_FILTER);
+
+    private static final Set<GameSetting<?>> OF_WINDOW = Set.of(Settings.WINDOW_MODE, Settings.RESOLUTION);
 
     private final GameWindow window;
     private final Input input;
@@ -45,12 +50,15 @@ final class SettingsControl {
         files.keep(files.settings().stepped(step.setting(), step.step()));
         menu.rewrite(menus.page(Menu.Page.SETTINGS));
         if (FROM_NEXT_START.contains(step.setting())) {
-            message.say(Phrase.FROM_NEXT_START.in(menus.language()));
+            message.say(Phrase.FROM_NEXT_START);
         }
-        applyToWindow();
+        if (OF_WINDOW.contains(step.setting())) {
+            applyMode();
+        }
+        applyVerticalSync();
         if (current.session() != null) {
             current.session().apply();
-            if (step.setting().equals(Settings.QUALITY)) {
+            if (REDRAWN.contains(step.setting())) {
                 current.redraw();
             }
         }
@@ -71,7 +79,7 @@ final class SettingsControl {
         }
         String key = KeyNames.name(code);
         if (key == null) {
-            message.say(Phrase.UNNAMED_KEY.in(menus.language()));
+            message.say(Phrase.UNNAMED_KEY);
         } else if (!key.equals("Escape")) {
             var bindings = Settings.bindings(files.settings());
             files.keep(files.settings().with(Settings.KEYS.get(awaited), bindings.replaced(awaited, key)));
@@ -83,19 +91,20 @@ final class SettingsControl {
 
     /** Changes the kind of window and keeps it as a setting. */
     void toggleFullScreen() {
-        window.toggleFullScreen();
-        files.keep(files.settings()
-                .with(Settings.WINDOW_MODE, window.isFullScreen() ? WindowMode.FULLSCREEN : WindowMode.WINDOWED));
+        WindowMode next = window.mode() == WindowMode.WINDOWED ? WindowMode.FULLSCREEN : WindowMode.WINDOWED;
+        files.keep(files.settings().with(Settings.WINDOW_MODE, next));
+        applyMode();
         if (menu.page() != null && menu.page().name().equals("settings")) {
             menu.rewrite(menus.page(Menu.Page.SETTINGS));
         }
     }
 
-    /** Applies the settings of the window. */
-    void applyToWindow() {
-        if (window.isFullScreen() != (files.settings().get(Settings.WINDOW_MODE) == WindowMode.FULLSCREEN)) {
-            window.toggleFullScreen();
-        }
+    /** Applies the kind of the window and its size. */
+    void applyMode() {
+        window.become(files.settings().get(Settings.WINDOW_MODE), Settings.resolution(files.settings()));
+    }
+
+    void applyVerticalSync() {
         window.verticalSync(files.settings().get(Settings.VERTICAL_SYNC) == Switch.ON);
     }
 }

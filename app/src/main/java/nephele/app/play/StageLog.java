@@ -12,8 +12,13 @@ final class StageLog {
         this.err = err;
     }
 
+    /** Returns false if {@link #say} writes nothing. */
+    boolean isOn() {
+        return err != null;
+    }
+
     void say(String state) {
-        if (err != null && !state.equals(last)) {
+        if (isOn() && !state.equals(last)) {
             last = state;
             err.println("state " + state);
         }

@@ -1,8 +1,10 @@
 package nephele.app.play;
 
 import java.io.PrintStream;
+import nephele.app.settings.Settings;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
+import nephele.app.window.WindowMode;
 import nephele.engine.render.gl.GlContext;
 
 /** The game in a window of its own. */
@@ -45,7 +47,9 @@ public final class WindowedGame {
         var picture = request.picture();
         var window = GameWindow.open(new GameWindow.Request(GameLoop.TITLE, picture.width(), picture.height()), input);
         if (picture.fullScreen()) {
-            window.toggleFullScreen();
+            window.become(
+                    WindowMode.FULLSCREEN,
+                    Settings.resolution(request.player().files().settings()));
         }
         return window;
     }

@@ -41,6 +41,11 @@ public record GameSetting<T>(String key, Values<T> values, T absent) {
                 key, new Words<>(List.of(absent.getDeclaringClass().getEnumConstants())), absent);
     }
 
+    /** One of a few texts; the first one is the default. */
+    public static GameSetting<String> choice(String key, List<String> all) {
+        return new GameSetting<>(key, new Texts(all), all.get(0));
+    }
+
     /** A number between bounds; a step of the menu adds or subtracts {@code step}. */
     public static GameSetting<Double> number(String key, double least, double most, double step, double absent) {
         return new GameSetting<>(key, new Numbers(least, most, step), absent);
@@ -80,6 +85,30 @@ public record GameSetting<T>(String key, Values<T> values, T absent) {
         public String expected() {
             return "one of "
                     + String.join(", ", all.stream().map(GameSetting::word).toList());
+        }
+    }
+
+    private record Texts(List<String> all) implements Values<String> {
+        @Override
+        public Optional<String> read(JsonElement json) {
+            return all.stream()
+                    .filter(each -> json.isJsonPrimitive() && each.equals(json.getAsString()))
+                    .findFirst();
+        }
+
+        @Override
+        public JsonElement write(String value) {
+            return new JsonPrimitive(value);
+        }
+
+        @Override
+        public String stepped(String value, int step) {
+            return all.get(Math.floorMod(all.indexOf(value) + step, all.size()));
+        }
+
+        @Override
+        public String expected() {
+            return "one of " + String.join(", ", all);
         }
     }
 

@@ -36,6 +36,9 @@ public final class PlayerFiles {
 
     /** Returns the problems since the last call, each a line that names the file. */
     public List<String> takeProblems() {
+        if (problems.isEmpty()) {
+            return List.of();
+        }
         List<String> taken = List.copyOf(problems);
         problems.clear();
         return taken;

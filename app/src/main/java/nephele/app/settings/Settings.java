@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.stream.Stream;
 import nephele.app.window.Control;
 import nephele.app.window.KeyBindings;
+import nephele.app.window.WindowMode;
+import nephele.app.window.WindowSize;
 import nephele.engine.level.Language;
 import nephele.engine.scene.ShotPalette;
 
@@ -35,12 +37,6 @@ public final class Settings {
         AUTO
     }
 
-    /** The kind of window. */
-    public enum WindowMode {
-        WINDOWED,
-        FULLSCREEN
-    }
-
     /** The rate at which the view turns upright after a portal. */
     public enum Upright {
         SLOW,
@@ -58,6 +54,9 @@ public final class Settings {
 
     public static final GameSetting<Language> LANGUAGE = GameSetting.word("language", Language.EN);
 
+    /** The value of {@link #RESOLUTION} that states no size. */
+    public static final String AUTO_RESOLUTION = "auto";
+
     /** At an aspect of 16:9; the vertical field of view is the same in every window. */
     public static final GameSetting<Double> FIELD_OF_VIEW = GameSetting.number("horizontalFovDegrees", 60, 110, 5, 90);
 
@@ -66,10 +65,29 @@ public final class Settings {
     public static final GameSetting<Crouch> CROUCH = GameSetting.word("crouch", Crouch.HOLD);
     public static final GameSetting<QualityPreset> QUALITY = GameSetting.word("quality", QualityPreset.AUTO);
     public static final GameSetting<WindowMode> WINDOW_MODE = GameSetting.word("windowMode", WindowMode.WINDOWED);
+    /** Of the window, or of the picture in full screen; {@code auto} for the command's and the screen's own. */
+    public static final GameSetting<String> RESOLUTION = GameSetting.choice(
+            "resolution",
+            List.of(
+                    AUTO_RESOLUTION,
+                    "640x360",
+                    "960x540",
+                    "1280x720",
+                    "1600x900",
+                    "1920x1080",
+                    "1920x1200",
+                    "2560x1080",
+                    "2560x1440",
+                    "3440x1440",
+                    "3840x2160"));
+
     public static final GameSetting<Switch> VERTICAL_SYNC = GameSetting.word("verticalSync", Switch.ON);
 
     /** Frames a second; 0 for no cap. */
     public static final GameSetting<Double> FRAME_CAP = GameSetting.number("frameCap", 0, 360, 30, 0);
+
+    /** Stairs along edges are smoothed in the finished picture, besides the preset's samples. */
+    public static final GameSetting<Switch> EDGE_FILTER = GameSetting.word("edgeFilter", Switch.OFF);
 
     /** Frames a second that automatic quality holds; 0 for 60 on a graphics card and 30 on a software renderer. */
     public static final GameSetting<Double> AUTO_FRAME_RATE = GameSetting.number("autoFrameRate", 0, 240, 15, 0);
@@ -92,7 +110,9 @@ public final class Settings {
             CROUCH,
             QUALITY,
             AUTO_FRAME_RATE,
+            EDGE_FILTER,
             WINDOW_MODE,
+            RESOLUTION,
             VERTICAL_SYNC,
             FRAME_CAP,
             ASSISTS,
@@ -114,6 +134,16 @@ public final class Settings {
             }
         }
         return Collections.unmodifiableMap(keys);
+    }
+
+    /** Returns the chosen resolution; {@code null} if it is automatic. */
+    public static WindowSize resolution(GameSettings settings) {
+        String chosen = settings.get(RESOLUTION);
+        if (chosen.equals(AUTO_RESOLUTION)) {
+            return null;
+        }
+        String[] sides = chosen.split("x");
+        return new WindowSize(Integer.parseInt(sides[0]), Integer.parseInt(sides[1]));
     }
 
     /** Returns the keys of all controls. */

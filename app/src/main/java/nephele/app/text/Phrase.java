@@ -38,9 +38,34 @@ public enum Phrase {
             "Menos de quatro quadros por segundo: o tempo passa mais devagar. Reduza a qualidade nas configurações.",
             "Menos de quatro imagens por segundo: o tempo passa mais devagar. Reduz a qualidade nas definições."),
     MENU_KEYS("↑ ↓  Enter  or mouse", "↑ ↓  Enter  ou mouse", "↑ ↓  Enter  ou rato"),
-    ESC_BACK("Esc  back", "Esc  voltar", "Esc  voltar"),
-    ESC_CONTINUE("Esc  continue", "Esc  continuar", "Esc  continuar"),
+    PAD_MENU_KEYS("↑ ↓  A  choose", "↑ ↓  A  escolher", "↑ ↓  A  escolher"),
+    FOOT_BACK("back", "voltar", "voltar"),
+    FOOT_CONTINUE("continue", "continuar", "continuar"),
     FROM_NEXT_START("Holds from the next start", "Vale a partir do próximo início", "Vale a partir do próximo início"),
+    NO_PORTAL("No portal: %s", "Sem portal: %s", "Sem portal: %s"),
+    REFUSED_NOTHING_HIT("nothing is there", "não há nada ali", "não há nada ali"),
+    REFUSED_OUT_OF_RANGE("too far away", "longe demais", "demasiado longe"),
+    REFUSED_MOVING_SURFACE(
+            "something that moves is in the way",
+            "algo que se move está no caminho",
+            "algo que se move está no caminho"),
+    REFUSED_NOT_PORTALABLE(
+            "this surface takes none", "esta superfície não aceita portais", "esta superfície não aceita portais"),
+    REFUSED_OVERLAPS_OTHER(
+            "the other portal is in its place", "o outro portal está no lugar", "o outro portal está no lugar"),
+    REFUSED_TOO_SMALL("the surface is too small", "a superfície é pequena demais", "a superfície é demasiado pequena"),
+    REFUSED_EDGE("too near the edge", "perto demais da borda", "demasiado perto da borda"),
+    REFUSED_OCCUPIED(
+            "something stands in the old one and has no room",
+            "algo está no portal antigo e não tem espaço",
+            "algo está no portal antigo e não tem espaço"),
+    TOO_HEAVY("Too heavy", "Pesado demais", "Demasiado pesado"),
+    LOST("Let go: nothing leads to it any more", "Solto: nada mais leva até ele", "Largado: já nada leva até ele"),
+    SAVED("Saved %s", "Salvo em %s", "Guardado em %s"),
+    RECORDED("Recorded %s", "Gravado em %s", "Gravado em %s"),
+    NOT_LOADED(
+            "The level cannot be loaded: %s",
+            "A fase não pode ser carregada: %s", "O nível não pode ser carregado: %s"),
     SETTING_LANGUAGE("Language", "Idioma", "Idioma"),
     SETTING_HORIZONTAL_FOV_DEGREES("Field of view", "Campo de visão", "Campo de visão"),
     SETTING_MOUSE_SPEED("Mouse speed", "Velocidade do mouse", "Velocidade do rato"),
@@ -49,6 +74,8 @@ public enum Phrase {
     SETTING_QUALITY("Quality", "Qualidade", "Qualidade"),
     SETTING_AUTO_FRAME_RATE("Auto: frames/s", "Auto: quadros/s", "Auto: imagens/s"),
     SETTING_WINDOW_MODE("Window", "Janela", "Janela"),
+    SETTING_RESOLUTION("Resolution", "Resolução", "Resolução"),
+    SETTING_EDGE_FILTER("Smooth edges", "Suavizar bordas", "Suavizar arestas"),
     SETTING_VERTICAL_SYNC("Vertical sync", "Sincronia vertical", "Sincronização vertical"),
     SETTING_FRAME_CAP("Frame cap", "Limite de quadros", "Limite de imagens"),
     SETTING_ASSISTS("Aids at portals", "Ajudas nos portais", "Ajudas nos portais"),
@@ -101,6 +128,7 @@ public enum Phrase {
     WORD_ULTRA("ultra", "ultra", "ultra"),
     WORD_AUTO("auto", "automática", "automática"),
     WORD_WINDOWED("window", "janela", "janela"),
+    WORD_BORDERLESS("borderless", "sem moldura", "sem moldura"),
     WORD_FULLSCREEN("full screen", "tela cheia", "ecrã inteiro"),
     WORD_NONE("none", "nenhuma", "nenhuma"),
     WORD_USUAL("usual", "usuais", "habituais"),
@@ -151,6 +179,11 @@ public enum Phrase {
     /** Returns the meaning of a control. */
     public static Phrase ofControl(Enum<?> control) {
         return valueOf("CONTROL_" + control.name());
+    }
+
+    /** Returns the reason for which a portal was refused. */
+    public static Phrase ofRefusal(Enum<?> refusal) {
+        return valueOf("REFUSED_" + refusal.name());
     }
 
     /** Returns the name of a word of a setting. */

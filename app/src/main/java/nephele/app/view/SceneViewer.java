@@ -1,7 +1,9 @@
 package nephele.app.view;
 
+import java.io.IOException;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Screenshots;
+import nephele.app.window.WindowMode;
 import nephele.engine.render.fixed.FixedSceneDrawing;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.render.gl.RenderTarget;
@@ -73,7 +75,9 @@ public final class SceneViewer implements AutoCloseable {
         for (var key = input.nextPressed(); key != null; key = input.nextPressed()) {
             switch (key) {
                 case LEAVE -> leaving = true;
-                case FULL_SCREEN -> window.toggleFullScreen();
+                case FULL_SCREEN ->
+                    window.become(
+                            window.mode() == WindowMode.WINDOWED ? WindowMode.FULLSCREEN : WindowMode.WINDOWED, null);
                 case SCREENSHOT -> pictureAsked = true;
                 case KEYS -> overlay.toggleKeys();
                 default -> viewing.press(key).ifPresent(overlay::say);
@@ -101,11 +105,19 @@ public final class SceneViewer implements AutoCloseable {
                 viewing.look(),
                 target);
         if (pictureAsked) {
-            overlay.say(screenshots.take(target));
+            takePicture();
             pictureAsked = false;
         }
         overlay.draw(window, target);
         window.show();
+    }
+
+    private void takePicture() {
+        try {
+            overlay.say("Saved " + screenshots.take(target));
+        } catch (IOException failure) {
+            overlay.say(failure.getMessage());
+        }
     }
 
     @Override

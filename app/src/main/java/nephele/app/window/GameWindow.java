@@ -9,7 +9,6 @@ import java.util.Locale;
 import nephele.engine.terminal.CommandFailure;
 import org.lwjgl.glfw.Callbacks;
 import org.lwjgl.glfw.GLFWErrorCallback;
-import org.lwjgl.glfw.GLFWVidMode;
 import org.lwjgl.system.Configuration;
 
 /**
@@ -20,13 +19,14 @@ public final class GameWindow implements AutoCloseable {
     private final long handle;
     private final WindowEvents events;
     private final InputListener input;
-    private boolean fullScreen;
-    private final int[] restoredBounds = new int[4];
+    private final WindowPlace place;
+    private final PadReader pad = new PadReader();
 
     private GameWindow(long handle, InputListener input) {
         this.handle = handle;
         this.input = input;
         events = new WindowEvents(handle, input);
+        place = new WindowPlace(handle);
     }
 
     /** The requested properties of a new window. */
@@ -142,40 +142,29 @@ public final class GameWindow implements AutoCloseable {
         }
     }
 
-    public boolean isFullScreen() {
-        return fullScreen;
+    public WindowMode mode() {
+        return place.mode();
     }
 
-    public void toggleFullScreen() {
-        long monitor = glfwGetPrimaryMonitor();
-        GLFWVidMode mode = monitor == NULL ? null : glfwGetVideoMode(monitor);
-        if (mode == null) {
-            return;
-        }
-        if (fullScreen) {
-            glfwSetWindowMonitor(
-                    handle, NULL, restoredBounds[0], restoredBounds[1], restoredBounds[2], restoredBounds[3], 0);
-        } else {
-            rememberBounds();
-            glfwSetWindowMonitor(handle, monitor, 0, 0, mode.width(), mode.height(), mode.refreshRate());
-        }
-        fullScreen = !fullScreen;
+    /**
+     * Changes the kind of window, on the screen that it is on.
+     *
+     * @param size of a free window, or of the picture of a full screen; {@code null} to keep the window's, or for the
+     *     screen's own
+     */
+    public void become(WindowMode mode, WindowSize size) {
+        place.become(mode, size);
         input.forget();
     }
 
-    private void rememberBounds() {
-        int[] a = new int[1];
-        int[] b = new int[1];
-        glfwGetWindowPos(handle, a, b);
-        restoredBounds[0] = a[0];
-        restoredBounds[1] = b[0];
-        glfwGetWindowSize(handle, a, b);
-        restoredBounds[2] = a[0];
-        restoredBounds[3] = b[0];
+    /** Returns the gamepad's state; {@link PadState#RELEASED} without one. */
+    public PadState pad() {
+        return pad.read();
     }
 
     @Override
     public void close() {
+        pad.close();
         Callbacks.glfwFreeCallbacks(handle);
         glfwDestroyWindow(handle);
         glfwTerminate();

@@ -23,8 +23,22 @@ public final class Input implements InputListener {
     private boolean pointerShown;
     private Click clicked;
     private KeyBindings bindings = KeyBindings.usual();
+    private Device device = Device.KEYBOARD;
+    private double walkForward;
+    private double walkRight;
     private boolean capturing;
     private Integer captured;
+
+    /** The device that the player used last. */
+    public enum Device {
+        /** Keyboard and mouse. */
+        KEYBOARD,
+        GAMEPAD
+    }
+
+    public Device device() {
+        return device;
+    }
 
     /** Replaces the keys of all controls; keys that are held count as released. */
     public void bind(KeyBindings changed) {
@@ -52,6 +66,7 @@ public final class Input implements InputListener {
 
     @Override
     public void key(int code, boolean down) {
+        device = Device.KEYBOARD;
         if (capturing && down) {
             capturing = false;
             captured = code;
@@ -60,6 +75,26 @@ public final class Input implements InputListener {
         for (var control : bindings.controls(code)) {
             key(control, down);
         }
+    }
+
+    /** Handles a button of a gamepad. */
+    void padControl(Control control, boolean down) {
+        device = Device.GAMEPAD;
+        key(control, down);
+    }
+
+    /** Handles the state of a stick that walks, −1 to 1 each. */
+    void walk(double forward, double right) {
+        walkForward = forward;
+        walkRight = right;
+        device = forward == 0 && right == 0 ? device : Device.GAMEPAD;
+    }
+
+    /** Turns the view as motion of the mouse would, in counts. */
+    void turn(double right, double down) {
+        countsRight += right;
+        countsDown += down;
+        device = right == 0 && down == 0 ? device : Device.GAMEPAD;
     }
 
     /** Handles a control that went down or up; repeats of a held key are not reported. */
@@ -82,6 +117,7 @@ public final class Input implements InputListener {
     @Override
     public void look(double x, double y) {
         if (!Double.isNaN(lastX)) {
+            device = Device.KEYBOARD;
             countsRight += x - lastX;
             countsDown += y - lastY;
         }
@@ -124,6 +160,7 @@ public final class Input implements InputListener {
         held.clear();
         struck.clear();
         pressed.clear();
+        walk(0, 0);
         forgetMouse();
     }
 
@@ -158,6 +195,16 @@ public final class Input implements InputListener {
     /** Returns the next control that went down, or null. */
     public Control nextPressed() {
         return pressed.poll();
+    }
+
+    /** Returns the state of the stick that walks, −1 (back) to 1. */
+    public double walkForward() {
+        return walkForward;
+    }
+
+    /** Returns the state of the stick that walks, −1 (left) to 1. */
+    public double walkRight() {
+        return walkRight;
     }
 
     /** Returns the motion since the last call, in counts to the right. */

@@ -30,14 +30,15 @@ public final class Screenshots {
         return new Screenshots(Files.isDirectory(build) ? build.resolve("pictures") : Path.of("pictures"));
     }
 
-    /** Saves the target's contents. Returns a message for the player. */
-    public String take(RenderTarget picture) {
+    /**
+     * Saves the target's contents.
+     *
+     * @return the new file
+     * @throws IOException naming the file that cannot be written
+     */
+    public Path take(RenderTarget picture) throws IOException {
         var file = folder.resolve("nephele-" + STAMP.format(LocalDateTime.now()) + ".png");
-        try {
-            Capture.png(picture, file);
-            return "Saved " + file;
-        } catch (IOException failure) {
-            return failure.getMessage();
-        }
+        Capture.png(picture, file);
+        return file;
     }
 }

@@ -1,12 +1,9 @@
 package nephele.engine.playthrough;
 
-import nephele.engine.math.Basis;
-import nephele.engine.math.Vec3;
 import nephele.engine.scene.dynamic.Gait;
 import nephele.engine.sim.state.PlayerDimensions.Stance;
 import nephele.engine.sim.state.PlayerState;
 import nephele.engine.sim.state.SimState;
-import org.joml.Vector3d;
 
 /**
  * The animation state of the player's character after a tick. All of it changes smoothly; the simulation does not
@@ -32,23 +29,23 @@ record AnimationState(double heightMetres, double step, double ahead, double lef
     AnimationState next(SimState state, double seconds) {
         PlayerState player = state.player();
         boolean onGround = player.isGrounded();
-        Basis look = Basis.ofYawPitch(player.heading().yawRadians(), 0);
+        double cos = Math.cos(player.heading().yawRadians());
+        double sin = Math.sin(player.heading().yawRadians());
         double animation = -Math.expm1(-ANIMATION_PER_SECOND * seconds);
         double toHeight = -Math.expm1(-HEIGHT_PER_SECOND * seconds);
         double cycles = stride() < STANDING_STRIDE ? 0 : Gait.cyclesPerSecond(stride()) * seconds;
         return new AnimationState(
                 mix(heightMetres, player.stance().heightMetres(), toHeight),
                 (step + cycles) % 1,
-                mix(ahead, onGround ? -strides(player, look.back()) : 0, animation),
-                mix(left, onGround ? -strides(player, look.right()) : 0, animation),
+                mix(ahead, onGround ? strides(player, -sin, -cos) : 0, animation),
+                mix(left, onGround ? strides(player, -cos, sin) : 0, animation),
                 mix(airborne, onGround ? 0 : 1, animation),
                 mix(carrying, state.world().holding().isHolding() ? 1 : 0, animation));
     }
 
-    /** Returns the speed along an axis of the ground, as a multiple of the walking speed. */
-    private static double strides(PlayerState player, Vec3 axis) {
-        Vector3d velocity = player.velocity().toVector();
-        return velocity.dot(axis.toVector()) / Gait.WALKING_METRES_PER_SECOND;
+    /** Returns the speed along a direction (x, 0, z), as a multiple of the walking speed. */
+    private static double strides(PlayerState player, double x, double z) {
+        return (player.velocity().x() * x + player.velocity().z() * z) / Gait.WALKING_METRES_PER_SECOND;
     }
 
     /** Returns the speed as a multiple of the walking speed: 0 standing, 1 walking, more running. */

@@ -40,7 +40,8 @@ final class FrameInterpolation {
     void world(SimState before, SimState after, double share, PortalAges ages) {
         WorldState around = after.world();
         frameState.portals(around.portals());
-        for (GunPortals.Colour shot : GunPortals.Colour.values()) {
+        for (int i = 0; i < GunPortals.Colour.BOTH.size(); i++) {
+            GunPortals.Colour shot = GunPortals.Colour.BOTH.get(i);
             int portal = around.shots().portal(shot);
             if (portal != GunPortals.UNFIRED) {
                 frameState.setPortalLook(portal, shot.ordinal(), ages.openness(portal, after.tick(), share));

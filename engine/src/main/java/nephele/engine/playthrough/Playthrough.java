@@ -50,6 +50,9 @@ public final class Playthrough {
     private double verticalFovDegrees = Viewpoints.PLAYER_FOV_DEGREES;
     private SimState before;
     private SimState after;
+    private PlayerPose viewedFrom;
+    private double viewFovDegrees;
+    private View view;
     private Seen seen;
     private Vec3 heldFromEye;
     private double heldClarity;
@@ -124,7 +127,9 @@ public final class Playthrough {
         recorder.record(done);
         before = after;
         after = simulation.step(after, done);
-        news.addAll(after.world().trace().events());
+        if (!after.world().trace().events().isEmpty()) {
+            news.addAll(after.world().trace().events());
+        }
         ages.after(after);
         aiming.after(after);
         fadeHeld(PlayerPose.heldFromEye(after));
@@ -149,14 +154,16 @@ public final class Playthrough {
         for (int i = 0; i < crossed.length(); i++) {
             place = portals.transform(crossed.entry(i)).point(place);
         }
-        double metres = to.centre().toVector().distance(place.toVector());
-        double speed =
-                from.velocity().toVector().length() + to.velocity().toVector().length();
+        double metres = to.centre().minus(place).length();
+        double speed = from.velocity().length() + to.velocity().length();
         return metres > LEAP_METRES + speed * secondsPerTick;
     }
 
     /** Returns the events since the last call. */
     public List<TickEvent> takeEvents() {
+        if (news.isEmpty()) {
+            return List.of();
+        }
         List<TickEvent> taken = List.copyOf(news);
         news.clear();
         return taken;
@@ -200,22 +207,35 @@ public final class Playthrough {
     /** Returns the player's view between the last two ticks: from the eye, or from the camera boom. */
     public View view(double aspect) {
         PlayerPose camera = seen().camera();
-        return Viewpoints.ofEye(camera.eye(), camera.view(), verticalFovDegrees, aspect);
+        boolean isSame = view != null
+                && viewedFrom == camera
+                && view.projection().aspect() == aspect
+                && viewFovDegrees == verticalFovDegrees;
+        if (!isSame) {
+            viewedFrom = camera;
+            viewFovDegrees = verticalFovDegrees;
+            view = Viewpoints.ofEye(camera.eye(), camera.view(), verticalFovDegrees, aspect);
+        }
+        return view;
     }
 
     /** Returns the crosshair of the last view, for a picture of this size. */
     public CrosshairState sights(double widthPoints, double heightPoints) {
+        CrosshairState.Half first = aiming.half(after, GunPortals.Colour.FIRST);
+        CrosshairState.Half second = aiming.half(after, GunPortals.Colour.SECOND);
         Seen now = seen();
+        if (now.isFirstPerson()) {
+            return new CrosshairState(0, 0, first, second);
+        }
         View view = view(widthPoints / heightPoints);
-        Vector3d way = now.aimed().toVector().sub(view.eye().toVector());
-        double depth = Math.max(-way.dot(view.back().toVector()), LEAST_DEPTH_METRES);
-        double pointsPerUnit =
-                now.isFirstPerson() ? 0 : heightPoints / 2 / (view.projection().tanHalfHeight() * depth);
+        Vec3 way = now.aimed().minus(view.eye());
+        double depth = Math.max(-way.dot(view.back()), LEAST_DEPTH_METRES);
+        double pointsPerUnit = heightPoints / 2 / (view.projection().tanHalfHeight() * depth);
         return new CrosshairState(
-                toHalves(way.dot(view.right().toVector()) * pointsPerUnit),
-                toHalves(-way.dot(view.up().toVector()) * pointsPerUnit),
-                aiming.half(after, GunPortals.Colour.FIRST),
-                aiming.half(after, GunPortals.Colour.SECOND));
+                toHalves(way.dot(view.right()) * pointsPerUnit),
+                toHalves(-way.dot(view.up()) * pointsPerUnit),
+                first,
+                second);
     }
 
     /** Rounds to half points: the overlay is redrawn whenever it changes. */

@@ -18,7 +18,7 @@ final class ShotPreviews {
     private static final double SAME_PLACE_METRES = 0.05;
 
     private final Simulation simulation;
-    private final PlacementResult[] placed = new PlacementResult[GunPortals.Colour.values().length];
+    private final PlacementResult[] placed = new PlacementResult[GunPortals.Colour.BOTH.size()];
     private SimState asked;
     private List<PortalPreview> previews = List.of();
     private GunPortals.Colour lastShot = GunPortals.Colour.SECOND;
@@ -29,6 +29,9 @@ final class ShotPreviews {
 
     /** Follows a tick that ended in this state. */
     void after(SimState state) {
+        if (state.world().trace().events().isEmpty()) {
+            return;
+        }
         for (TickEvent event : state.world().trace().events()) {
             if (event instanceof TickEvent.PortalOpened opened) {
                 lastShot = opened.shot();
@@ -64,15 +67,17 @@ final class ShotPreviews {
             return;
         }
         asked = state;
-        for (GunPortals.Colour shot : GunPortals.Colour.values()) {
-            placed[shot.ordinal()] = simulation.aim(state, shot);
-        }
+        placed[0] = simulation.aim(state, GunPortals.Colour.FIRST);
+        placed[1] = simulation.aim(state, GunPortals.Colour.SECOND);
         previews = outlines(state);
     }
 
     private List<PortalPreview> outlines(SimState state) {
+        if (!(placed[0] instanceof PlacementResult.Fits) && !(placed[1] instanceof PlacementResult.Fits)) {
+            return List.of();
+        }
         List<PortalPreview> all = new ArrayList<>(2);
-        for (GunPortals.Colour shot : GunPortals.Colour.values()) {
+        for (GunPortals.Colour shot : GunPortals.Colour.BOTH) {
             Portal portal = placed[shot.ordinal()] instanceof PlacementResult.Fits fits ? fits.portal() : null;
             if (portal != null && !isThereAlready(state, shot, portal)) {
                 all.add(new PortalPreview(portal, shot.ordinal()));

@@ -44,7 +44,7 @@ public final class View {
         put(right, this.right);
         put(up, this.up);
         put(back, this.back);
-        mirrored = this.right.cross(this.up, new Vector3d()).dot(this.back) < 0;
+        mirrored = right.cross(up).dot(back) < 0;
     }
 
     /** Makes a view that no plane clips. */

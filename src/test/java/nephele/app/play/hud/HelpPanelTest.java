@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import nephele.app.window.Control;
+import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
 import nephele.engine.render.pass.overlay.Lettering;
@@ -24,14 +25,17 @@ final class HelpPanelTest {
     @Test
     void keysFitIntoTheirColumnAndMeaningsIntoThePage() {
         var canvas = new OverlayCanvas(new Lettering());
-        for (var language : Language.values()) {
-            var shown = new HudContent.Keys(KeyBindings.usual(), language);
-            for (var control : Control.values()) {
-                double keys = canvas.width(HelpPanel.EM, HelpPanel.names(control, shown));
-                double meaning = canvas.width(HelpPanel.EM, HelpPanel.meaning(control, shown));
-                assertTrue(keys < HelpPanel.KEY_COLUMN - 4, control + ": " + keys);
-                assertTrue(
-                        HelpPanel.PADDING + HelpPanel.KEY_COLUMN + meaning < HelpPanel.WIDTH, control + ": " + meaning);
+        for (var device : Input.Device.values()) {
+            for (var language : Language.values()) {
+                var shown = new HudContent.Keys(KeyBindings.usual(), device, language);
+                for (var control : Control.values()) {
+                    double keys = canvas.width(HelpPanel.EM, HelpPanel.names(control, shown));
+                    double meaning = canvas.width(HelpPanel.EM, HelpPanel.meaning(control, shown));
+                    assertTrue(keys < HelpPanel.KEY_COLUMN - 4, control + ": " + keys);
+                    assertTrue(
+                            HelpPanel.PADDING + HelpPanel.KEY_COLUMN + meaning < HelpPanel.WIDTH,
+                            control + ": " + meaning);
+                }
             }
         }
     }

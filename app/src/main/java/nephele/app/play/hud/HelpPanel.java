@@ -2,6 +2,8 @@ package nephele.app.play.hud;
 
 import nephele.app.text.Phrase;
 import nephele.app.window.Control;
+import nephele.app.window.Input;
+import nephele.app.window.PadButton;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
 /** The F1 page: every key and its function. Lengths are in points. */
@@ -40,14 +42,32 @@ final class HelpPanel {
                 HudPalette.INK,
                 Phrase.KEYS.in(keys.language()));
         double baseline = top + scale * (PADDING + 2 * TITLE_EM + 0.5 * ROW_HEIGHT);
-        row(canvas, x, baseline, scale, Phrase.MOUSE.in(keys.language()), Phrase.LOOK.in(keys.language()));
+        boolean isPad = keys.device() == Input.Device.GAMEPAD;
+        String look = isPad ? "R" : Phrase.MOUSE.in(keys.language());
+        row(canvas, x, baseline, scale, look, Phrase.LOOK.in(keys.language()));
         for (var control : Control.values()) {
             baseline += scale * ROW_HEIGHT;
             row(canvas, x, baseline, scale, names(control, keys), meaning(control, keys));
         }
     }
 
+    /** Returns the keys of a control; of a gamepad its button where it has one, and L for the left stick. */
     static String names(Control control, HudContent.Keys keys) {
+        if (keys.device() == Input.Device.GAMEPAD) {
+            String stick =
+                    switch (control) {
+                        case FORWARD -> "L ↑";
+                        case BACK -> "L ↓";
+                        case LEFT -> "L ←";
+                        case RIGHT -> "L →";
+                        case CONFIRM -> "A";
+                        default -> null;
+                    };
+            PadButton button = PadButton.of(control);
+            if (stick != null || button != null) {
+                return stick != null ? stick : button.name();
+            }
+        }
         return String.join(", ", keys.bindings().keys(control));
     }
 

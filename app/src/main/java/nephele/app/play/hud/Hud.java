@@ -1,5 +1,6 @@
 package nephele.app.play.hud;
 
+import java.util.List;
 import nephele.engine.render.pass.overlay.Lettering;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
@@ -27,11 +28,8 @@ public final class Hud {
     }
 
     private void fill(HudContent content, Area area) {
-        double covered = 0;
         if (content.menu() != null) {
-            MenuPanel panel = new MenuPanel(content.menu(), area);
-            panel.draw(canvas);
-            covered = panel.bottom();
+            drawMenu(content, area);
         } else if (content.page() == HudContent.Page.HELP) {
             HelpPanel.draw(canvas, area, content.keys());
         } else if (content.sight() != null) {
@@ -46,8 +44,25 @@ public final class Hud {
         if (!content.figures().isEmpty() && content.menu() == null) {
             FrameStatisticsPanel.draw(canvas, area, content.figures());
         }
-        if (content.message() != null && MessageBar.top(area) >= covered) {
-            MessageBar.draw(canvas, area, content.message());
+        if (!content.messages().isEmpty() && content.menu() == null) {
+            new MessageBar(canvas, area, content.messages()).draw(canvas);
+        }
+    }
+
+    /** Draws a menu with the messages below it, or with the latest one in its foot if there is no room. */
+    private void drawMenu(HudContent content, Area area) {
+        MenuPanel panel = new MenuPanel(content.menu(), area);
+        List<String> messages = content.messages();
+        if (messages.isEmpty()) {
+            panel.draw(canvas);
+            return;
+        }
+        MessageBar bar = new MessageBar(canvas, area, messages);
+        if (bar.top() >= panel.bottom()) {
+            panel.draw(canvas);
+            bar.draw(canvas);
+        } else {
+            panel.draw(canvas, panel.footLines(canvas, messages.get(messages.size() - 1)), HudPalette.INK);
         }
     }
 }

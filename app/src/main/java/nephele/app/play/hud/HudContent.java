@@ -1,6 +1,7 @@
 package nephele.app.play.hud;
 
 import java.util.List;
+import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
 import nephele.engine.level.Language;
 import nephele.engine.playthrough.CrosshairState;
@@ -11,14 +12,14 @@ import nephele.engine.scene.ShotPalette;
  *
  * @param menu null while playing
  * @param figures lines of the F3 panel, empty if it is closed
- * @param message the latest message, or null
+ * @param messages the latest ones, the last one last
  * @param banner what is being loaded, or the level's aim; null for none
  * @param sight null if there is no crosshair
  */
 public record HudContent(
-        Menu menu, Page page, List<Figure> figures, String message, Banner banner, Sight sight, Keys keys) {
-    /** The keys of the help page, and its language. */
-    public record Keys(KeyBindings bindings, Language language) {}
+        Menu menu, Page page, List<Figure> figures, List<String> messages, Banner banner, Sight sight, Keys keys) {
+    /** The keys of the help page, those of the device that the player uses, and its language. */
+    public record Keys(KeyBindings bindings, Input.Device device, Language language) {}
 
     /** The crosshair, the colours of its halves, and a line below it; null for none. */
     public record Sight(CrosshairState crosshair, ShotPalette palette, String prompt) {}

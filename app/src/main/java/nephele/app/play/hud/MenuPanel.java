@@ -1,6 +1,8 @@
 package nephele.app.play.hud;
 
+import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
+import nephele.engine.render.pass.overlay.OverlayColour;
 
 /**
  * The menu in the middle of the picture. Lengths are in points. A low window shrinks the panel, down to a scale at
@@ -17,6 +19,8 @@ public final class MenuPanel {
     private static final double ROW_EM = 22;
     private static final double FOOT_HEIGHT = 34;
     private static final double FOOT_EM = 15;
+    private static final double FOOT_LINE_HEIGHT = 19;
+    private static final int FOOT_LINES = 2;
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
 
@@ -52,7 +56,18 @@ public final class MenuPanel {
         return beside || row < 0 || row >= visibleRows ? -1 : firstVisible + row;
     }
 
+    /** Returns a text in lines for the foot. */
+    List<String> footLines(OverlayCanvas canvas, String text) {
+        return TextLines.of(canvas, FOOT_EM, WIDTH - 2 * PADDING, text);
+    }
+
+    /** Draws the menu with its own foot. */
     void draw(OverlayCanvas canvas) {
+        draw(canvas, List.of(menu.foot()), HudPalette.QUIET_INK);
+    }
+
+    /** @param foot the lines below the entries; a third and further ones have no room */
+    void draw(OverlayCanvas canvas, List<String> foot, OverlayColour ink) {
         canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
         canvas.rectangle(left(), top(), scale * WIDTH, scale * height(visibleRows), HudPalette.PANEL);
         canvas.rectangle(left(), top(), scale * WIDTH, 3, HudPalette.ACCENT);
@@ -66,8 +81,11 @@ public final class MenuPanel {
         for (int row = 0; row < visibleRows; row++) {
             drawRow(canvas, firstVisible + row, firstRow() + row * scale * ROW_HEIGHT);
         }
-        double foot = firstRow() + scale * (visibleRows * ROW_HEIGHT + FOOT_HEIGHT);
-        canvas.text(x, foot, scale * FOOT_EM, HudPalette.QUIET_INK, menu.foot());
+        double baseline = firstRow() + scale * (visibleRows * ROW_HEIGHT + FOOT_HEIGHT);
+        for (String line : foot.subList(0, Math.min(foot.size(), FOOT_LINES))) {
+            canvas.text(x, baseline, scale * FOOT_EM, ink, line);
+            baseline += scale * FOOT_LINE_HEIGHT;
+        }
         drawArrows(canvas);
     }
 

@@ -1,27 +1,45 @@
 package nephele.app.play.hud;
 
+import java.util.List;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 
-/** The latest message, at the lower edge. Lengths are in points. */
+/** The latest messages at the lower edge, long ones in several lines. Lengths are in points. */
 final class MessageBar {
     private static final double EM = 19;
+    private static final double LINE_HEIGHT = 25;
     private static final double PADDING = 14;
-    private static final double BOTTOM = 48;
+    private static final double BOTTOM_SHARE = 0.067;
+    private static final double WIDTH_SHARE = 0.9;
 
-    private MessageBar() {}
+    private final List<String> lines;
+    private final Area area;
 
-    /** Returns the upper edge of every message. */
-    static double top(Area area) {
-        return area.height() - BOTTOM - EM - 2 * PADDING;
+    MessageBar(OverlayCanvas canvas, Area area, List<String> messages) {
+        this.area = area;
+        double room = WIDTH_SHARE * area.width() - 2 * PADDING;
+        lines = messages.stream()
+                .flatMap(message -> TextLines.of(canvas, EM, room, message).stream())
+                .toList();
     }
 
-    static void draw(OverlayCanvas canvas, Area area, String message) {
-        double scale = Math.min(1, area.width() / (canvas.width(EM, message) + 2 * PADDING));
-        double width = scale * (canvas.width(EM, message) + 2 * PADDING);
-        double left = Math.max(0, Math.rint(area.centreX() - width / 2));
-        double height = EM + 2 * PADDING;
-        canvas.rectangle(left, top(area), width, height, HudPalette.PANEL);
-        double baseline = top(area) + height / 2 + 0.35 * EM;
-        canvas.text(left + scale * PADDING, baseline, scale * EM, HudPalette.INK, message);
+    /** Returns the upper edge. */
+    double top() {
+        return Math.rint((1 - BOTTOM_SHARE) * area.height()) - height();
+    }
+
+    private double height() {
+        return lines.size() * LINE_HEIGHT + 2 * PADDING;
+    }
+
+    void draw(OverlayCanvas canvas) {
+        double widest =
+                lines.stream().mapToDouble(line -> canvas.width(EM, line)).max().orElse(0);
+        double left = Math.rint(area.centreX() - widest / 2 - PADDING);
+        canvas.rectangle(left, top(), widest + 2 * PADDING, height(), HudPalette.PANEL);
+        double baseline = top() + PADDING + 0.75 * LINE_HEIGHT;
+        for (String line : lines) {
+            canvas.text(left + PADDING, baseline, EM, HudPalette.INK, line);
+            baseline += LINE_HEIGHT;
+        }
     }
 }

@@ -9,7 +9,14 @@ public record SweptAabb(Aabb box, Vec3 motion, Aabb whole) {
     private static final double GROWTH = 1 + 8 * 0x1p-53;
 
     public static SweptAabb of(Aabb box, Vec3 motion) {
-        return new SweptAabb(box, motion, box.union(box.moved(motion)));
+        Aabb whole = new Aabb(
+                box.minX() + Math.min(0, motion.x()),
+                box.minY() + Math.min(0, motion.y()),
+                box.minZ() + Math.min(0, motion.z()),
+                box.maxX() + Math.max(0, motion.x()),
+                box.maxY() + Math.max(0, motion.y()),
+                box.maxZ() + Math.max(0, motion.z()));
+        return new SweptAabb(box, motion, whole);
     }
 
     /**

@@ -225,21 +225,21 @@ public final class RenderTarget implements GlObject {
     /** Clears as {@link #clear} does, to black with alpha 0, for layers that are composited later. */
     public void clearTransparent() {
         gl.state().noScissor();
-        clearWithinScissor(new float[4]);
+        clearWithinScissor(0, 0, 0, 0);
     }
 
     /** Clears as {@link #clear} does, within the scissor. */
     public void clearWithinScissor(float red, float green, float blue) {
-        clearWithinScissor(new float[] {red, green, blue, 1});
+        clearWithinScissor(red, green, blue, 1);
     }
 
-    private void clearWithinScissor(float[] rgba) {
+    private void clearWithinScissor(float red, float green, float blue, float alpha) {
         bind();
         gl.state().allowDepthClear();
         if (gl.state().listener() != null) {
-            gl.state().listener().cleared(rgba);
+            gl.state().listener().cleared(new float[] {red, green, blue, alpha});
         }
-        glClearColor(rgba[0], rgba[1], rgba[2], rgba[3]);
+        glClearColor(red, green, blue, alpha);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     }
 

@@ -1,6 +1,5 @@
 package nephele.engine.scene.dynamic;
 
-import nephele.engine.math.Basis;
 import nephele.engine.scene.FrameState.Posture;
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
@@ -112,17 +111,9 @@ final class CharacterPose {
     }
 
     private void place(Posture p) {
-        Basis ahead = Basis.ofYawPitch(p.yawRadians(), 0);
-        worldFromCharacter.set(
-                ahead.right().x(),
-                ahead.right().y(),
-                ahead.right().z(),
-                ahead.up().x(),
-                ahead.up().y(),
-                ahead.up().z(),
-                ahead.back().x(),
-                ahead.back().y(),
-                ahead.back().z());
+        double sin = StrictMath.sin(p.yawRadians());
+        double cos = StrictMath.cos(p.yawRadians());
+        worldFromCharacter.set(cos, 0, -sin, 0, 1, 0, sin, 0, cos);
         worldFromCharacter.rotateLocal(Posture.leaning(p.up()));
         sole.set(p.centre().x(), p.centre().y(), p.centre().z());
         sole.fma(-p.heightMetres() / 2, worldFromCharacter.getColumn(1, along));

@@ -57,7 +57,7 @@ public record Replay(
                     input.rightPercent(),
                     input.turnLeftMillidegrees(),
                     input.turnUpMillidegrees(),
-                    List.of(Action.values()).stream().filter(input::holds).toList());
+                    Action.ALL.stream().filter(input::holds).toList());
         }
 
         public PlayerInput input() {

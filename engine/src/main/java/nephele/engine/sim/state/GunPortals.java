@@ -1,5 +1,6 @@
 package nephele.engine.sim.state;
 
+import java.util.List;
 import nephele.engine.math.Hash64;
 import nephele.engine.portal.Portals;
 
@@ -12,6 +13,9 @@ public record GunPortals(int first, int second) {
     public enum Colour {
         FIRST("first shot"),
         SECOND("second shot");
+
+        /** Both. {@link #values} makes a new array each time. */
+        public static final List<Colour> BOTH = List.of(values());
 
         private final String portalId;
 

@@ -21,7 +21,7 @@ public record PlayerInput(
         rightPercent = Math.max(-100, Math.min(100, rightPercent));
         turnLeftMillidegrees = limitedTurn(turnLeftMillidegrees);
         turnUpMillidegrees = limitedTurn(turnUpMillidegrees);
-        actions &= (1 << Action.values().length) - 1;
+        actions &= (1 << Action.ALL.size()) - 1;
     }
 
     private static int limitedTurn(int millidegrees) {

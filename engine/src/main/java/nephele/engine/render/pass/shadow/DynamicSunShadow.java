@@ -21,6 +21,7 @@ final class DynamicSunShadow {
     /** Ratio of the static map's side length in metres to this map's. */
     private static final int SIDE_DIVISOR = 4;
 
+    private final Frustum everything = Frustum.everything();
     private final GlContext gl;
     private final DynamicMeshes meshes;
     private final DynamicShadows shade;
@@ -75,7 +76,7 @@ final class DynamicSunShadow {
         shade.sunMap(sunMap, anchor);
         gl.state().scissor(0, 0, sunMap.width(), sunMap.height());
         target.clearDepth();
-        visible.find(Frustum.everything(), eye, 1 / sunMap.texelMetres());
+        visible.find(everything, eye, 1 / sunMap.texelMetres());
         sunMap.mapFromAnchor(anchor, matrix);
         depth.drawParallel(visible, clip(matrix));
         gl.state().noScissor();

@@ -29,6 +29,8 @@ public final class SunShadowPass implements Pass {
     private final DepthDraw depth;
     private final DepthLayers map;
     private final Same solids;
+    private List<Content> contents = List.of();
+    private Texture.Extent size;
 
     /** The data on which a map depends. */
     private record Content(Same solids, ShadowFrame frame) {}
@@ -58,10 +60,12 @@ public final class SunShadowPass implements Pass {
     @Override
     public void draw(FrameContext context) {
         ShadowFrame frame = light.sunFrame();
+        if (contents.isEmpty() || contents.get(0).frame != frame) {
+            contents = List.of(new Content(solids, frame));
+            size = new Texture.Extent(frame.width(), frame.height(), 1);
+        }
         Texture texture = map.showing(
-                List.of(new Content(solids, frame)),
-                new Texture.Extent(frame.width(), frame.height(), 1),
-                (layer, target) -> depth.drawAll(target, frame.clipFromAnchor(), frame.anchor()));
+                contents, size, (layer, target) -> depth.drawAll(target, frame.clipFromAnchor(), frame.anchor()));
         shared.publish(Target.SUN_SHADOW, texture);
     }
 }
