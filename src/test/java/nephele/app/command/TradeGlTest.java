@@ -42,7 +42,7 @@ class TradeGlTest {
     void reportsPicturesOfALevel() throws IOException {
         Path level = Files.writeString(folder.resolve("two-doors.json"), TWO_DOORS);
         Path out = folder.resolve("report");
-        var run = measured(level, out);
+        var run = measured("portalTechnique", "32x18", level, out);
         assertEquals("", run.exitCode() == 0 ? "" : run.err());
         assertEquals(out.resolve("index.html") + "\n", run.out());
         String page = Files.readString(out.resolve("index.html"));
@@ -59,7 +59,7 @@ class TradeGlTest {
                         .count());
         assertTrue(Files.size(out.resolve("pictures/portalTechnique-exact.png")) > 0);
 
-        var resumed = measured(level, out);
+        var resumed = measured("portalTechnique", "32x18", level, out);
         assertTrue(resumed.err().contains("was measured before"), resumed.err());
         assertTrue(
                 graphics(page).length() > 3
@@ -71,15 +71,35 @@ class TradeGlTest {
         return page.replaceFirst("(?s).*?(llvmpipe[^<]*|softpipe[^<]*|$).*", "$1");
     }
 
-    private static Captured measured(Path level, Path out) {
+    /** Edges that are not smoothed shimmer and err most; the filter is in between, samples are best. */
+    @Test
+    void judgesEdgesByManySamples() throws IOException {
+        Path level = Files.writeString(folder.resolve("two-doors.json"), TWO_DOORS);
+        var run = measured("edgeFilter", "64x36", level, folder);
+        assertEquals("", run.exitCode() == 0 ? "" : run.err());
+        var rows = Files.readAllLines(folder.resolve("trade.csv")).stream()
+                .map(line -> line.split(","))
+                .toList();
+        assertEquals("shimmer", rows.get(1)[21]);
+        assertEquals("RMSE at edges", rows.get(1)[23]);
+        for (int figure : new int[] {22, 24}) {
+            double none = Double.parseDouble(rows.get(1)[figure]);
+            double filtered = Double.parseDouble(rows.get(2)[figure]);
+            double sampled = Double.parseDouble(rows.get(3)[figure]);
+            String what = figure + ": " + none + ", " + filtered + ", " + sampled;
+            assertTrue(none > filtered && filtered > sampled && sampled > 0, what);
+        }
+    }
+
+    private static Captured measured(String subject, String size, Path level, Path out) {
         return Captured.run(
                 "trade",
-                "portalTechnique",
+                subject,
                 "--quick",
                 "--rounds",
                 "1",
                 "--size",
-                "32x18",
+                size,
                 "--spp",
                 "1",
                 "--level",

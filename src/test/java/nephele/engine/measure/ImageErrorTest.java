@@ -31,4 +31,13 @@ class ImageErrorTest {
         assertEquals(0.01 / 1.01, ImageError.relativeSquared(even, noisy), 1e-7);
         assertEquals(0, ImageError.meanBias(even, noisy), 1e-7);
     }
+
+    /** The first pixel errs by 1, 2 and 2, the other by 8: √((1 + 4 + 4) / 3) alone. */
+    @Test
+    void onlyChosenPixelsCount() {
+        var test = new LinearPicture(2, 1, new float[] {2, 4, 2, 8, 8, 8});
+        assertEquals(Math.sqrt(3), ImageError.rootMeanSquare(EXACT, test, new boolean[] {true, false}), 1e-12);
+        assertEquals(8, ImageError.rootMeanSquare(EXACT, test, new boolean[] {false, true}), 1e-12);
+        assertEquals(0, ImageError.rootMeanSquare(EXACT, test, new boolean[2]));
+    }
 }

@@ -1,6 +1,6 @@
 package nephele.engine.measure;
 
-/** Error measures of radiance that FLIP does not show: squared error and bias of the mean. */
+/** Error measures of radiance that FLIP does not show: squared errors and bias of the mean. */
 public final class ImageError {
     /** Limits the weight of black reference pixels; in squared radiance. */
     private static final double FLOOR = 1e-2;
@@ -27,6 +27,25 @@ public final class ImageError {
         double exact = meanLuminance(reference);
         double tried = meanLuminance(test);
         return exact == tried ? 0 : tried / exact - 1;
+    }
+
+    /**
+     * Returns √(mean (test − reference)²) over the channels of some pixels; 0 if there are none.
+     *
+     * @param counts for each pixel whether it counts
+     */
+    public static double rootMeanSquare(LinearPicture reference, LinearPicture test, boolean[] counts) {
+        reference.requireSameSize(test);
+        double sum = 0;
+        int values = 0;
+        for (int i = 0; i < reference.rgb().length; i++) {
+            if (counts[i / 3]) {
+                double difference = test.rgb()[i] - reference.rgb()[i];
+                sum += difference * difference;
+                values++;
+            }
+        }
+        return values == 0 ? 0 : Math.sqrt(sum / values);
     }
 
     private static double meanLuminance(LinearPicture picture) {

@@ -5,6 +5,7 @@ import java.util.stream.Collectors;
 import nephele.engine.terminal.CommandFailure;
 import nephele.lab.trade.Trade;
 import nephele.lab.trade.subject.CullingSphereSubject;
+import nephele.lab.trade.subject.EdgeSubjects;
 import nephele.lab.trade.subject.PictureSubjects;
 import nephele.lab.trade.subject.PlacementSubject;
 import nephele.lab.trade.subject.PortalSubjects;
@@ -20,7 +21,7 @@ public final class Trades {
             QualitySubjects.PRESETS,
             QualitySubjects.RESOLUTION,
             QualitySubjects.UPSCALE,
-            QualitySubjects.EDGE_FILTER,
+            EdgeSubjects.FILTER,
             QualitySubjects.NORMAL_MAPS,
             QualitySubjects.BRDF,
             QualitySubjects.SHADOW_FILTER,
@@ -30,7 +31,7 @@ public final class Trades {
             PortalSubjects.BUDGET_BETWEEN_FACING,
             PortalSubjects.RESOLUTION,
             ShadowSubject.TRADE,
-            PictureSubjects.SAMPLES,
+            EdgeSubjects.SAMPLES,
             PictureSubjects.ANISOTROPY,
             PictureSubjects.OUTPUT,
             PictureSubjects.CULLING,

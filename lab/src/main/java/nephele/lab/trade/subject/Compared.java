@@ -1,7 +1,6 @@
 package nephele.lab.trade.subject;
 
 import java.awt.image.BufferedImage;
-import java.nio.ByteBuffer;
 import java.util.function.Supplier;
 import nephele.engine.level.Environment;
 import nephele.engine.measure.ErrorMap;
@@ -83,15 +82,6 @@ enum Compared {
         return error;
     }
 
-    private static LinearPicture displayed(RenderTarget picture) {
-        ByteBuffer rgba = picture.readBytes();
-        float[] rgb = new float[3 * picture.width() * picture.height()];
-        for (int i = 0; i < rgb.length; i++) {
-            rgb[i] = (float) ToneMapping.decodeSrgb((rgba.get(i / 3 * 4 + i % 3) & 0xff) / 255.0);
-        }
-        return new LinearPicture(picture.width(), picture.height(), rgb);
-    }
-
     private static LinearPicture toneMapped(LinearPicture radiance, Environment environment) {
         float[] rgb = radiance.rgb().clone();
         double exposure = Math.pow(2, environment.exposureStops());
@@ -119,7 +109,7 @@ enum Compared {
 
     /** @param radiance of the judged shot if its output is HDR; otherwise {@code null} */
     LinearPicture read(float[] radiance, RenderTarget picture) {
-        return displayed(picture);
+        return DisplayedLight.of(picture.readBytes(), picture.width(), picture.height(), 1);
     }
 
     /** @param drawn draws the usual picture's radiance, on request */

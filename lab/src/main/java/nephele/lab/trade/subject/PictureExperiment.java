@@ -22,7 +22,7 @@ import nephele.lab.trade.TradeSite;
 /** One renderer for each setting, drawing the same view in turn. */
 final class PictureExperiment implements Experiment {
     /** A technique that reuses the previous picture is judged after so many frames. */
-    private static final int SETTLING_FRAMES = 4;
+    static final int SETTLING_FRAMES = 4;
 
     private final TradeSite site;
     private final Compared compared;
@@ -45,6 +45,11 @@ final class PictureExperiment implements Experiment {
                 site.extent().width(),
                 site.extent().height());
         settings.forEach(setting -> renderers.add(null));
+    }
+
+    /** Returns the shot that a setting is timed with. */
+    Shot shot(int setting) {
+        return shots.get(setting);
     }
 
     @Override
@@ -100,7 +105,7 @@ final class PictureExperiment implements Experiment {
         site.gl().finish();
     }
 
-    private Renderer renderer(Shot shot) {
+    Renderer renderer(Shot shot) {
         Scene scene = scenes.computeIfAbsent(shot.level(), site::scene);
         return Renderer.load(site.gl(), scene, shot.settings(site.gl().limits().software()));
     }

@@ -11,21 +11,6 @@ public final class PictureSubjects {
     private static final List<String> FIGURES = List.of("relMSE", "mean bias %", "HDR-FLIP, 99th percentile of pixels");
     private static final String ORACLE = "the oracle: rays through the level, many a pixel";
 
-    public static final Trade SAMPLES = of(
-            "samples",
-            new Trade.Text(
-                    "Samples a pixel",
-                    "Edges of walls, portals and dynamic objects are smoothed by testing coverage at several points of"
-                            + " a pixel (multisampling). One point gives stairs.",
-                    ORACLE),
-            List.of("samples"),
-            "1",
-            List.of(
-                    PictureSetting.of("samples", 1, "low, medium and high"),
-                    PictureSetting.of("samples", 2, ""),
-                    PictureSetting.of("samples", 4, "ultra"),
-                    PictureSetting.of("samples", 8, "")));
-
     public static final Trade ANISOTROPY = of(
             "anisotropy",
             new Trade.Text(

@@ -54,21 +54,6 @@ public final class QualitySubjects {
                     new PictureSetting(
                             new Setting("bilinear at 0.65", ""), shot -> shot.set("pictureResolution", "0.65"))));
 
-    public static final Trade EDGE_FILTER = seen(
-            "edgeFilter",
-            new Trade.Text(
-                    "Filter of edges",
-                    "Stairs along edges are smoothed in the displayed picture, by the edges' shapes. It costs a"
-                            + " fraction of samples, and sees no detail that is smaller than a pixel.",
-                    SEEN),
-            List.of("edgeFilter"),
-            "none",
-            List.of(
-                    PictureSetting.of("edgeFilter", "none", "all presets"),
-                    PictureSetting.of("edgeFilter", "morphological", ""),
-                    new PictureSetting(
-                            new Setting("4 samples", "instead of the filter"), shot -> shot.set("samples", "4"))));
-
     public static final Trade NORMAL_MAPS = PictureSubjects.of(
             "normalMaps",
             new Trade.Text(

@@ -1,0 +1,114 @@
+package nephele.lab.trade.subject;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Map;
+import nephele.engine.draw.IdLevel;
+import nephele.engine.measure.ErrorMap;
+import nephele.engine.measure.Flip;
+import nephele.engine.measure.ImageError;
+import nephele.engine.measure.LinearPicture;
+import nephele.engine.measure.Shimmer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.terminal.CommandFailure;
+import nephele.lab.trade.Experiment;
+import nephele.lab.trade.Judgement;
+import nephele.lab.trade.TradeSite;
+
+/**
+ * Ways to smooth edges, compared with the engine's own picture at 64 samples a pixel: displayed light of eight times the
+ * pixels along each side, averaged. A still picture is judged, and the shimmer along a path.
+ */
+final class EdgeExperiment implements Experiment {
+    static final List<String> FIGURES = List.of("shimmer", "RMSE at edges", "FLIP, 99th percentile of pixels");
+
+    private static final int EXACT_SIDE = 8;
+
+    private final TradeSite site;
+    private final PictureExperiment pictures;
+    private final Footage still;
+    private final Footage path;
+    private Drawn exact;
+    private boolean[] nearEdges;
+
+    /** The displayed light of one way to draw. */
+    private record Drawn(LinearPicture still, List<LinearPicture> path) {}
+
+    EdgeExperiment(TradeSite site, List<PictureSetting> settings) {
+        this.site = site;
+        requireRoom(site.extent(), site.gl().limits().maxTextureSize());
+        pictures = new PictureExperiment(site, settings, Compared.DISPLAY);
+        still = Footage.still(site);
+        path = Footage.path(site);
+    }
+
+    private static void requireRoom(TradeSite.Extent extent, int most) {
+        if (EXACT_SIDE * Math.max(extent.width(), extent.height()) > most) {
+            int side = most / EXACT_SIDE;
+            throw CommandFailure.usage("edges are compared with a picture of " + EXACT_SIDE
+                    + " times the pixels along each side, and this OpenGL draws at most " + most
+                    + ": choose a --size of at most " + side + "x" + side);
+        }
+    }
+
+    @Override
+    public Judgement judge(int setting) {
+        Drawn wanted = reference();
+        Drawn test = drawn(pictures.shot(setting), 1);
+        ErrorMap flip = Flip.ofDisplayed(wanted.still(), test.still());
+        List<Double> figures = List.of(
+                Shimmer.of(wanted.path(), test.path()),
+                ImageError.rootMeanSquare(wanted.still(), test.still(), nearEdges),
+                flip.quantile(0.99));
+        return new Judgement(flip.mean(), figures, shown(test.still()), flip);
+    }
+
+    private Drawn drawn(Shot shot, int side) {
+        try (var renderer = pictures.renderer(shot)) {
+            return new Drawn(
+                    still.displayed(site.gl(), renderer, side).get(0), path.displayed(site.gl(), renderer, side));
+        }
+    }
+
+    /** Returns the exact pictures; drawn at the first call, because all settings share them. */
+    private Drawn reference() {
+        if (exact == null) {
+            Shot shot = pictures.shot(0).set("samples", 1).set("edgeFilter", "none");
+            exact = drawn(shot, EXACT_SIDE);
+            nearEdges = nearEdges();
+        }
+        return exact;
+    }
+
+    /** Returns the pixels of the still picture within a pixel of the edge of a surface. */
+    private boolean[] nearEdges() {
+        var ids = new Shot(IdLevel.of(site.level()), Output.PLAIN, "high", Map.of("debug", "ids"));
+        try (var renderer = pictures.renderer(ids);
+                var picture =
+                        RenderTarget.picture(site.gl(), "ids", PixelFormat.RGBA8, still.width(), still.height())) {
+            renderer.draw(site.view(), picture);
+            return IdEdges.near(picture.readBytes(), still.width(), still.height());
+        }
+    }
+
+    @Override
+    public BufferedImage exact() {
+        return shown(reference().still());
+    }
+
+    private BufferedImage shown(LinearPicture picture) {
+        return Compared.DISPLAY.shown(picture, site.level().environment());
+    }
+
+    @Override
+    public void run(int setting) {
+        pictures.run(setting);
+    }
+
+    @Override
+    public void close() {
+        pictures.close();
+    }
+}
