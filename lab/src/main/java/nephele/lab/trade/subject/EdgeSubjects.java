@@ -11,8 +11,8 @@ public final class EdgeSubjects {
     private static final String EXACT = "the engine's own picture of 64 samples a pixel: eight times the pixels along"
             + " each side, averaged in linear light. Shimmer is the RMS change of the error from frame to frame while"
             + " the view turns by 0.3 pixels a frame, over " + Footage.PATH_FRAMES + " frames of at most "
-            + Footage.PATH_WIDTH + "×" + Footage.PATH_HEIGHT + " pixels; RMSE at edges counts the pixels within one of"
-            + " the edge of a surface. Both are in linear light, 1 is white";
+            + Footage.PATH_WIDTH + "×" + Footage.PATH_HEIGHT + " pixels. RMSE at edges counts pixels at most one pixel"
+            + " from the edge of a surface. Both are in linear light, 1 is white; the advice regards FLIP alone";
 
     public static final Trade SAMPLES = of(
             "samples",
