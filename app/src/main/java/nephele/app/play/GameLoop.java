@@ -96,7 +96,7 @@ public final class GameLoop implements AutoCloseable {
         changeLevel();
         simulate();
         draw();
-        say();
+        log.shown(stages.current(), menu, loading, current);
         tellProblems();
         frameCap.await(files.settings().get(Settings.FRAME_CAP));
     }
@@ -364,24 +364,6 @@ public final class GameLoop implements AutoCloseable {
         }
         picture.draw(stages.current(), loading, page, shot);
         shot = Display.Shot.NONE;
-    }
-
-    /** Writes the state that the picture shows. */
-    private void say() {
-        if (!log.isOn()) {
-            return;
-        }
-        switch (stages.current()) {
-            case TITLE, MENU, ENDED ->
-                log.say(
-                        "title".equals(menu.page().name())
-                                ? "title"
-                                : "menu " + menu.page().name());
-            case STARTING -> log.say("loading " + loading.request().level().fileName());
-            case RUNNING ->
-                log.say("playing " + current.session().request().level().fileName());
-            default -> {}
-        }
     }
 
     private void tellProblems() {

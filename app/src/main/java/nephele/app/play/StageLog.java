@@ -12,13 +12,24 @@ final class StageLog {
         this.err = err;
     }
 
-    /** Returns false if {@link #say} writes nothing. */
-    boolean isOn() {
-        return err != null;
+    /** Writes the state that the picture shows, if it is another one than before. */
+    void shown(GameStage stage, MenuControl menu, Loading loading, CurrentLevel current) {
+        if (err == null) {
+            return;
+        }
+        switch (stage) {
+            case TITLE, MENU, ENDED -> {
+                String page = menu.page().name();
+                say("title".equals(page) ? "title" : "menu " + page);
+            }
+            case STARTING -> say("loading " + loading.request().level().fileName());
+            case RUNNING -> say("playing " + current.session().request().level().fileName());
+            default -> {}
+        }
     }
 
     void say(String state) {
-        if (isOn() && !state.equals(last)) {
+        if (err != null && !state.equals(last)) {
             last = state;
             err.println("state " + state);
         }

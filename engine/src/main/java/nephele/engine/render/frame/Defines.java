@@ -16,9 +16,9 @@ public final class Defines {
      */
     public static Defines of(LoadContext context) {
         Environment environment = context.scene().level().environment();
-        int samples = context.quality().samples();
-        Defines defines = samples > 1 ? new Defines().with("SAMPLES", samples) : new Defines();
-        return defines.with(context.output().define())
+        return new Defines()
+                .withIf(context.quality().samples() > 1, "MULTISAMPLED")
+                .with(context.output().define())
                 .with(ToneMapping.define(environment.toneCurve()))
                 .withIf(FogTransmittance.of(environment).isPresent(), "FOG")
                 .withIf(ViewTree.mayGrow(context.scene().level()), "PORTALS")

@@ -5,9 +5,9 @@
 
 // Returns the offset from the pixel's centre to the middle of the covered samples, pixels.
 vec2 coveredOffset() {
-#ifdef SAMPLES
+#ifdef MULTISAMPLED
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < SAMPLES; i++) {
+    for (int i = 0; i < 8; i++) {  // drivers may draw more samples than were requested; others cover nothing
         vec2 position = i % 2 == 0 ? samplePositions[i / 2].xy : samplePositions[i / 2].zw;
         sum += vec3(position, 1.0) * float(gl_SampleMaskIn[0] >> i & 1);
     }
@@ -18,7 +18,7 @@ vec2 coveredOffset() {
 }
 
 vec3 atCovered(vec3 atCentre, vec2 offset) {
-#ifdef SAMPLES
+#ifdef MULTISAMPLED
     return atCentre + offset.x * dFdx(atCentre) + offset.y * dFdy(atCentre);
 #else
     return atCentre;
