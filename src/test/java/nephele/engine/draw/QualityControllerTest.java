@@ -3,6 +3,10 @@ package nephele.engine.draw;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
 import java.util.SplittableRandom;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.Stream;
@@ -12,7 +16,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The controller on seeded traces of frame costs. */
+/** The controller on seeded and recorded traces of frame costs. */
 class QualityControllerTest {
     private static final double BUDGET = 33.3;
     private static final int MINUTE = 1800;
@@ -79,6 +83,24 @@ class QualityControllerTest {
         Run run = run(QualityFront.SOFTWARE, BUDGET, 6 * MINUTE, noisy(seed, walk));
         assertTrue(run.over < 0.01 * run.frames, run.toString());
         assertTrue(run.changes <= 6 * MINUTE / 300, run.toString());
+    }
+
+    /**
+     * Costs recorded while a level's solution was shown in a window of 640x360, divided by that of the point that drew
+     * each frame: with the hitches of a busy machine.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"01-courtyard", "04-cube"})
+    void recordedWalksStayWithinTheBudget(String level) throws IOException {
+        double[] costs;
+        try (var lines = new BufferedReader(new InputStreamReader(
+                QualityControllerTest.class.getResourceAsStream("cost-" + level + ".txt"),
+                StandardCharsets.US_ASCII))) {
+            costs = lines.lines().mapToDouble(Double::parseDouble).toArray();
+        }
+        Run run = run(QualityFront.SOFTWARE, BUDGET, costs.length, frame -> costs[frame]);
+        assertTrue(run.over < 0.01 * run.frames, run.toString());
+        assertTrue(run.changes <= costs.length / 300 + 1, run.toString());
     }
 
     /** The cost between two points, where each climb fails: the time between climbs grows. */

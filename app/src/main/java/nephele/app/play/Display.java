@@ -30,6 +30,9 @@ final class Display implements AutoCloseable {
     private static final float EMPTY_GREEN = 0.09f;
     private static final float EMPTY_BLUE = 0.14f;
 
+    /** A higher picture enlarges the overlay. */
+    private static final double HIGHEST_POINTS = 1080;
+
     private final GameWindow window;
     private final GlContext gl;
     private final Lettering lettering = new Lettering();
@@ -56,7 +59,7 @@ final class Display implements AutoCloseable {
         var picture = target();
         picture.bind();
         picture.clear(EMPTY_RED, EMPTY_GREEN, EMPTY_BLUE);
-        overlay.draw(hud.canvas(content, area(), window.scale()), picture);
+        overlay.draw(hud.canvas(content, area(), pixelsPerPoint()), picture);
         window.show();
     }
 
@@ -77,7 +80,7 @@ final class Display implements AutoCloseable {
         if (shot == Shot.WITHOUT_OVERLAY) {
             save(picture);
         }
-        overlay.draw(hud.canvas(content, area(), window.scale()), picture);
+        overlay.draw(hud.canvas(content, area(), pixelsPerPoint()), picture);
         if (shot == Shot.WITH_OVERLAY) {
             save(picture);
         }
@@ -104,10 +107,15 @@ final class Display implements AutoCloseable {
         return (double) window.width() / window.height();
     }
 
+    /** Returns the overlay's scale: the screen's own, but more where the picture is high, so that text stays legible. */
+    double pixelsPerPoint() {
+        return Math.max(window.scale(), window.height() / HIGHEST_POINTS);
+    }
+
     /** Returns the window's size in points. */
     Area area() {
-        double width = window.width() / window.scale();
-        double height = window.height() / window.scale();
+        double width = window.width() / pixelsPerPoint();
+        double height = window.height() / pixelsPerPoint();
         if (area == null || area.width() != width || area.height() != height) {
             area = new Area(width, height);
         }

@@ -194,7 +194,7 @@ public final class GameLoop implements AutoCloseable {
 
     private void obeyPointer() {
         if (stages.inMenu()) {
-            choose(menu.choiceOf(display.area(), window.scale()));
+            choose(menu.choiceOf(display.area(), display.pixelsPerPoint()));
         }
     }
 

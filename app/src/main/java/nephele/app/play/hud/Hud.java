@@ -62,7 +62,7 @@ public final class Hud {
             panel.draw(canvas);
             bar.draw(canvas);
         } else {
-            panel.draw(canvas, panel.footLines(canvas, messages.get(messages.size() - 1)), HudPalette.INK);
+            panel.draw(canvas, messages.get(messages.size() - 1), HudPalette.INK);
         }
     }
 }

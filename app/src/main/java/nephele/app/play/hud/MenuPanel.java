@@ -19,7 +19,7 @@ public final class MenuPanel {
     private static final double ROW_EM = 22;
     private static final double FOOT_HEIGHT = 34;
     private static final double FOOT_EM = 15;
-    private static final double FOOT_LINE_HEIGHT = 19;
+    private static final double FOOT_LINE_EMS = 1.27;
     private static final int FOOT_LINES = 2;
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
@@ -56,18 +56,13 @@ public final class MenuPanel {
         return beside || row < 0 || row >= visibleRows ? -1 : firstVisible + row;
     }
 
-    /** Returns a text in lines for the foot. */
-    List<String> footLines(OverlayCanvas canvas, String text) {
-        return TextLines.of(canvas, FOOT_EM, WIDTH - 2 * PADDING, text);
-    }
-
     /** Draws the menu with its own foot. */
     void draw(OverlayCanvas canvas) {
-        draw(canvas, List.of(menu.foot()), HudPalette.QUIET_INK);
+        draw(canvas, menu.foot(), HudPalette.QUIET_INK);
     }
 
-    /** @param foot the lines below the entries; a third and further ones have no room */
-    void draw(OverlayCanvas canvas, List<String> foot, OverlayColour ink) {
+    /** @param foot the text below the entries; one of more than two lines is smaller */
+    void draw(OverlayCanvas canvas, String foot, OverlayColour ink) {
         canvas.rectangle(0, 0, area.width(), area.height(), HudPalette.VEIL);
         canvas.rectangle(left(), top(), scale * WIDTH, scale * height(visibleRows), HudPalette.PANEL);
         canvas.rectangle(left(), top(), scale * WIDTH, 3, HudPalette.ACCENT);
@@ -81,12 +76,22 @@ public final class MenuPanel {
         for (int row = 0; row < visibleRows; row++) {
             drawRow(canvas, firstVisible + row, firstRow() + row * scale * ROW_HEIGHT);
         }
-        double baseline = firstRow() + scale * (visibleRows * ROW_HEIGHT + FOOT_HEIGHT);
-        for (String line : foot.subList(0, Math.min(foot.size(), FOOT_LINES))) {
-            canvas.text(x, baseline, scale * FOOT_EM, ink, line);
-            baseline += scale * FOOT_LINE_HEIGHT;
-        }
+        drawFoot(canvas, x, foot, ink);
         drawArrows(canvas);
+    }
+
+    private void drawFoot(OverlayCanvas canvas, double x, String foot, OverlayColour ink) {
+        double em = FOOT_EM;
+        List<String> lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, foot);
+        if (lines.size() > FOOT_LINES) {
+            em = FOOT_EM * FOOT_LINES / (FOOT_LINES + 1);
+            lines = TextLines.of(canvas, em, WIDTH - 2 * PADDING, foot);
+        }
+        double baseline = firstRow() + scale * (visibleRows * ROW_HEIGHT + FOOT_HEIGHT);
+        for (String line : lines) {
+            canvas.text(x, baseline, scale * em, ink, line);
+            baseline += scale * em * FOOT_LINE_EMS;
+        }
     }
 
     /** Draws a title, smaller if it is wider than the panel. */
