@@ -1,8 +1,10 @@
 package nephele.app.play;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.app.play.hud.Menu;
@@ -16,6 +18,7 @@ import nephele.app.text.Phrase;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.app.window.KeyBindings;
+import nephele.engine.asset.Picture;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelName;
 
@@ -26,6 +29,7 @@ final class GameMenus {
     private final PlayerFiles files;
     private final List<LevelName> campaign;
     private final Supplier<Input.Device> device;
+    private final Map<LevelName, Optional<Picture>> pictures = new HashMap<>();
 
     /** @param device the one whose keys the pages name */
     GameMenus(PlayerFiles files, List<LevelName> campaign, Supplier<Input.Device> device) {
@@ -122,7 +126,10 @@ final class GameMenus {
         for (LevelName level : campaign) {
             long best = files.progress().bestTicks(level.fileName());
             entries.add(new Entry(
-                    level.title(), best > 0 ? "✓ " + time(best) : text(Phrase.NOT_YET), new Choice.Play(level)));
+                    level.title(),
+                    best > 0 ? "✓ " + time(best) : text(Phrase.NOT_YET),
+                    new Choice.Play(level),
+                    pictures.computeIfAbsent(level, LevelName::picture).orElse(null)));
         }
         entries.add(new Entry(text(Phrase.BACK), new Choice.Back()));
         return menu("levels", text(Phrase.LEVELS), List.of(), entries, new Choice.Back());

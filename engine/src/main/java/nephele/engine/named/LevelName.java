@@ -4,8 +4,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import nephele.engine.asset.AssetException;
 import nephele.engine.asset.AtomicFile;
 import nephele.engine.asset.LevelAssets;
+import nephele.engine.asset.Picture;
+import nephele.engine.asset.PictureDecoder;
 import nephele.engine.asset.ResourceAssets;
 import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
@@ -23,6 +26,7 @@ public record LevelName(String typed) {
     private static final int STANDING_TICKS = 300;
 
     private static final int LARGEST_REPLAY_BYTES = 64 << 20;
+    private static final int LARGEST_PICTURE_BYTES = 4 << 20;
 
     /**
      * Returns the file name without folder, number and extension as a title: "01-first-light.json" is "First light".
@@ -79,6 +83,27 @@ public record LevelName(String typed) {
         }
     }
 
+    /**
+     * Returns the level's picture for lists; that of {@code d/x.json} is {@code d/pictures/x.png}. Empty if there is none
+     * that can be read.
+     */
+    public Optional<Picture> picture() {
+        String name = fileName().replaceFirst("\\.json$", ".png");
+        Path beside = Path.of(typed).toAbsolutePath().resolveSibling("pictures").resolve(name);
+        var jar = new ResourceAssets(LevelAssets.JAR_LEVELS);
+        String resource = besideInJar("pictures/" + name);
+        try {
+            if (Files.isRegularFile(beside)) {
+                return Optional.of(PictureDecoder.decode(name, AtomicFile.read(beside, LARGEST_PICTURE_BYTES)));
+            }
+            return !Files.exists(Path.of(typed)) && jar.exists(resource)
+                    ? Optional.of(PictureDecoder.decode(name, jar.bytes(resource)))
+                    : Optional.empty();
+        } catch (IOException | AssetException unreadable) {
+            return Optional.empty();
+        }
+    }
+
     /** Returns the last part of the path. */
     public String fileName() {
         return typed.substring(Math.max(typed.lastIndexOf('/'), typed.lastIndexOf('\\')) + 1);
@@ -88,9 +113,14 @@ public record LevelName(String typed) {
         return Replay.standing(fileName(), STANDING_TICKS);
     }
 
-    private Optional<Replay> walkInJar() {
+    /** Returns the path in the jar of a file in the level's folder. */
+    private String besideInJar(String file) {
         String inLevels = typed.replace('\\', '/').replaceFirst("^(\\./)?levels/", "");
-        String resource = inLevels.substring(0, inLevels.lastIndexOf('/') + 1) + "replays/" + fileName();
+        return inLevels.substring(0, inLevels.lastIndexOf('/') + 1) + file;
+    }
+
+    private Optional<Replay> walkInJar() {
+        String resource = besideInJar("replays/" + fileName());
         var jar = new ResourceAssets(LevelAssets.JAR_LEVELS);
         return jar.exists(resource)
                 ? Optional.of(Replay.read("levels/" + resource, jar.bytes(resource)))

@@ -3,6 +3,7 @@ package nephele.app.play.hud;
 import java.util.List;
 import nephele.app.settings.GameSetting;
 import nephele.app.window.Control;
+import nephele.engine.asset.Picture;
 import nephele.engine.named.LevelName;
 
 /**
@@ -20,8 +21,13 @@ public record Menu(
      * A line of the menu and the choice that it makes.
      *
      * @param value text at the right end; empty for none
+     * @param picture shown beside the menu while the entry is selected; {@code null} for none
      */
-    public record Entry(String label, String value, Choice choice) {
+    public record Entry(String label, String value, Choice choice, Picture picture) {
+        public Entry(String label, String value, Choice choice) {
+            this(label, value, choice, null);
+        }
+
         public Entry(String label, Choice choice) {
             this(label, "", choice);
         }
@@ -67,6 +73,16 @@ public record Menu(
         if (entries.isEmpty() || selected < 0 || selected >= entries.size()) {
             throw new IllegalArgumentException("entry " + selected + " of " + entries.size() + " is selected");
         }
+    }
+
+    /** Returns true if an entry has a picture. */
+    boolean hasPictures() {
+        return entries.stream().anyMatch(entry -> entry.picture() != null);
+    }
+
+    /** Returns the selected entry's picture, or {@code null}. */
+    Picture picture() {
+        return entries.get(selected).picture();
     }
 
     /** Returns the menu with the selection moved, around both ends. */

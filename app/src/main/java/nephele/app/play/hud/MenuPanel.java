@@ -1,6 +1,7 @@
 package nephele.app.play.hud;
 
 import java.util.List;
+import nephele.engine.asset.Picture;
 import nephele.engine.render.pass.overlay.OverlayCanvas;
 import nephele.engine.render.pass.overlay.OverlayColour;
 
@@ -23,9 +24,12 @@ public final class MenuPanel {
     private static final int FOOT_LINES = 2;
     private static final double LEAST_SCALE = 0.62;
     private static final double GAP = 14;
+    private static final double PICTURE_WIDTH = 384;
+    private static final double BESIDE = 16;
 
     private final Menu menu;
     private final Area area;
+    private final double blockWidth;
     private final double scale;
     private final int visibleRows;
     private final int firstVisible;
@@ -34,7 +38,8 @@ public final class MenuPanel {
         this.menu = menu;
         this.area = area;
         int rows = menu.entries().size();
-        double wanted = Math.min(area.height() / height(rows), area.width() / WIDTH);
+        blockWidth = WIDTH + (menu.hasPictures() ? BESIDE + PICTURE_WIDTH : 0);
+        double wanted = Math.min(area.height() / height(rows), area.width() / (blockWidth + 2 * BESIDE));
         scale = Math.max(LEAST_SCALE, Math.min(1, wanted));
         int fitting = (int) Math.floor((area.height() / scale - height(0)) / ROW_HEIGHT);
         visibleRows = Math.max(1, Math.min(rows, fitting));
@@ -77,7 +82,19 @@ public final class MenuPanel {
             drawRow(canvas, firstVisible + row, firstRow() + row * scale * ROW_HEIGHT);
         }
         drawFoot(canvas, x, foot, ink);
+        drawPicture(canvas);
         drawArrows(canvas);
+    }
+
+    private void drawPicture(OverlayCanvas canvas) {
+        Picture picture = menu.picture();
+        if (picture != null) {
+            double x = left() + scale * (WIDTH + BESIDE);
+            double width = scale * PICTURE_WIDTH;
+            double height = width * picture.height() / picture.width();
+            canvas.rectangle(x, top(), width, 3, HudPalette.ACCENT);
+            canvas.picture(x, top() + 3, width, height, picture);
+        }
     }
 
     private void drawFoot(OverlayCanvas canvas, double x, String foot, OverlayColour ink) {
@@ -145,7 +162,7 @@ public final class MenuPanel {
     }
 
     private double left() {
-        return Math.rint(area.centreX() - scale * WIDTH / 2);
+        return Math.max(0, Math.rint(area.centreX() - scale * blockWidth / 2));
     }
 
     private double top() {

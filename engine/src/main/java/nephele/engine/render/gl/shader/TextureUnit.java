@@ -10,6 +10,8 @@ public enum TextureUnit {
     /** An image during allocation or replacement; draws bind their own afterwards. */
     UPLOAD(0),
     NORMALS(1),
+    /** A picture among the letters of the overlay. */
+    OVERLAY_PICTURE(1),
     /** The edges of a displayed picture. */
     EDGES(1),
     SUN_SHADOW(2),

@@ -1,6 +1,7 @@
 package nephele.engine.render.pass.overlay;
 
 import java.util.Arrays;
+import nephele.engine.asset.Picture;
 
 /**
  * The overlay of a picture, as quads. Lengths are points from the upper left corner; a point is one pixel at scale 1
@@ -12,11 +13,15 @@ public final class OverlayCanvas {
 
     static final int VERTICES_PER_QUAD = 4;
 
+    /** A negative alpha marks the corners of a picture; u and v are its texels. */
+    private static final OverlayColour PICTURE = new OverlayColour(1, 1, 1, -1);
+
     private final Lettering lettering;
     private float[] vertices = new float[64 * VERTICES_PER_QUAD * FLOATS_PER_VERTEX];
     private int length;
     private double scale = 1;
     private long version;
+    private Picture picture;
 
     /** Creates an empty canvas. */
     public OverlayCanvas(Lettering lettering) {
@@ -26,6 +31,7 @@ public final class OverlayCanvas {
     /** Empties the canvas. */
     public void begin(double pixelsPerPoint) {
         length = 0;
+        picture = null;
         scale = pixelsPerPoint;
         version++;
     }
@@ -41,6 +47,20 @@ public final class OverlayCanvas {
         corner((x + width) * scale, y * scale, solid, solid, colour);
         corner((x + width) * scale, (y + height) * scale, solid, solid, colour);
         corner(x * scale, (y + height) * scale, solid, solid, colour);
+    }
+
+    /** Adds a picture of display-referred colours; a canvas has one at most. */
+    public void picture(double x, double y, double width, double height, Picture shown) {
+        picture = shown;
+        corner(x * scale, y * scale, 0, 0, PICTURE);
+        corner((x + width) * scale, y * scale, shown.width(), 0, PICTURE);
+        corner((x + width) * scale, (y + height) * scale, shown.width(), shown.height(), PICTURE);
+        corner(x * scale, (y + height) * scale, 0, shown.height(), PICTURE);
+    }
+
+    /** Returns the canvas's picture; {@code null} for none. */
+    Picture picture() {
+        return picture;
     }
 
     /**

@@ -2,6 +2,7 @@ package nephele.engine.render.pass.overlay;
 
 import java.nio.ByteBuffer;
 import java.util.Map;
+import nephele.engine.asset.Picture;
 import nephele.engine.render.gl.DrawState.Blend;
 import nephele.engine.render.gl.DrawState.Cull;
 import nephele.engine.render.gl.DrawState.Depth;
@@ -31,6 +32,8 @@ public final class OverlayPass implements AutoCloseable {
     private final Lettering lettering;
     private GlProgram<Uniforms.Vector4> program;
     private Texture letters;
+    private Texture shown;
+    private Picture shownPicture;
     private QuadStream quads;
     private OverlayCanvas uploaded;
     private long uploadedVersion;
@@ -50,6 +53,7 @@ public final class OverlayPass implements AutoCloseable {
             build();
         }
         if (canvas != uploaded || canvas.version() != uploadedVersion) {
+            show(canvas.picture());
             quads.upload(canvas.vertices(), canvas.length(), canvas.quads());
             uploaded = canvas;
             uploadedVersion = canvas.version();
@@ -57,9 +61,26 @@ public final class OverlayPass implements AutoCloseable {
         picture.bind();
         gl.state().set(Depth.OFF, Blend.OVER, Cull.NONE);
         letters.bind(TextureUnit.COLOURS);
+        (shown == null ? letters : shown).bind(TextureUnit.OVERLAY_PICTURE);
         program.use();
         program.uniforms().set(picture.width(), picture.height(), 0, 0);
         quads.draw();
+    }
+
+    /** Keeps the texture while the picture stays the same, also while none is shown. */
+    private void show(Picture picture) {
+        if (picture == null || picture == shownPicture) {
+            return;
+        }
+        if (shown != null) {
+            shown.close();
+        }
+        shownPicture = picture;
+        shown = texture(
+                "overlay picture",
+                PixelFormat.RGBA8,
+                Texture.Extent.flat(picture.width(), picture.height()),
+                picture.toRgba8().samples());
     }
 
     /** Returns true if the resources exist. */
@@ -79,19 +100,20 @@ public final class OverlayPass implements AutoCloseable {
                 ShaderSource.load(FOLDER + "overlay.frag", defines),
                 uniforms -> {
                     uniforms.sampler("letters", TextureUnit.COLOURS);
+                    uniforms.sampler("shown", TextureUnit.OVERLAY_PICTURE);
                     return uniforms.vector4("pictureSize");
                 });
         quads = new QuadStream(gl, "overlay", FORMAT);
-        letters = new Texture(
-                gl,
-                "letters",
-                Texture.Shape.FLAT,
-                PixelFormat.R8,
-                Texture.Extent.flat(FontAtlas.WIDTH_TEXELS, atlas.height()),
-                Sampling.LINEAR_CLAMP);
-        ByteBuffer texels = MemoryUtil.memAlloc(atlas.texels().length);
-        letters.upload(0, texels.put(atlas.texels()).flip());
+        letters = texture(
+                "letters", PixelFormat.R8, Texture.Extent.flat(FontAtlas.WIDTH_TEXELS, atlas.height()), atlas.texels());
+    }
+
+    private Texture texture(String name, PixelFormat format, Texture.Extent size, byte[] samples) {
+        var texture = new Texture(gl, name, Texture.Shape.FLAT, format, size, Sampling.LINEAR_CLAMP);
+        ByteBuffer texels = MemoryUtil.memAlloc(samples.length);
+        texture.upload(0, texels.put(samples).flip());
         MemoryUtil.memFree(texels);
+        return texture;
     }
 
     @Override
@@ -99,6 +121,9 @@ public final class OverlayPass implements AutoCloseable {
         if (program != null) {
             letters.close();
             quads.close();
+        }
+        if (shown != null) {
+            shown.close();
         }
     }
 }
