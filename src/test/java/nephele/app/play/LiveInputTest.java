@@ -96,7 +96,7 @@ class LiveInputTest {
         }
     }
 
-    /** Half a stick is half the speed; with a key it is no more than full speed. */
+    /** The walking speed is proportional to the stick; stick and keys together give at most full speed. */
     @Test
     void aStickWalksByDegrees() {
         var gamepad = new Gamepad(input);

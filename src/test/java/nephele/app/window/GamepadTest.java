@@ -80,7 +80,7 @@ class GamepadTest {
     }
 
     @Test
-    void stickAndCrossRepeatInMenus() {
+    void stickAndDpadRepeatInMenus() {
         int frames = (int) Math.ceil((Gamepad.FIRST_REPEAT_SECONDS + 2.5 * Gamepad.REPEAT_SECONDS) / FRAME_SECONDS);
         hold(left(0.1, 0.9), Use.MENU, frames);
         assertEquals(List.of(Control.BACK, Control.BACK, Control.BACK, Control.BACK), taken());
@@ -135,6 +135,7 @@ class GamepadTest {
         assertNull(input.takeCaptured());
         hold(pressed(PadButton.B), Use.MENU, 1);
         assertEquals(KeyNames.code("Escape"), input.takeCaptured());
+        assertEquals(Input.Device.GAMEPAD, input.device());
     }
 
     @Test

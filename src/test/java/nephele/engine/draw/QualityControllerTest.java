@@ -119,7 +119,7 @@ class QualityControllerTest {
         assertTrue(changes <= 16, changes + " changes in twenty minutes");
     }
 
-    /** A screenshot or another program takes a few frames: that says nothing of the scene. */
+    /** Three slow frames every ten seconds, as by screenshots or other programs, change nothing. */
     @Test
     void aHitchChangesNothing() {
         IntToDoubleFunction hitches = frame -> frame % 300 < 3 ? 400 : 60;

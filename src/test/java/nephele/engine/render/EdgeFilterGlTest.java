@@ -11,6 +11,7 @@ import nephele.engine.math.Vec3;
 import nephele.engine.render.frame.Output;
 import nephele.engine.render.frame.Quality;
 import nephele.engine.render.frame.Quality.EdgeFilter;
+import nephele.engine.render.frame.ToneMapping;
 import nephele.engine.render.pass.edge.LineArea;
 import nephele.engine.scene.Projection;
 import nephele.engine.scene.View;
@@ -47,7 +48,7 @@ class EdgeFilterGlTest {
     }
 
     private static double linear(int pixel) {
-        return nephele.engine.render.frame.ToneMapping.decodeSrgb(Offscreen.red(pixel) / 255.0);
+        return ToneMapping.decodeSrgb(Offscreen.red(pixel) / 255.0);
     }
 
     private static double rms(int[] picture, double[] exact) {

@@ -105,7 +105,7 @@ class UpscaleGlTest {
         return d < 1 ? 1 + d * d * (1.5 * d - 2.5) : d < 2 ? 2 + d * (-4 + d * (2.5 - 0.5 * d)) : 0;
     }
 
-    /** One colour needs no pixels. */
+    /** A level whose picture is one colour is drawn by a clear alone; nothing is scaled or filtered. */
     @Test
     void theEmptyLevelIsOneClearAtEveryQuality() {
         var settings = RenderSettings.of(Output.PLAIN, Quality.LOW.withEdgeFilter(EdgeFilter.MORPHOLOGICAL));

@@ -30,7 +30,7 @@ final class Display implements AutoCloseable {
     private static final float EMPTY_GREEN = 0.09f;
     private static final float EMPTY_BLUE = 0.14f;
 
-    /** A higher picture enlarges the overlay. */
+    /** The greatest height of the overlay in points; the overlay of a higher picture is scaled up. */
     private static final double HIGHEST_POINTS = 1080;
 
     private final GameWindow window;
@@ -44,7 +44,7 @@ final class Display implements AutoCloseable {
     private RenderTarget target;
     private Area area;
 
-    /** @param message is told where screenshots are */
+    /** @param message shows the files of screenshots */
     Display(GameWindow window, GlContext gl, Screenshots screenshots, Message message) {
         this.window = window;
         this.gl = gl;

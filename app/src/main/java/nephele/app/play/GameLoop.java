@@ -24,7 +24,7 @@ import nephele.engine.render.gl.GlContext;
 public final class GameLoop implements AutoCloseable {
     private static final double HIDDEN_WAIT_SECONDS = 0.1;
     private static final double PREPARATION_WAIT_SECONDS = 0.02;
-    /** A stick that is held while a level is loaded turns the view only a little. */
+    /** The longest time for which a stick turns the view in one frame, so that loading a level is no turn. */
     private static final double LONGEST_PAD_SECONDS = 0.25;
 
     static final String TITLE = "Nephele";

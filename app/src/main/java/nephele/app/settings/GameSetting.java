@@ -41,7 +41,7 @@ public record GameSetting<T>(String key, Values<T> values, T absent) {
                 key, new Words<>(List.of(absent.getDeclaringClass().getEnumConstants())), absent);
     }
 
-    /** One of a few texts; the first one is the default. */
+    /** A setting with a few texts as values; the first one is the default. */
     public static GameSetting<String> choice(String key, List<String> all) {
         return new GameSetting<>(key, new Texts(all), all.get(0));
     }

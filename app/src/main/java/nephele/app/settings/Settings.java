@@ -57,7 +57,7 @@ public final class Settings {
     /** The value of {@link #RESOLUTION} that states no size. */
     public static final String AUTO_RESOLUTION = "auto";
 
-    /** At an aspect of 16:9; the vertical field of view is the same in every window. */
+    /** The horizontal field of view at an aspect of 16:9; the vertical one is the same in every window. */
     public static final GameSetting<Double> FIELD_OF_VIEW = GameSetting.number("horizontalFovDegrees", 60, 110, 5, 90);
 
     public static final GameSetting<Double> MOUSE_SPEED = GameSetting.number("mouseSpeed", 0.1, 5, 0.1, 1);
@@ -65,7 +65,10 @@ public final class Settings {
     public static final GameSetting<Crouch> CROUCH = GameSetting.word("crouch", Crouch.HOLD);
     public static final GameSetting<QualityPreset> QUALITY = GameSetting.word("quality", QualityPreset.AUTO);
     public static final GameSetting<WindowMode> WINDOW_MODE = GameSetting.word("windowMode", WindowMode.WINDOWED);
-    /** Of the window, or of the picture in full screen; {@code auto} for the command's and the screen's own. */
+    /**
+     * The window's size, or the video mode of a full screen. {@code auto} keeps the window's size and the screen's own
+     * video mode.
+     */
     public static final GameSetting<String> RESOLUTION = GameSetting.choice(
             "resolution",
             List.of(
@@ -86,7 +89,7 @@ public final class Settings {
     /** Frames a second; 0 for no cap. */
     public static final GameSetting<Double> FRAME_CAP = GameSetting.number("frameCap", 0, 360, 30, 0);
 
-    /** Stairs along edges are smoothed in the finished picture, besides the preset's samples. */
+    /** Post-process antialiasing, in addition to the preset's multisampling. */
     public static final GameSetting<Switch> EDGE_FILTER = GameSetting.word("edgeFilter", Switch.OFF);
 
     /** Frames a second that automatic quality holds; 0 for 60 on a graphics card and 30 on a software renderer. */

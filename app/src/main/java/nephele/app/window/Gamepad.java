@@ -6,20 +6,20 @@ import java.util.Map;
 
 /**
  * A gamepad that plays and works in menus: its buttons are controls, the left stick walks, the right one turns the
- * view. In menus the left stick and the cross repeat while they are held.
+ * view. In menus the left stick and the D-pad repeat while they are held.
  */
 public final class Gamepad {
-    /** Motion of a stick below this share of its way is none. */
+    /** The dead zone of a stick, as a share of its way. */
     static final double DEAD_ZONE = 0.18;
 
-    /** A trigger or a stick in a menu counts as pressed beyond this share of its way. */
+    /** The share of its way beyond which a trigger, or a stick in a menu, counts as pressed. */
     static final double PRESSED = 0.5;
 
     static final double FIRST_REPEAT_SECONDS = 0.4;
     static final double REPEAT_SECONDS = 0.12;
     private static final double FASTEST_COUNTS_PER_SECOND = 2500;
 
-    /** The stage that the buttons act in. */
+    /** What the buttons do: most have another control in menus. */
     public enum Use {
         PLAY,
         MENU
@@ -46,11 +46,13 @@ public final class Gamepad {
             }
         }
         repeat(use, seconds);
-        input.walk(-curved(pad.leftX(), pad.leftY(), pad.leftY()), curved(pad.leftX(), pad.leftY(), pad.leftX()));
+        input.walk(
+                -beyondDeadZone(pad.leftX(), pad.leftY(), pad.leftY()),
+                beyondDeadZone(pad.leftX(), pad.leftY(), pad.leftX()));
         if (use == Use.PLAY) {
             double counts = FASTEST_COUNTS_PER_SECOND * seconds;
-            double right = curved(pad.rightX(), pad.rightY(), pad.rightX());
-            double downward = curved(pad.rightX(), pad.rightY(), pad.rightY());
+            double right = beyondDeadZone(pad.rightX(), pad.rightY(), pad.rightX());
+            double downward = beyondDeadZone(pad.rightX(), pad.rightY(), pad.rightY());
             input.turn(counts * right * Math.abs(right), counts * downward * Math.abs(downward));
         }
     }
@@ -67,7 +69,7 @@ public final class Gamepad {
         }
         if (isDown && input.isCapturing()) {
             if (button == PadButton.B) {
-                input.key(KeyNames.code("Escape"), true);
+                input.cancelCapture();
             }
         } else if (control != null) {
             input.padControl(control, isDown);
@@ -100,7 +102,7 @@ public final class Gamepad {
     }
 
     /** Returns a component of a stick with the dead zone cut out of its middle, −1 to 1. */
-    private static double curved(double x, double y, double component) {
+    private static double beyondDeadZone(double x, double y, double component) {
         double length = Math.hypot(x, y);
         if (length <= DEAD_ZONE) {
             return 0;

@@ -52,6 +52,13 @@ public final class Input implements InputListener {
         captured = null;
     }
 
+    /** Ends a capture as the Esc key would. */
+    void cancelCapture() {
+        capturing = false;
+        captured = KeyNames.code("Escape");
+        device = Device.GAMEPAD;
+    }
+
     /** Returns true while the key of {@link #capture} has not come. */
     public boolean isCapturing() {
         return capturing;

@@ -1,10 +1,10 @@
 package nephele.app.window;
 
-/** The kind of window. */
+/** The mode of the game's window. */
 public enum WindowMode {
     WINDOWED,
-    /** As large as the screen and without a frame, above other windows that stay open. */
+    /** A window without a frame, as large as the screen. */
     BORDERLESS,
-    /** The only picture on its screen. */
+    /** Exclusive full screen, in a video mode of its own. */
     FULLSCREEN
 }

@@ -6,13 +6,13 @@ import static org.lwjgl.system.MemoryUtil.NULL;
 import org.lwjgl.PointerBuffer;
 import org.lwjgl.glfw.GLFWVidMode;
 
-/** The place of a window on its screen: free, or as large as the screen. */
+/** The bounds and the mode of a window on its screen. */
 final class WindowPlace {
     private final long handle;
     private WindowMode mode = WindowMode.WINDOWED;
     private Bounds free;
 
-    /** The screen without a full screen's picture, which may have another size. */
+    /** The bounds of the screen in the desktop's video mode; a full screen may have another one. */
     private Bounds desktop;
 
     /** A rectangle in screen units. */

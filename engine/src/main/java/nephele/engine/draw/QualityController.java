@@ -11,7 +11,7 @@ public final class QualityController {
     /** Frames after a change that are not counted: programs are compiled and targets allocated in them. */
     static final int WARM_UP_FRAMES = 3;
 
-    /** The same when a level begins: its code is compiled in them, too. */
+    /** Frames at the beginning of a level that are not counted: the virtual machine compiles its code in them, too. */
     static final int FIRST_WARM_UP_FRAMES = 8;
 
     /** Frames of the first decision, which may go to any point. */
@@ -30,7 +30,7 @@ public final class QualityController {
     /** The share of the budget that the first decision and a way down aim at, and that a climb may need. */
     private static final double AIM = 0.8;
 
-    /** The share of frames that a climb regards: a hitch of the system, such as a screenshot, says nothing of the scene. */
+    /** The quantile of frame costs that a climb regards; the frames above it are hitches of the system. */
     private static final double USUALLY = 0.97;
 
     private static final double CLIMB_SECONDS = 10;

@@ -15,6 +15,6 @@ public record ErrorMetric(String name, String unit, double step, double enough) 
      */
     public static final ErrorMetric PICTURE = new ErrorMetric("mean HDR-FLIP", "", 5e-4, 2e-3);
 
-    /** The same of pictures as they are displayed. */
+    /** Mean FLIP of displayed pictures; the step and the threshold are those of {@link #PICTURE}. */
     public static final ErrorMetric DISPLAYED = new ErrorMetric("mean FLIP as displayed", "", 5e-4, 2e-3);
 }

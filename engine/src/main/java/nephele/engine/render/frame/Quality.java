@@ -58,7 +58,7 @@ public record Quality(
     /** The filter that smooths edges of the displayed picture. */
     public enum EdgeFilter {
         NONE,
-        /** By the shapes of edges. */
+        /** Morphological antialiasing: coverage is estimated from the shapes of edges. */
         MORPHOLOGICAL
     }
 

@@ -23,7 +23,7 @@ public enum Action {
     /** The actions of the portal gun and the hands, one bit each; {@link nephele.engine.sim.player.PlayerStep} ignores them. */
     public static final int HAND_ACTIONS = FIRE_FIRST.bit() | FIRE_SECOND.bit() | CARRY.bit() | THROW.bit();
 
-    /** All actions. {@link #values} makes a new array each time. */
+    /** All actions, without the new array of {@link #values}. */
     public static final List<Action> ALL = List.of(values());
 
     /** Returns the name as it is written in a replay file: {@code "fire-first"}. */

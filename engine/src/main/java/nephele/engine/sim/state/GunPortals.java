@@ -14,7 +14,7 @@ public record GunPortals(int first, int second) {
         FIRST("first shot"),
         SECOND("second shot");
 
-        /** Both. {@link #values} makes a new array each time. */
+        /** Both colours, without the new array of {@link #values}. */
         public static final List<Colour> BOTH = List.of(values());
 
         private final String portalId;

@@ -33,7 +33,7 @@ final class EdgeExperiment implements Experiment {
     private Drawn exact;
     private boolean[] nearEdges;
 
-    /** The displayed light of one way to draw. */
+    /** The displayed light of one shot: the still picture, and the frames along the path. */
     private record Drawn(LinearPicture still, List<LinearPicture> path) {}
 
     EdgeExperiment(TradeSite site, List<PictureSetting> settings) {

@@ -6,7 +6,7 @@ import nephele.lab.trade.ErrorMetric;
 import nephele.lab.trade.Setting;
 import nephele.lab.trade.Trade;
 
-/** The two ways to smooth edges, judged alike. */
+/** Multisampling and the edge filter, compared with the same reference. */
 public final class EdgeSubjects {
     private static final String EXACT = "the engine's own picture of 64 samples a pixel: eight times the pixels along"
             + " each side, averaged in linear light. Shimmer is the RMS change of the error from frame to frame while"

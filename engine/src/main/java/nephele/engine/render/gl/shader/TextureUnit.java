@@ -10,9 +10,9 @@ public enum TextureUnit {
     /** An image during allocation or replacement; draws bind their own afterwards. */
     UPLOAD(0),
     NORMALS(1),
-    /** A picture among the letters of the overlay. */
+    /** The picture of the overlay, which is drawn together with its letters. */
     OVERLAY_PICTURE(1),
-    /** The edges of a displayed picture. */
+    /** The edge mask of the edge filter. */
     EDGES(1),
     SUN_SHADOW(2),
     LIGHT_SHADOW(3),

@@ -13,7 +13,7 @@ public final class OverlayCanvas {
 
     static final int VERTICES_PER_QUAD = 4;
 
-    /** A negative alpha marks the corners of a picture; u and v are its texels. */
+    /** The colour of a picture's corners: the shader samples the picture where alpha is negative. */
     private static final OverlayColour PICTURE = new OverlayColour(1, 1, 1, -1);
 
     private final Lettering lettering;
