@@ -90,6 +90,7 @@ public final class RoomLevel {
                 List.copyOf(bodies),
                 gun,
                 List.of(),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
     }
 }

@@ -145,7 +145,8 @@ public final class TestLevel {
                 List.copyOf(bodies),
                 null,
                 List.copyOf(exits),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
     }
 
     public static Vec3 grey(double value) {

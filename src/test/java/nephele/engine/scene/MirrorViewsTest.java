@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Level;
 import nephele.engine.math.Vec3;
 import nephele.engine.measure.Stopwatch;
@@ -19,8 +20,21 @@ class MirrorViewsTest {
 
     private static FrameState nothing() {
         return FrameState.atStart(new Level(
-                "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null,
-                List.of(), Map.of()));
+                "",
+                "",
+                null,
+                null,
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                null,
+                List.of(),
+                Map.of(),
+                EditorNotes.NONE));
     }
 
     /** Returns a mirror of 2 m by 2 m in a plane of constant z, facing +z or −z. */

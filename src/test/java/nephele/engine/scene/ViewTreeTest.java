@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalShape;
 import nephele.engine.math.Vec3;
@@ -37,8 +38,21 @@ class ViewTreeTest {
             partners.add(i ^ 1);
         }
         FrameState frameState = FrameState.atStart(new Level(
-                "", "", null, null, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), null,
-                List.of(), Map.of()));
+                "",
+                "",
+                null,
+                null,
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                null,
+                List.of(),
+                Map.of(),
+                EditorNotes.NONE));
         frameState.portals(new Portals(List.of(portals), partners));
         return frameState;
     }

@@ -28,10 +28,10 @@ public sealed interface Body {
     /** {@code "kind": "box"}. */
     record Box(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true) Vec3 centre,
-            @Written(required = true, min = 1e-4) Vec3 size,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
+            @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size,
             @Written(required = true, min = 1e-6) double massKilograms,
-            @Written(text = TextKind.ID) String material,
+            @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written(absent = "0.6", min = 0, max = 10) double friction,
             @Written(min = 0, max = 1) double restitution)
             implements Body {}
@@ -39,10 +39,10 @@ public sealed interface Body {
     /** {@code "kind": "sphere"}. */
     record Sphere(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true) Vec3 centre,
-            @Written(required = true, min = 1e-4) double radiusMetres,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
+            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double radiusMetres,
             @Written(required = true, min = 1e-6) double massKilograms,
-            @Written(text = TextKind.ID) String material,
+            @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written(absent = "0.6", min = 0, max = 10) double friction,
             @Written(min = 0, max = 1) double restitution)
             implements Body {}
@@ -50,11 +50,11 @@ public sealed interface Body {
     /** {@code "kind": "capsule"}: its axis stands upright at the start; {@code heightMetres} includes both caps. */
     record Capsule(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true) Vec3 centre,
-            @Written(required = true, min = 1e-4) double radiusMetres,
-            @Written(required = true, min = 2e-4) double heightMetres,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
+            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double radiusMetres,
+            @Written(required = true, min = 2e-4, spatial = Spatial.LENGTH) double heightMetres,
             @Written(required = true, min = 1e-6) double massKilograms,
-            @Written(text = TextKind.ID) String material,
+            @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written(absent = "0.6", min = 0, max = 10) double friction,
             @Written(min = 0, max = 1) double restitution)
             implements Body {}

@@ -11,9 +11,9 @@ import nephele.engine.math.Vec3;
  */
 public record Camera(
         @Written(required = true, text = TextKind.ID) String id,
-        @Written(required = true) Vec3 position,
-        @Written(required = true) Vec3 target,
-        @Written(absent = "[0, 1, 0]") Vec3 up,
+        @Written(required = true, spatial = Spatial.POINT) Vec3 position,
+        @Written(required = true, spatial = Spatial.POINT) Vec3 target,
+        @Written(absent = "[0, 1, 0]", spatial = Spatial.DIRECTION) Vec3 up,
         @Written(min = 1, max = 170) double horizontalFovDegrees,
         @Written(min = 1, max = 170) double verticalFovDegrees,
         @Written(absent = "0.1", min = 1e-3) double nearMetres,
@@ -29,5 +29,7 @@ public record Camera(
     }
 
     /** The eye and the look-at point of one frame. */
-    public record Waypoint(@Written(required = true) Vec3 position, @Written(required = true) Vec3 target) {}
+    public record Waypoint(
+            @Written(required = true, spatial = Spatial.POINT) Vec3 position,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 target) {}
 }

@@ -16,7 +16,9 @@ public record Cloud(
     /** The region of a cloud. The file has its {@code kind} and members beside the cloud's own. */
     public sealed interface Extent {
         /** {@code "kind": "volume"}: an axis-aligned box. */
-        record Volume(@Written(required = true) Vec3 centre, @Written(required = true, min = 1e-4) Vec3 size)
+        record Volume(
+                @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
+                @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size)
                 implements Extent {}
 
         /** {@code "kind": "layer"}. */

@@ -8,6 +8,7 @@ import java.util.Map;
  * absent environment is the empty one, an absent player or portal gun is {@code null}. Contains no derived data.
  *
  * @param aim the task of the level in a line for the player, in each language
+ * @param editor what only the editor reads: nothing that is drawn or simulated depends on it
  */
 public record Level(
         @Written(absent = "\"\"") String name,
@@ -23,7 +24,8 @@ public record Level(
         @Written List<Body> bodies,
         @Written PortalGun portalGun,
         @Written(most = 8) List<Exit> exits,
-        @Written(text = TextKind.NAME) Map<Language, String> aim) {
+        @Written(text = TextKind.NAME) Map<Language, String> aim,
+        @Written(absent = "{}") EditorNotes editor) {
     /** Returns a level with an environment and cameras and nothing else. */
     public static Level of(String name, String description, Environment environment, List<Camera> cameras) {
         return new Level(
@@ -40,7 +42,8 @@ public record Level(
                 List.of(),
                 null,
                 List.of(),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
     }
 
     /** Returns this level with other portals. */
@@ -59,7 +62,8 @@ public record Level(
                 bodies,
                 portalGun,
                 exits,
-                aim);
+                aim,
+                editor);
     }
 
     /** Returns this level with another environment and other lights. */
@@ -78,7 +82,8 @@ public record Level(
                 bodies,
                 portalGun,
                 exits,
-                aim);
+                aim,
+                editor);
     }
 
     /** Returns this level with other materials and solids. */
@@ -111,7 +116,8 @@ public record Level(
                 otherBodies,
                 portalGun,
                 exits,
-                aim);
+                aim,
+                editor);
     }
 
     /** Returns this level with other exits. */
@@ -130,6 +136,27 @@ public record Level(
                 bodies,
                 portalGun,
                 otherExits,
-                aim);
+                aim,
+                editor);
+    }
+
+    /** Returns this level with other notes of the editor. */
+    public Level with(EditorNotes notes) {
+        return new Level(
+                name,
+                description,
+                environment,
+                player,
+                cameras,
+                materials,
+                solids,
+                lights,
+                portals,
+                models,
+                bodies,
+                portalGun,
+                exits,
+                aim,
+                notes);
     }
 }

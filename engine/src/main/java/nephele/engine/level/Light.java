@@ -35,19 +35,19 @@ public sealed interface Light {
     /** {@code "kind": "point"}. */
     record Point(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true) Vec3 position,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 position,
             @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,
-            @Written(absent = "20", min = 0) double rangeMetres,
+            @Written(absent = "20", min = 0, spatial = Spatial.LENGTH) double rangeMetres,
             @Written(absent = "true") boolean castsShadow)
             implements Light {}
 
     /** {@code "kind": "spot"}; cone angles are half angles from the axis, with full intensity inside the inner cone. */
     record Spot(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(required = true) Vec3 position,
-            @Written(required = true) Vec3 direction,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 position,
+            @Written(required = true, spatial = Spatial.DIRECTION) Vec3 direction,
             @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,
-            @Written(absent = "20", min = 0) double rangeMetres,
+            @Written(absent = "20", min = 0, spatial = Spatial.LENGTH) double rangeMetres,
             @Written(absent = "20", min = 0, max = 90) double innerConeDegrees,
             @Written(absent = "30", min = 0.1, max = 90) double outerConeDegrees,
             @Written(absent = "true") boolean castsShadow)

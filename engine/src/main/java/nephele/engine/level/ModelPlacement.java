@@ -12,9 +12,9 @@ import nephele.engine.math.Vec3;
 public record ModelPlacement(
         @Written(required = true, text = TextKind.ID) String id,
         @Written(required = true, text = TextKind.ASSET) String file,
-        @Written(text = TextKind.ID) String parent,
+        @Written(text = TextKind.ID, refersTo = "models") String parent,
         @Written(most = 1000) List<TransformStep> transform,
-        @Written(text = TextKind.ID) String material,
+        @Written(text = TextKind.ID, refersTo = "materials") String material,
         @Written boolean portalable) {
 
     /** One transform step; steps apply in file order, the first one outermost. */

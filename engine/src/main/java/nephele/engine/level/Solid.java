@@ -21,18 +21,18 @@ public sealed interface Solid {
     /** {@code "kind": "box"}, axis-aligned; {@code faces} by name: +x −x +y −y +z −z (written {@code "+y"}). */
     record Box(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(text = TextKind.ID) String material,
+            @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
-            @Written(required = true) Vec3 centre,
-            @Written(required = true, min = 1e-4) Vec3 size,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
+            @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size,
             @Written Map<BoxFace, Face> faces)
             implements Solid {}
 
     /** {@code "kind": "planes"}: the intersection of half-spaces normal · p ≤ distanceMetres; bounded and not empty. */
     record Planes(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(text = TextKind.ID) String material,
+            @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true, most = 64) List<PlaneFace> planes)
@@ -45,11 +45,11 @@ public sealed interface Solid {
      */
     record Wedge(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(text = TextKind.ID) String material,
+            @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
-            @Written(required = true) Vec3 centre,
-            @Written(required = true, min = 1e-4) Vec3 size,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
+            @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size,
             @Written(required = true) BoxFace rising,
             @Written Map<String, Face> faces)
             implements Solid {}
@@ -61,22 +61,22 @@ public sealed interface Solid {
      */
     record Prism(
             @Written(required = true, text = TextKind.ID) String id,
-            @Written(text = TextKind.ID) String material,
+            @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written boolean portalable,
             @Written(absent = "\"world\"") TextureMapping textureMapping,
-            @Written(required = true) Vec3 centre,
-            @Written(required = true, min = 1e-4) double radiusMetres,
-            @Written(required = true, min = 1e-4) double heightMetres,
+            @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
+            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double radiusMetres,
+            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double heightMetres,
             @Written(absent = "16", min = 3, max = 62) int sides)
             implements Solid {}
 
     /** The properties of a face that differ from its solid's; {@code null} members inherit. */
-    record Face(@Written(text = TextKind.ID) String material, @Written Boolean portalable) {}
+    record Face(@Written(text = TextKind.ID, refersTo = "materials") String material, @Written Boolean portalable) {}
 
     /** One bounding plane; {@code null} members inherit from the solid. */
     record PlaneFace(
             @Written(required = true) Vec3 normal,
             @Written(required = true) double distanceMetres,
-            @Written(text = TextKind.ID) String material,
+            @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written Boolean portalable) {}
 }

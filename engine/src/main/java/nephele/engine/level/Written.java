@@ -31,4 +31,10 @@ public @interface Written {
 
     /** True if the component's members are written beside its owner's instead of below a key. */
     boolean beside() default false;
+
+    /** Section whose ids a text names, such as {@code materials}; empty for a text that names no record. */
+    String refersTo() default "";
+
+    /** The meaning of a vector or a number in the world, by which the editor moves, turns and scales its record. */
+    Spatial spatial() default Spatial.NONE;
 }

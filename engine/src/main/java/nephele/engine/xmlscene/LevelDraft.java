@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
 import nephele.engine.level.PortalShape;
@@ -63,7 +64,8 @@ public record LevelDraft(Level level, List<XmlWarning> warnings) {
                 List.of(),
                 new PortalGun(1.2, 2.1, PortalShape.ARCH, 500),
                 List.of(),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
         warnings.sort(Comparator.comparingInt(XmlWarning::line));
         return new LevelDraft(level, List.copyOf(warnings));
     }

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import nephele.engine.level.EditorNotes;
 import nephele.engine.level.FaultyFiles;
 import nephele.engine.level.Level;
 import org.junit.jupiter.api.BeforeEach;
@@ -153,7 +154,8 @@ class LevelFileTest {
                 OLD.bodies(),
                 null,
                 List.of(),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
         assertThrows(LevelFormatException.class, () -> LevelFile.save(file, broken));
         assertArrayEquals(before, Files.readAllBytes(file));
     }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
+import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.MirrorFaces;
@@ -42,7 +43,8 @@ class MirrorRulesTest {
                 bodies,
                 null,
                 List.of(),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
     }
 
     private static List<String> paths(Level level) {

@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
 import nephele.engine.level.Camera;
+import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Light;
@@ -82,7 +83,8 @@ final class Town {
                 bodies(width, depth),
                 null,
                 List.of(),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
     }
 
     private static Camera camera(double width, double depth) {

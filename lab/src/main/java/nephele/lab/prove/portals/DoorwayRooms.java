@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.level.Body;
+import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
@@ -97,7 +98,8 @@ public final class DoorwayRooms {
                 List.of(cube),
                 null,
                 List.of(),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
     }
 
     private static List<Material> paints() {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.PlayerStart;
@@ -69,7 +70,8 @@ final class RecordedTraversal {
                 List.of(),
                 null,
                 List.of(),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
     }
 
     private static PortalSpec portal(String id, String to, Vec3 centre, Vec3 normal, Vec3 up) {

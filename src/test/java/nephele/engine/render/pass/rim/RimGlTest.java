@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import nephele.engine.asset.TestAssets;
+import nephele.engine.level.EditorNotes;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.PortalGun;
@@ -56,7 +57,8 @@ class RimGlTest {
                 List.of(),
                 GUN,
                 List.of(),
-                Map.of());
+                Map.of(),
+                EditorNotes.NONE);
     }
 
     private static Solid box(String id, Vec3 centre, Vec3 size) {

@@ -1,0 +1,13 @@
+package nephele.editor.pane;
+
+/** The view of a pane. */
+public enum PaneKind {
+    /** A perspective view from any place. */
+    PERSPECTIVE,
+    /** Orthographic, from above: x to the right, −z upwards in the picture. */
+    TOP,
+    /** Orthographic, along −z: x to the right, y upwards. */
+    FRONT,
+    /** Orthographic, along −x: −z to the right, y upwards. */
+    SIDE
+}
