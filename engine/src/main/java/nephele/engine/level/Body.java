@@ -29,8 +29,8 @@ public sealed interface Body {
     record Box(
             @Written(required = true, text = TextKind.ID) String id,
             @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size,
-            @Written(required = true, min = 1e-6) double massKilograms,
+            @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT, prototype = "[0.6, 0.6, 0.6]") Vec3 size,
+            @Written(required = true, min = 1e-6, prototype = "30") double massKilograms,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written(absent = "0.6", min = 0, max = 10) double friction,
             @Written(min = 0, max = 1) double restitution)
@@ -40,8 +40,8 @@ public sealed interface Body {
     record Sphere(
             @Written(required = true, text = TextKind.ID) String id,
             @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double radiusMetres,
-            @Written(required = true, min = 1e-6) double massKilograms,
+            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH, prototype = "0.3") double radiusMetres,
+            @Written(required = true, min = 1e-6, prototype = "30") double massKilograms,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written(absent = "0.6", min = 0, max = 10) double friction,
             @Written(min = 0, max = 1) double restitution)
@@ -51,9 +51,9 @@ public sealed interface Body {
     record Capsule(
             @Written(required = true, text = TextKind.ID) String id,
             @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double radiusMetres,
-            @Written(required = true, min = 2e-4, spatial = Spatial.LENGTH) double heightMetres,
-            @Written(required = true, min = 1e-6) double massKilograms,
+            @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH, prototype = "0.3") double radiusMetres,
+            @Written(required = true, min = 2e-4, spatial = Spatial.LENGTH, prototype = "1.2") double heightMetres,
+            @Written(required = true, min = 1e-6, prototype = "30") double massKilograms,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
             @Written(absent = "0.6", min = 0, max = 10) double friction,
             @Written(min = 0, max = 1) double restitution)

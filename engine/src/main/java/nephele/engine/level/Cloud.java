@@ -18,13 +18,13 @@ public record Cloud(
         /** {@code "kind": "volume"}: an axis-aligned box. */
         record Volume(
                 @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-                @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size)
+                @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT, prototype = "[40, 16, 40]") Vec3 size)
                 implements Extent {}
 
         /** {@code "kind": "layer"}. */
         record Layer(
-                @Written(required = true) double baseAltitudeMetres,
-                @Written(required = true, min = 1e-3) double thicknessMetres)
+                @Written(required = true, prototype = "1500") double baseAltitudeMetres,
+                @Written(required = true, min = 1e-3, prototype = "300") double thicknessMetres)
                 implements Extent {}
     }
 

@@ -36,7 +36,7 @@ public sealed interface Light {
     record Point(
             @Written(required = true, text = TextKind.ID) String id,
             @Written(required = true, spatial = Spatial.POINT) Vec3 position,
-            @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,
+            @Written(required = true, min = 0, max = 1e9, prototype = "[20, 19, 17]") Vec3 radiantIntensity,
             @Written(absent = "20", min = 0, spatial = Spatial.LENGTH) double rangeMetres,
             @Written(absent = "true") boolean castsShadow)
             implements Light {}
@@ -45,8 +45,8 @@ public sealed interface Light {
     record Spot(
             @Written(required = true, text = TextKind.ID) String id,
             @Written(required = true, spatial = Spatial.POINT) Vec3 position,
-            @Written(required = true, spatial = Spatial.DIRECTION) Vec3 direction,
-            @Written(required = true, min = 0, max = 1e9) Vec3 radiantIntensity,
+            @Written(required = true, spatial = Spatial.DIRECTION, prototype = "[0, -1, 0]") Vec3 direction,
+            @Written(required = true, min = 0, max = 1e9, prototype = "[20, 19, 17]") Vec3 radiantIntensity,
             @Written(absent = "20", min = 0, spatial = Spatial.LENGTH) double rangeMetres,
             @Written(absent = "20", min = 0, max = 90) double innerConeDegrees,
             @Written(absent = "30", min = 0.1, max = 90) double outerConeDegrees,

@@ -7,7 +7,7 @@ public record PortalSpec(
         @Written(required = true, text = TextKind.ID) String id,
         @Written(required = true, text = TextKind.ID, refersTo = "portals") String linkedTo,
         @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
-        @Written(required = true, spatial = Spatial.DIRECTION) Vec3 normal,
+        @Written(required = true, spatial = Spatial.DIRECTION, prototype = "[0, 0, 1]") Vec3 normal,
         @Written(absent = "[0, 1, 0]", spatial = Spatial.DIRECTION) Vec3 up,
         @Written(absent = "1.2", min = 1e-2, spatial = Spatial.LENGTH) double widthMetres,
         @Written(absent = "2.1", min = 1e-2, spatial = Spatial.LENGTH) double heightMetres,

@@ -50,7 +50,7 @@ public sealed interface Solid {
             @Written(absent = "\"world\"") TextureMapping textureMapping,
             @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
             @Written(required = true, min = 1e-4, spatial = Spatial.EXTENT) Vec3 size,
-            @Written(required = true) BoxFace rising,
+            @Written(required = true, prototype = "\"+x\"") BoxFace rising,
             @Written Map<String, Face> faces)
             implements Solid {}
 

@@ -37,4 +37,7 @@ public @interface Written {
 
     /** The meaning of a vector or a number in the world, by which the editor moves, turns and scales its record. */
     Spatial spatial() default Spatial.NONE;
+
+    /** The JSON value of the component in a record that an editor makes; if empty, the editor derives one. */
+    String prototype() default "";
 }

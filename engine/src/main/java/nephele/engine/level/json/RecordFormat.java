@@ -24,14 +24,19 @@ final class RecordFormat implements MembersFormat {
         for (int i = 0; i < values.length; i++) {
             values[i] = fields.get(i).read(members, problems);
         }
-        if (problems.count() > before) {
-            return null;
-        }
+        return problems.count() > before ? null : make(values);
+    }
+
+    Object make(Object[] values) {
         try {
             return constructor.newInstance(values);
         } catch (ReflectiveOperationException impossible) {
             throw new IllegalStateException("cannot make a " + type.getSimpleName(), impossible);
         }
+    }
+
+    FieldFormat field(int index) {
+        return fields.get(index);
     }
 
     @Override

@@ -1,0 +1,193 @@
+package nephele.editor.document;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import nephele.editor.record.Entities;
+import nephele.editor.record.EntityRef;
+import nephele.editor.record.LevelStructure;
+import nephele.editor.text.Words;
+import nephele.engine.level.Level;
+
+/**
+ * The level under edit, with its history and the drag in progress. Used by one thread, the event dispatch thread of the
+ * window; others get snapshots.
+ */
+public final class Document {
+    /** Called after the level, the selection or the history has changed. */
+    @FunctionalInterface
+    public interface Listener {
+        void changed(Snapshot before, Snapshot after);
+    }
+
+    private final Entities entities = new Entities(LevelStructure.LEVEL);
+    private final List<Listener> listeners = new ArrayList<>();
+    private History history;
+    /** The state that a drag shows and has not made a step yet; {@code null} without a drag. */
+    private Snapshot preview;
+
+    public Document(Level level) {
+        history = new History(new Snapshot(level, Selection.NONE));
+    }
+
+    /** Registers a listener for the life of the document. */
+    public void listen(Listener listener) {
+        listeners.add(listener);
+    }
+
+    public Entities entities() {
+        return entities;
+    }
+
+    /** Returns what is shown: the state of the drag in progress, or the current snapshot. */
+    public Snapshot now() {
+        return preview == null ? history.current() : preview;
+    }
+
+    public Level level() {
+        return now().level();
+    }
+
+    public Selection selection() {
+        return now().selection();
+    }
+
+    public History history() {
+        return history;
+    }
+
+    public boolean isDragging() {
+        return preview != null;
+    }
+
+    /** Replaces the document by another level with an empty history; ends a drag. */
+    public void reset(Level level) {
+        Snapshot before = now();
+        preview = null;
+        history = new History(new Snapshot(level, Selection.NONE));
+        tell(before);
+    }
+
+    /** Makes a step, unless the level stays the same object. */
+    public void edit(Words label, UnaryOperator<Level> change) {
+        edit(label, null, snapshot -> snapshot.with(change.apply(snapshot.level())));
+    }
+
+    /**
+     * Makes a step that may also change the selection.
+     *
+     * @param mergeKey as in {@link History#add}
+     */
+    public void edit(Words label, String mergeKey, UnaryOperator<Snapshot> change) {
+        cancelDrag();
+        Snapshot before = history.current();
+        Snapshot after = existing(change.apply(before));
+        if (after.level() != before.level()) {
+            history.add(label, mergeKey, after);
+        } else if (!after.selection().equals(before.selection())) {
+            history.select(after.selection());
+        } else {
+            return;
+        }
+        tell(before);
+    }
+
+    /** Changes the selection; what does not exist is dropped. During a drag, the drag's state has the new selection. */
+    public void select(Selection selection) {
+        Snapshot before = now();
+        Snapshot after = existing(before.with(selection));
+        if (after.selection().equals(before.selection())) {
+            return;
+        }
+        if (preview == null) {
+            history.select(after.selection());
+        } else {
+            preview = after;
+        }
+        tell(before);
+    }
+
+    /** Shows a state that {@link #commitDrag} makes a step or {@link #cancelDrag} takes back. */
+    public void drag(UnaryOperator<Snapshot> changeOfStart) {
+        Snapshot before = now();
+        preview = existing(changeOfStart.apply(history.current()));
+        tell(before);
+    }
+
+    /** Makes the drag one step; does nothing without a drag. */
+    public void commitDrag(Words label) {
+        commitDrag(label, null);
+    }
+
+    /** Makes the drag one step, as {@link #commitDrag(String)}, with a key as in {@link History#add}. */
+    public void commitDrag(Words label, String mergeKey) {
+        if (preview == null) {
+            return;
+        }
+        Snapshot before = preview;
+        preview = null;
+        if (before.level() != history.current().level()) {
+            history.add(label, mergeKey, before);
+        } else {
+            history.select(before.selection());
+        }
+        tell(before);
+    }
+
+    /** Shows the state before the drag again; does nothing without a drag. */
+    public void cancelDrag() {
+        if (preview != null) {
+            Snapshot before = preview;
+            preview = null;
+            tell(before);
+        }
+    }
+
+    /** Takes back the last step; a drag in progress is cancelled first. */
+    public void undo() {
+        move(history::undo);
+    }
+
+    /** Makes the last step that was taken back again. */
+    public void redo() {
+        move(history::redo);
+    }
+
+    /** Goes to the state after a number of steps. */
+    public void goTo(int steps) {
+        move(() -> history.goTo(steps));
+    }
+
+    private void move(Runnable change) {
+        cancelDrag();
+        Snapshot before = history.current();
+        change.run();
+        tell(before);
+    }
+
+    /** Marks the current level as saved. */
+    public void markSaved() {
+        history.markSaved();
+        tell(now());
+    }
+
+    public boolean isModified() {
+        return history.isModified();
+    }
+
+    private Snapshot existing(Snapshot snapshot) {
+        Selection selection = snapshot.selection();
+        if (selection.isEmpty()) {
+            return snapshot;
+        }
+        Set<EntityRef> present = new HashSet<>(entities.all(snapshot.level()));
+        return snapshot.with(selection.only(present::contains));
+    }
+
+    private void tell(Snapshot before) {
+        Snapshot after = now();
+        List.copyOf(listeners).forEach(listener -> listener.changed(before, after));
+    }
+}

@@ -1,0 +1,197 @@
+package nephele.editor.record;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+
+/** Finds, adds, replaces, removes and renames the entities of a level. All functions return a new root record. */
+public final class Entities {
+    private final LevelStructure structure;
+
+    public Entities(LevelStructure structure) {
+        this.structure = structure;
+    }
+
+    public LevelStructure structure() {
+        return structure;
+    }
+
+    /** Returns every entity and single record that the level has, in the order of the file; not the level itself. */
+    public List<EntityRef> all(Record root) {
+        List<EntityRef> all = new ArrayList<>();
+        for (SingleSection single : structure.singles()) {
+            if (!single.path().isEmpty() && single.get(root) != null) {
+                all.add(EntityRef.single(single.path()));
+            }
+        }
+        for (EntitySection section : structure.lists()) {
+            section.entities(root).forEach(entity -> all.add(new EntityRef(section.path(), RecordKind.id(entity))));
+        }
+        return all;
+    }
+
+    /** Returns the record of an entity; empty if the level has none of that name. */
+    public Optional<Record> find(Record root, EntityRef ref) {
+        if (ref.id().isEmpty()) {
+            return structure.single(ref.section()).map(section -> section.get(root));
+        }
+        return structure.list(ref.section()).flatMap(section -> section.entities(root).stream()
+                .filter(entity -> RecordKind.id(entity).equals(ref.id()))
+                .findFirst());
+    }
+
+    /** Returns the level with the records of some entities changed; unknown names are ignored. */
+    public Record changed(Record root, Collection<EntityRef> refs, UnaryOperator<Record> change) {
+        Record result = root;
+        Set<EntityRef> wanted = new HashSet<>(refs);
+        for (SingleSection single : structure.singles()) {
+            if (wanted.contains(EntityRef.single(single.path())) && single.get(result) != null) {
+                result = single.with(result, change.apply(single.get(result)));
+            }
+        }
+        for (EntitySection section : structure.lists()) {
+            result = changedList(result, section, wanted, change);
+        }
+        return result;
+    }
+
+    private static Record changedList(
+            Record root, EntitySection section, Set<EntityRef> wanted, UnaryOperator<Record> change) {
+        if (wanted.stream().noneMatch(ref -> ref.section().equals(section.path()))) {
+            return root;
+        }
+        boolean differs = false;
+        List<Record> entities = new ArrayList<>();
+        for (Record entity : section.entities(root)) {
+            boolean isMeant = wanted.contains(new EntityRef(section.path(), RecordKind.id(entity)));
+            Record after = isMeant ? change.apply(entity) : entity;
+            differs |= after != entity;
+            entities.add(after);
+        }
+        return differs ? section.with(root, entities) : root;
+    }
+
+    /** Returns the level with an entity at the end of its section, or as its single record. */
+    public Record added(Record root, String sectionPath, Record entity) {
+        Optional<EntitySection> list = structure.list(sectionPath);
+        if (list.isPresent()) {
+            List<Record> entities = new ArrayList<>(list.get().entities(root));
+            entities.add(entity);
+            return list.get().with(root, entities);
+        }
+        return structure.single(sectionPath).orElseThrow().with(root, entity);
+    }
+
+    /** Returns the level with one entity replaced by others in its place. */
+    public Record replaced(Record root, EntityRef ref, List<? extends Record> others) {
+        EntitySection section = structure.list(ref.section()).orElseThrow();
+        List<Record> entities = new ArrayList<>();
+        for (Record entity : section.entities(root)) {
+            if (RecordKind.id(entity).equals(ref.id())) {
+                entities.addAll(others);
+            } else {
+                entities.add(entity);
+            }
+        }
+        return section.with(root, entities);
+    }
+
+    /** Returns the level without some entities; single records that must exist stay. */
+    public Record without(Record root, Collection<EntityRef> refs) {
+        Record result = root;
+        Set<EntityRef> unwanted = new HashSet<>(refs);
+        for (SingleSection single : structure.singles()) {
+            if (single.isOptional() && unwanted.contains(EntityRef.single(single.path()))) {
+                result = single.with(result, null);
+            }
+        }
+        for (EntitySection section : structure.lists()) {
+            List<Record> left = section.entities(result).stream()
+                    .filter(entity -> !unwanted.contains(new EntityRef(section.path(), RecordKind.id(entity))))
+                    .toList();
+            if (left.size() < section.entities(result).size()) {
+                result = section.with(result, left);
+            }
+        }
+        return result;
+    }
+
+    /** Returns an id that no entity of the section has: the wish itself, or with the first free number. */
+    public String freshId(Record root, String sectionPath, String wish) {
+        return freshId(root, sectionPath, wish, Set.of());
+    }
+
+    /** Returns an id that neither an entity of the section has nor {@code taken} contains. */
+    public String freshId(Record root, String sectionPath, String wish, Set<String> taken) {
+        Set<String> used = new HashSet<>(taken);
+        structure.list(sectionPath).ifPresent(section -> section.entities(root)
+                .forEach(entity -> used.add(RecordKind.id(entity))));
+        if (!used.contains(wish)) {
+            return wish;
+        }
+        String stem = wish.replaceFirst("-\\d+$", "");
+        int number = 2;
+        while (used.contains(stem + "-" + number)) {
+            number++;
+        }
+        return stem + "-" + number;
+    }
+
+    /** Returns the level with another id of an entity and of all references to it. */
+    public Record renamed(Record root, EntityRef ref, String newId) {
+        Record result = changed(root, List.of(ref), entity -> withId(entity, newId));
+        return RecordWalk.map(
+                result,
+                (field, value) -> field.declaration().refersTo().equals(ref.section())
+                                && ref.id().equals(value)
+                        ? newId
+                        : value);
+    }
+
+    /** Returns a record with another id. */
+    public static Record withId(Record entity, String id) {
+        RecordKind kind = RecordKind.of(entity);
+        RecordField field =
+                kind.fields().stream().filter(RecordField::isId).findFirst().orElseThrow();
+        return kind.with(entity, field, id);
+    }
+
+    /** Returns the entities that refer to an entity, or to any of that section if its id is {@code null}. */
+    public Set<EntityRef> usages(Record root, EntityRef ref) {
+        Set<EntityRef> users = new LinkedHashSet<>();
+        for (EntityRef candidate : all(root)) {
+            Record entity = find(root, candidate).orElseThrow();
+            boolean isOwner = structure.single(candidate.section()).isPresent()
+                    && structure.lists().stream().anyMatch(list -> list.path().startsWith(candidate.section() + "."));
+            if (!isOwner && refersTo(entity, ref)) {
+                users.add(candidate);
+            }
+        }
+        return users;
+    }
+
+    private static boolean refersTo(Record entity, EntityRef ref) {
+        boolean[] found = {false};
+        RecordWalk.map(entity, (field, value) -> {
+            found[0] |= field.declaration().refersTo().equals(ref.section())
+                    && ref.id().equals(value);
+            return value;
+        });
+        return found[0];
+    }
+
+    /** Returns the level with references to entities replaced by those of a table from old to new ids. */
+    public static Record withReferences(Record entity, String section, Map<String, String> newIds) {
+        return RecordWalk.map(
+                entity,
+                (field, value) -> field.declaration().refersTo().equals(section) && value != null
+                        ? newIds.getOrDefault(value, (String) value)
+                        : value);
+    }
+}

@@ -1,0 +1,33 @@
+package nephele.editor.text;
+
+import nephele.engine.level.Language;
+
+/** A text of the editor in its three languages. */
+public record Words(String english, String brazilian, String european) {
+    public static final Words NONE = same("");
+
+    /** Returns a text that is the same in all languages: a name, a number, a message of the engine. */
+    public static Words same(String text) {
+        return new Words(text, text, text);
+    }
+
+    public static Words of(String english, String brazilian, String european) {
+        return new Words(english, brazilian, european);
+    }
+
+    public String in(Language language) {
+        return switch (language) {
+            case EN -> english;
+            case PT_BR -> brazilian;
+            case PT_PT -> european;
+        };
+    }
+
+    /** Returns this text with its {@code %s} replaced, in order. */
+    public Words with(Object... arguments) {
+        return new Words(
+                String.format(english, arguments),
+                String.format(brazilian, arguments),
+                String.format(european, arguments));
+    }
+}

@@ -1,0 +1,2 @@
+/** The texts of the editor in English, Brazilian and European Portuguese. */
+package nephele.editor.text;

@@ -1,0 +1,69 @@
+package nephele.engine.level.json;
+
+import java.lang.reflect.RecordComponent;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Written;
+
+/**
+ * A record class of the level format: its components, and making and taking apart its records. The editor builds its
+ * palette, outliner and inspector from these alone.
+ */
+public final class WrittenRecord {
+    private final RecordFormat format;
+    private final List<WrittenField> fields = new ArrayList<>();
+
+    private WrittenRecord(Class<?> type) {
+        format = FormatBuilder.record(type);
+        RecordComponent[] components = type.getRecordComponents();
+        for (int i = 0; i < components.length; i++) {
+            FieldFormat field = format.field(i);
+            Written written = components[i].getAnnotation(Written.class);
+            Object prototype = written.prototype().isEmpty() ? null : parsed(written.prototype(), field.format());
+            fields.add(
+                    new WrittenField(field.name(), components[i].getGenericType(), written, field.absent(), prototype));
+        }
+    }
+
+    /**
+     * Describes a record class.
+     *
+     * @throws IllegalStateException if a component has no {@link Written} annotation
+     */
+    public static WrittenRecord of(Class<?> type) {
+        return new WrittenRecord(type);
+    }
+
+    private static Object parsed(String json, ValueFormat format) {
+        Problems problems = new Problems();
+        JsonValue tree = JsonTree.read(json.getBytes(StandardCharsets.UTF_8), problems);
+        Object value = tree == null ? null : format.read(tree, problems);
+        problems.throwIfAny("prototype " + json);
+        return value;
+    }
+
+    /** Returns the components in their order. */
+    public List<WrittenField> fields() {
+        return List.copyOf(fields);
+    }
+
+    /** Returns the values of the components of a record. */
+    public Object[] values(Object owner) {
+        Object[] values = new Object[fields.size()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = format.field(i).get(owner);
+        }
+        return values;
+    }
+
+    /** Returns the value of one component of a record. */
+    public Object value(Object owner, int index) {
+        return format.field(index).get(owner);
+    }
+
+    /** Returns the record with these components, which are in the order of {@link #fields}. */
+    public Record make(Object[] values) {
+        return (Record) format.make(values);
+    }
+}
