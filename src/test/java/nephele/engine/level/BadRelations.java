@@ -75,6 +75,21 @@ final class BadRelations {
             level("solids[0].planes[0].normal", "no length", planes(plane(0, 0, 0, 1) + "," + tetrahedron())),
             level("solids[0]", "horizontal side", wedge("+y", "{}")),
             level("solids[0].faces.+y", "no such face", wedge("+x", "{\"+y\": {}}")),
+            prism("side 5", "{}", "", "no such face"),
+            prism("side 01", "{}", "", "no such face"),
+            prism("+x", "{}", "", "side 0 to side 4 are known"),
+            prism("side 4", "{\"material\": \"wood\"}", ".material", "no material 'wood'"),
+            prism("+y", "{\"texture\": {\"scaleU\": 0}}", ".texture.scaleU", "at least 0.001"),
+            prism("+y", "{\"texture\": {\"scaleV\": -0.0009}}", ".texture.scaleV", "at most -0.001"),
+            level(
+                    "solids[0].faces.slope.texture.scaleV",
+                    "no size",
+                    wedge("+x", "{\"slope\": {\"texture\": {\"scaleV\": 0}}}")),
+            level(
+                    "solids[0].planes[4].texture.scaleU",
+                    "no size",
+                    planes(tetrahedron() + ", {\"distanceMetres\": 9, \"normal\": [0, 1, 0],"
+                            + " \"texture\": {\"scaleU\": -0}}")),
             level("lights[0].innerConeDegrees", "outerConeDegrees", spot("[0, -1, 0]", ", \"innerConeDegrees\": 50")),
             level("lights[0].direction", "no length", spot("[0, 0, 0]", "")),
             level(
@@ -207,6 +222,15 @@ final class BadRelations {
 
     private static String planes(String planes) {
         return "\"solids\": [{\"id\": \"a\", \"kind\": \"planes\", \"planes\": [" + planes + "]}]";
+    }
+
+    /** Returns a prism of five sides that says something of one face. */
+    private static BadLevel prism(String face, String said, String member, String words) {
+        return level(
+                "solids[0].faces." + face + member,
+                words,
+                "\"solids\": [{\"id\": \"p\", \"kind\": \"prism\", \"centre\": [0, 0, 0], \"radiusMetres\": 1,"
+                        + " \"heightMetres\": 1, \"sides\": 5, \"faces\": {\"" + face + "\": " + said + "}}]");
     }
 
     private static String wedge(String rising, String faces) {

@@ -51,6 +51,14 @@ final class BadValues {
             box("faces", "[]", "an object"),
             box("faces.up", "{\"up\": {}}", "unknown key"),
             box("faces.+y.colour", "{\"+y\": {\"colour\": 1}}", "unknown key"),
+            texture("scaleU", "NaN", "not valid JSON"),
+            texture("scaleU", "20000", "must be from"),
+            texture("scaleV", "\"1\"", "a number"),
+            texture("scale", "2", "unknown key"),
+            texture("rotationDegrees", "361", "must be from -360 to 360"),
+            texture("shiftUMetres", "1e8", "must be from"),
+            texture("shiftVMetres", "1e999", "too large"),
+            box("faces.+y.texture", "{\"+y\": {\"texture\": 1}}", "an object"),
             level("solids[0].kind", "is missing", "\"solids\": [{\"id\": \"a\"}]"),
             level("solids[0].kind", "no kind", "\"solids\": [{\"id\": \"a\", \"kind\": \"sphere\"}]"),
             level("solids[0].kind", "no kind", "\"solids\": [{\"id\": \"a\", \"kind\": 1}]"),
@@ -134,6 +142,10 @@ final class BadValues {
                 words,
                 "\"solids\": [{\"id\": \"b\", \"kind\": \"box\", " + centre + size + "\"" + key + "\": " + value
                         + "}]");
+    }
+
+    private static BadLevel texture(String key, String value, String words) {
+        return box("faces.+y.texture." + key, "{\"+y\": {\"texture\": {\"" + key + "\": " + value + "}}}", words);
     }
 
     private static BadLevel camera(String key, String value, String words) {

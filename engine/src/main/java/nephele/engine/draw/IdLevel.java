@@ -7,13 +7,13 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import nephele.engine.level.Body;
 import nephele.engine.level.BoxFace;
-import nephele.engine.level.Brush;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Level;
 import nephele.engine.level.Material;
 import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.Solid;
+import nephele.engine.level.SolidFaces;
 import nephele.engine.level.ToneCurve;
 import nephele.engine.math.Vec3;
 
@@ -130,18 +130,19 @@ public final class IdLevel {
                     wedge.centre(),
                     wedge.size(),
                     wedge.rising(),
-                    mirrors(names(wedge), wedge.faces(), wedge.material(), mirrors));
+                    mirrors(SolidFaces.names(wedge), wedge.faces(), wedge.material(), mirrors));
         }
         if (solid instanceof Solid.Prism prism) {
             return new Solid.Prism(
                     prism.id(),
-                    isMirror(null, prism.material(), mirrors) ? MIRROR : material,
+                    material,
                     false,
                     prism.textureMapping(),
                     prism.centre(),
                     prism.radiusMetres(),
                     prism.heightMetres(),
-                    prism.sides());
+                    prism.sides(),
+                    mirrors(SolidFaces.names(prism), prism.faces(), prism.material(), mirrors));
         }
         var planes = (Solid.Planes) solid;
         var bare = planes.planes().stream()
@@ -152,10 +153,6 @@ public final class IdLevel {
                         null))
                 .collect(Collectors.toList());
         return new Solid.Planes(planes.id(), material, false, planes.textureMapping(), bare);
-    }
-
-    private static List<String> names(Solid.Wedge wedge) {
-        return Brush.of(wedge).faces().stream().map(Brush.BrushFace::name).collect(Collectors.toList());
     }
 
     /** Returns the faces of a solid that are mirrors. */

@@ -16,6 +16,7 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
      *
      * @param name the face's name in messages: {@code +y}, {@code planes[3]}, {@code slope}, {@code side 2}
      * @param material id, or {@code null} for the default grey
+     * @param texture {@code null} if the picture lies as {@code textureMapping} says
      */
     public record BrushFace(
             String name,
@@ -23,13 +24,19 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
             List<Vec3> polygon,
             String material,
             boolean portalable,
-            TextureMapping textureMapping) {
+            TextureMapping textureMapping,
+            TexturePlacement texture) {
         private BrushFace refusingPortals() {
-            return new BrushFace(name, plane, polygon, material, false, textureMapping);
+            return new BrushFace(name, plane, polygon, material, false, textureMapping, texture);
+        }
+
+        /** Returns this face with the picture lying elsewhere. */
+        public BrushFace with(TexturePlacement other) {
+            return new BrushFace(name, plane, polygon, material, portalable, textureMapping, other);
         }
     }
 
-    private record Named(String name, Plane plane, String material, Boolean portalable) {}
+    private record Named(String name, Plane plane, Solid.Face said) {}
 
     /**
      * Derives the shape of a solid.
@@ -72,14 +79,16 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
     private static Brush assemble(Solid solid, ConvexPolyhedron shape, List<Named> named) {
         List<BrushFace> faces = new ArrayList<>(shape.faces().size());
         for (ConvexPolyhedron.Face face : shape.faces()) {
-            Named said = named.get(face.planeIndex());
+            Named plane = named.get(face.planeIndex());
+            Solid.Face said = plane.said();
             faces.add(new BrushFace(
-                    said.name(),
+                    plane.name(),
                     face.plane(),
                     face.polygon(),
                     said.material() == null ? solid.material() : said.material(),
                     said.portalable() == null ? solid.portalable() : said.portalable(),
-                    solid.textureMapping()));
+                    solid.textureMapping(),
+                    said.texture()));
         }
         return new Brush(solid.id(), shape, faces);
     }
@@ -93,9 +102,7 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
     }
 
     private static Named named(String name, Plane plane, Solid.Face said) {
-        return said == null
-                ? new Named(name, plane, null, null)
-                : new Named(name, plane, said.material(), said.portalable());
+        return new Named(name, plane, said == null ? Solid.Face.INHERITED : said);
     }
 
     private static List<Named> planeFaces(Solid.Planes planes) {
@@ -103,7 +110,9 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
         for (int i = 0; i < planes.planes().size(); i++) {
             Solid.PlaneFace p = planes.planes().get(i);
             faces.add(new Named(
-                    "planes[" + i + "]", Plane.of(p.normal(), p.distanceMetres()), p.material(), p.portalable()));
+                    "planes[" + i + "]",
+                    Plane.of(p.normal(), p.distanceMetres()),
+                    new Solid.Face(p.material(), p.portalable(), p.texture())));
         }
         return faces;
     }
@@ -154,15 +163,18 @@ public record Brush(String solidId, ConvexPolyhedron shape, List<BrushFace> face
         }
         List<Named> faces = new ArrayList<>();
         double y = prism.centre().y();
-        faces.add(new Named("+y", new Plane(0, 1, 0, y + prism.heightMetres() / 2), null, null));
-        faces.add(new Named("-y", new Plane(0, -1, 0, -(y - prism.heightMetres() / 2)), null, null));
+        Plane top = new Plane(0, 1, 0, y + prism.heightMetres() / 2);
+        Plane bottom = new Plane(0, -1, 0, -(y - prism.heightMetres() / 2));
+        faces.add(named("+y", top, prism.faces().get("+y")));
+        faces.add(named("-y", bottom, prism.faces().get("-y")));
         double apothem = prism.radiusMetres() * StrictMath.cos(Math.PI / prism.sides());
         for (int i = 0; i < prism.sides(); i++) {
             double angle = 2 * Math.PI * i / prism.sides();
             double nx = StrictMath.cos(angle);
             double nz = StrictMath.sin(angle);
             double distance = nx * prism.centre().x() + nz * prism.centre().z() + apothem;
-            faces.add(new Named("side " + i, new Plane(nx, 0, nz, distance), null, null));
+            String name = "side " + i;
+            faces.add(named(name, new Plane(nx, 0, nz, distance), prism.faces().get(name)));
         }
         return faces;
     }

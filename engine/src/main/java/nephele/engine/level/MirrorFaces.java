@@ -47,14 +47,7 @@ public final class MirrorFaces {
     }
 
     private static boolean isOn(Solid solid, Predicate<String> isMirror) {
-        boolean isDefault = isMirror.test(solid.material());
-        if (solid instanceof Solid.Box box) {
-            return isDefault || box.faces().values().stream().anyMatch(face -> isMirror.test(face.material()));
-        } else if (solid instanceof Solid.Wedge wedge) {
-            return isDefault || wedge.faces().values().stream().anyMatch(face -> isMirror.test(face.material()));
-        } else if (solid instanceof Solid.Planes planes) {
-            return isDefault || planes.planes().stream().anyMatch(plane -> isMirror.test(plane.material()));
-        }
-        return isDefault;
+        return isMirror.test(solid.material())
+                || SolidFaces.said(solid).values().stream().anyMatch(face -> isMirror.test(face.material()));
     }
 }

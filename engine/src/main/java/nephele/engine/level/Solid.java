@@ -58,6 +58,7 @@ public sealed interface Solid {
      * {@code "kind": "prism"}: a regular upright prism.
      *
      * @param centre the centre of the whole prism
+     * @param faces by name: {@code +y}, {@code -y}, {@code side 0} towards +x and on towards +z
      */
     record Prism(
             @Written(required = true, text = TextKind.ID) String id,
@@ -67,16 +68,55 @@ public sealed interface Solid {
             @Written(required = true, spatial = Spatial.POINT) Vec3 centre,
             @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double radiusMetres,
             @Written(required = true, min = 1e-4, spatial = Spatial.LENGTH) double heightMetres,
-            @Written(absent = "16", min = 3, max = 62) int sides)
-            implements Solid {}
+            @Written(absent = "16", min = 3, max = 62) int sides,
+            @Written Map<String, Face> faces)
+            implements Solid {
+        /** Creates a prism whose faces are all as the solid says. */
+        public Prism(
+                String id,
+                String material,
+                boolean portalable,
+                TextureMapping textureMapping,
+                Vec3 centre,
+                double radiusMetres,
+                double heightMetres,
+                int sides) {
+            this(id, material, portalable, textureMapping, centre, radiusMetres, heightMetres, sides, Map.of());
+        }
+    }
 
-    /** The properties of a face that differ from its solid's; {@code null} members inherit. */
-    record Face(@Written(text = TextKind.ID, refersTo = "materials") String material, @Written Boolean portalable) {}
+    /**
+     * The properties of a face that differ from its solid's; {@code null} members inherit.
+     *
+     * @param texture {@code null} if the picture lies as the solid's mapping says
+     */
+    record Face(
+            @Written(text = TextKind.ID, refersTo = "materials") String material,
+            @Written Boolean portalable,
+            @Written TexturePlacement texture) {
+        /** A face that is as its solid says. */
+        public static final Face INHERITED = new Face(null, null, null);
 
-    /** One bounding plane; {@code null} members inherit from the solid. */
+        /** Creates a face whose picture lies as the solid's mapping says. */
+        public Face(String material, Boolean portalable) {
+            this(material, portalable, null);
+        }
+    }
+
+    /**
+     * One bounding plane; {@code null} members inherit from the solid.
+     *
+     * @param texture {@code null} if the picture lies as the solid's mapping says
+     */
     record PlaneFace(
             @Written(required = true) Vec3 normal,
             @Written(required = true) double distanceMetres,
             @Written(text = TextKind.ID, refersTo = "materials") String material,
-            @Written Boolean portalable) {}
+            @Written Boolean portalable,
+            @Written TexturePlacement texture) {
+        /** Creates a plane whose picture lies as the solid's mapping says. */
+        public PlaneFace(Vec3 normal, double distanceMetres, String material, Boolean portalable) {
+            this(normal, distanceMetres, material, portalable, null);
+        }
+    }
 }

@@ -16,13 +16,15 @@ public record SolidBatch(Form form, Kind kind, Vec3 cellOrigin, int firstIndex, 
     /** The kind of shape that a face belongs to, which decides the contents of its vertices. */
     public enum Form {
         SOLID,
+        /** Solids' faces with a normal map that is turned or mirrored on them; vertices as for {@link #SOLID}. */
+        TURNED_SOLID,
         /** A model with flat-shaded triangles. */
         FACETED_MODEL,
         /** A model with triangles that approximate a curved surface. */
         CURVED_MODEL;
 
         public boolean isModel() {
-            return this != SOLID;
+            return this == FACETED_MODEL || this == CURVED_MODEL;
         }
     }
 

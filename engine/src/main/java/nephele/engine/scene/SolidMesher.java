@@ -109,7 +109,7 @@ final class SolidMesher {
         int material = materials.indexOf(face.material());
         Surface surface = materials.surfaces().get(material);
         BatchBuilder.Growing batch = batches.batch(
-                SolidBatch.Form.SOLID, surface, material, face.polygon().get(0));
+                form(face, surface), surface, material, face.polygon().get(0));
         List<FaceFragment> parts = fragments.get(brush).get(faceIndex);
         FaceTexture texture = FaceTexture.of(face, surface.material().textureMetres());
         Vec3 normal = face.plane().normal();
@@ -129,6 +129,13 @@ final class SolidMesher {
             }
             batch.triangles(first, parts.get(part).triangles());
         }
+    }
+
+    private static SolidBatch.Form form(BrushFace face, Surface surface) {
+        boolean isTurned = face.texture() != null && face.texture().isTurned();
+        return isTurned && surface.material().normalTexture() != null
+                ? SolidBatch.Form.TURNED_SOLID
+                : SolidBatch.Form.SOLID;
     }
 
     MeshSpans spans() {

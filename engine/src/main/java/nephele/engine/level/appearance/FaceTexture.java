@@ -2,13 +2,14 @@ package nephele.engine.level.appearance;
 
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.TextureMapping;
+import nephele.engine.level.TexturePlacement;
 import nephele.engine.math.Directions;
 import nephele.engine.math.Vec3;
 
 /**
  * The mapping of a texture on a face: s grows to the right and t downwards as seen with world up upwards (for floors
- * and ceilings: s along +x); t = 0 at the picture's top row. The solid shader derives the same two directions for
- * normal maps.
+ * and ceilings: s along +x); t = 0 at the picture's top row. A {@link TexturePlacement} scales, turns and shifts the
+ * picture. The solid shader derives the same two directions for normal maps.
  *
  * @param across unit direction in which s grows
  * @param up unit direction in which t falls
@@ -25,6 +26,10 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
         double at(double along) {
             return (along - origin) / metres - whole;
         }
+
+        private Axis unreduced() {
+            return new Axis(origin, metres, 0);
+        }
     }
 
     /**
@@ -36,6 +41,9 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
         Vec3 normal = face.plane().normal();
         Vec3 across = across(normal);
         Vec3 up = normal.cross(across);
+        if (face.texture() != null) {
+            return placed(face, TextureFrame.of(face, textureMetres), face.texture());
+        }
         return new FaceTexture(across, up, axis(face, across, textureMetres), axis(face, up.negated(), textureMetres));
     }
 
@@ -48,16 +56,45 @@ public record FaceTexture(Vec3 across, Vec3 up, Axis s, Axis t) {
     }
 
     private static Axis axis(BrushFace face, Vec3 direction, double textureMetres) {
-        double least = Double.POSITIVE_INFINITY;
-        double most = Double.NEGATIVE_INFINITY;
-        for (Vec3 corner : face.polygon()) {
-            double along = corner.dot(direction);
-            least = Math.min(least, along);
-            most = Math.max(most, along);
-        }
+        TextureFrame.Extent extent = TextureFrame.Extent.of(face, direction);
         return face.textureMapping() == TextureMapping.FACE
-                ? new Axis(least, most - least, 0)
-                : new Axis(0, textureMetres, Math.floor(least / textureMetres));
+                ? new Axis(extent.least(), extent.metres(), 0)
+                : new Axis(0, textureMetres, Math.floor(extent.least() / textureMetres));
+    }
+
+    private static FaceTexture placed(BrushFace face, TextureFrame frame, TexturePlacement placement) {
+        Vec3 right = frame.turnedRight(placement.rotationDegrees());
+        Vec3 upwards = frame.turnedUp(placement.rotationDegrees());
+        Vec3 across = placement.scaleU() < 0 ? right.negated() : right;
+        Vec3 up = placement.scaleV() < 0 ? upwards.negated() : upwards;
+        Vec3 pivot = frame.pivot()
+                .addScaled(placement.shiftUMetres(), frame.across())
+                .addScaled(placement.shiftVMetres(), frame.up());
+        double sMetres = frame.uMetres() * Math.abs(placement.scaleU());
+        double tMetres = frame.vMetres() * Math.abs(placement.scaleV());
+        Axis s = new Axis(pivot.dot(across) - frame.pivotShare() * sMetres, sMetres, 0);
+        Axis t = new Axis(-pivot.dot(up) - frame.pivotShare() * tMetres, tMetres, 0);
+        return new FaceTexture(across, up, reduced(face, across, s), reduced(face, up.negated(), t));
+    }
+
+    private static Axis reduced(BrushFace face, Vec3 direction, Axis axis) {
+        double least = TextureFrame.Extent.of(face, direction).least();
+        return new Axis(axis.origin, axis.metres, Math.floor(axis.at(least)));
+    }
+
+    /** Returns this mapping without the subtraction of whole repeats. */
+    public FaceTexture unreduced() {
+        return new FaceTexture(across, up, s.unreduced(), t.unreduced());
+    }
+
+    /** Returns the width of one repeat. */
+    public double sMetres() {
+        return s.metres;
+    }
+
+    /** Returns the height of one repeat. */
+    public double tMetres() {
+        return t.metres;
     }
 
     public double s(Vec3 p) {

@@ -48,7 +48,13 @@ final class ConvexModel {
         for (ConvexPolyhedron.Face face : faces) {
             String name = "face " + face.planeIndex();
             named.add(new BrushFace(
-                    name, face.plane(), face.polygon(), said.material(), said.portalable(), TextureMapping.WORLD));
+                    name,
+                    face.plane(),
+                    face.polygon(),
+                    said.material(),
+                    said.portalable(),
+                    TextureMapping.WORLD,
+                    null));
         }
         Set<Vec3> used = new HashSet<>();
         faces.forEach(face -> used.addAll(face.polygon()));

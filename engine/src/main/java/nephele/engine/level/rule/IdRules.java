@@ -17,6 +17,7 @@ import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Solid;
+import nephele.engine.level.SolidFaces;
 import nephele.engine.level.json.WrittenMaterials;
 
 /** Every id is unique in its section, and every reference names an existing record. */
@@ -66,13 +67,8 @@ final class IdRules {
 
         void solid(String path, Solid solid) {
             material(path, solid.material());
-            if (solid instanceof Solid.Box box) {
-                box.faces().forEach((side, face) -> material(path + ".faces." + side.text(), face.material()));
-            } else if (solid instanceof Solid.Wedge wedge) {
-                wedge.faces().forEach((side, face) -> material(path + ".faces." + side, face.material()));
-            } else if (solid instanceof Solid.Planes planes) {
-                LevelRule.each(path + ".planes", planes.planes(), (face, plane) -> material(face, plane.material()));
-            }
+            SolidFaces.said(solid)
+                    .forEach((name, face) -> material(path + "." + SolidFaces.path(solid, name), face.material()));
         }
     }
 }

@@ -14,6 +14,7 @@ public final class LevelRules {
             IdRules.MATERIALS,
             DirectionRules.NOT_ZERO,
             SolidRules.BOUNDED,
+            TextureRules.SCALES,
             CameraRules.VIEW,
             LightRules.CONES,
             LightRules.SHADOWS,

@@ -1,10 +1,12 @@
 package nephele.engine.level.rule;
 
+import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Problem;
 import nephele.engine.level.Solid;
+import nephele.engine.level.SolidFaces;
 import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Vec3;
 
@@ -22,6 +24,8 @@ final class SolidRules {
             Solid solid = level.solids().get(i);
             if (solid instanceof Solid.Wedge wedge) {
                 wedgeFaces(path, wedge, report);
+            } else if (solid instanceof Solid.Prism prism) {
+                prismFaces(path, prism, report);
             }
             triples += triples(solid);
             if (triples > MOST_TRIPLES) {
@@ -65,6 +69,21 @@ final class SolidRules {
             }
         } catch (IllegalArgumentException problem) {
             report.accept(Problem.error(path, problem.getMessage()));
+        }
+    }
+
+    private static void prismFaces(String path, Solid.Prism prism, Consumer<Problem> report) {
+        if (prism.faces().isEmpty()) {
+            return;
+        }
+        List<String> names = SolidFaces.names(prism);
+        for (String name : prism.faces().keySet()) {
+            if (!names.contains(name)) {
+                String last = names.get(names.size() - 1);
+                report.accept(Problem.error(
+                        path + ".faces." + name,
+                        "this prism has no such face: +y, -y and side 0 to " + last + " are known"));
+            }
         }
     }
 

@@ -2,11 +2,11 @@ package nephele.engine.portal.placement;
 
 import java.util.List;
 import java.util.Set;
-import java.util.stream.IntStream;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.MirrorFaces;
 import nephele.engine.level.Solid;
+import nephele.engine.level.SolidFaces;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.math.Aabb;
@@ -122,20 +122,7 @@ final class PortalWall {
 
     /** Returns true if the author marked this very face as not portalable. */
     private static boolean saysNo(Solid said, String face) {
-        if (said instanceof Solid.Planes planes) {
-            return IntStream.range(0, planes.planes().size())
-                    .anyMatch(i -> face.equals("planes[" + i + "]")
-                            && Boolean.FALSE.equals(planes.planes().get(i).portalable()));
-        } else if (said instanceof Solid.Wedge wedge) {
-            return saysNo(wedge.faces().get(face));
-        }
-        return said instanceof Solid.Box box
-                && box.faces().entrySet().stream()
-                        .anyMatch(side -> side.getKey().text().equals(face) && saysNo(side.getValue()));
-    }
-
-    private static boolean saysNo(Solid.Face face) {
-        return face != null && Boolean.FALSE.equals(face.portalable());
+        return Boolean.FALSE.equals(SolidFaces.said(said, face).portalable());
     }
 
     /**

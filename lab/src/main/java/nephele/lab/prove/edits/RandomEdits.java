@@ -191,7 +191,15 @@ final class RandomEdits {
     private static Solid prism(Solid.Prism prism, String material, Vec3 centre, double radius) {
         TextureMapping mapping = prism.textureMapping();
         return new Solid.Prism(
-                prism.id(), material, prism.portalable(), mapping, centre, radius, prism.heightMetres(), prism.sides());
+                prism.id(),
+                material,
+                prism.portalable(),
+                mapping,
+                centre,
+                radius,
+                prism.heightMetres(),
+                prism.sides(),
+                prism.faces());
     }
 
     /** Returns a box on the middle of another box, or within 10 m of the town's corner if the other solid is no box. */

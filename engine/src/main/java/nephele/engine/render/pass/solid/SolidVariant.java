@@ -24,7 +24,9 @@ record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emissi
     static SolidVariant of(SolidBatch batch, Level level, Quality quality) {
         boolean emission =
                 level.materials().stream().anyMatch(m -> !m.emission().equals(Vec3.ZERO));
-        return new SolidVariant(batch.form(), SurfaceVariant.of(batch.kind(), quality), emission);
+        SurfaceVariant surface = SurfaceVariant.of(batch.kind(), quality);
+        boolean isPlain = batch.form() == SolidBatch.Form.TURNED_SOLID && !surface.normalMapped();
+        return new SolidVariant(isPlain ? SolidBatch.Form.SOLID : batch.form(), surface, emission);
     }
 
     GlProgram<SolidUniforms> program(LoadContext context, int materialsPerBlock) {
@@ -34,6 +36,7 @@ record SolidVariant(SolidBatch.Form form, SurfaceVariant surface, boolean emissi
                 .withIf(emission, "EMISSION")
                 .withIf(form.isModel(), "MODEL")
                 .withIf(form == SolidBatch.Form.CURVED_MODEL, "CURVED_RECEIVER")
+                .withIf(form == SolidBatch.Form.TURNED_SOLID, "TURNED_TEXTURE")
                 .withIf(isLitPerFace(light), "FLAT_LIGHT")
                 .values();
         return new GlProgram<>(

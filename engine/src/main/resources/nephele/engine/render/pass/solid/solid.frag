@@ -23,7 +23,7 @@ flat in vec3 reflectedPerAlbedo;
 flat in vec3 faceNormal;
 flat in float materialIndex;
 #endif
-#if defined(METALLIC_ROUGHNESS) || defined(FOG) || (defined(MODEL) && defined(NORMAL_MAP))
+#if defined(METALLIC_ROUGHNESS) || defined(FOG) || (defined(NORMAL_MAP) && (defined(MODEL) || defined(TURNED_TEXTURE)))
 in vec3 relativePosition;
 #endif
 #ifdef MODEL
@@ -43,7 +43,7 @@ flat in vec3 emission;
 #endif
 
 #ifdef NORMAL_MAP
-#ifdef MODEL
+#if defined(MODEL) || defined(TURNED_TEXTURE)
 // Returns a direction projected onto the surface; another one if it has no projection.
 vec3 along(vec3 direction, vec3 n, vec3 otherwise) {
     vec3 tangent = direction - n * dot(n, direction);
@@ -51,9 +51,10 @@ vec3 along(vec3 direction, vec3 n, vec3 otherwise) {
     return square > 0.0 ? tangent * inversesqrt(square) : otherwise;
 }
 
-// Uses the mesh's mapping, where its texture coordinates grow (Schueler 2013, "Normal Mapping without Precomputed
-// Tangents"). Twin: nephele.engine.level.placed.TriangleTangents.
-vec3 meshMappedNormal(vec3 texel, vec3 n) {
+// Uses the mapping of a mesh or of a picture turned on a face, where the texture coordinates grow (Schueler 2013,
+// "Normal Mapping without Precomputed Tangents"). Twins: nephele.engine.level.placed.TriangleTangents and
+// nephele.engine.level.appearance.FaceTexture.
+vec3 growthMappedNormal(vec3 texel, vec3 n) {
     vec3 right = cross(dFdy(relativePosition), faceNormal);
     vec3 above = cross(faceNormal, dFdx(relativePosition));
 #ifdef MIRRORS
@@ -86,8 +87,8 @@ vec3 litRadiance(vec3 texel) {
     float roughness = material.baseColourRoughness.a;
 #ifdef NORMAL_MAP
     vec4 detail = texture(normals, vec3(st, layers.y));
-#ifdef MODEL
-    s.normal = meshMappedNormal(detail.rgb, s.normal);
+#if defined(MODEL) || defined(TURNED_TEXTURE)
+    s.normal = growthMappedNormal(detail.rgb, s.normal);
 #else
     vec3 across = textureAcross(faceNormal);
     s.normal = mappedNormal(detail.rgb, faceNormal, across, cross(faceNormal, across));

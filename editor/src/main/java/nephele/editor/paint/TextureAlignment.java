@@ -1,0 +1,26 @@
+package nephele.editor.paint;
+
+/** The edge or the middle of a face that the same edge or the middle of its picture is moved to. */
+public enum TextureAlignment {
+    LEFT(0),
+    CENTRE(0.5),
+    RIGHT(1),
+    TOP(0),
+    MIDDLE(0.5),
+    BOTTOM(1);
+
+    private final double share;
+
+    TextureAlignment(double share) {
+        this.share = share;
+    }
+
+    /** Returns the place on the face and on the picture: 0 at the left or top, 1 at the right or bottom. */
+    double share() {
+        return share;
+    }
+
+    boolean isHorizontal() {
+        return this == LEFT || this == CENTRE || this == RIGHT;
+    }
+}

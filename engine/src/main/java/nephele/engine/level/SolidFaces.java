@@ -1,0 +1,148 @@
+package nephele.engine.level;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+
+/** What a solid says of its faces, by the names of {@link Brush.BrushFace}, for every kind of solid. */
+public final class SolidFaces {
+    private SolidFaces() {}
+
+    /** Returns the names of a solid's faces; a plane that bounds nothing is among them. */
+    public static List<String> names(Solid solid) {
+        List<String> names = new ArrayList<>();
+        if (solid instanceof Solid.Planes planes) {
+            IntStream.range(0, planes.planes().size()).forEach(i -> names.add(plane(i)));
+        } else if (solid instanceof Solid.Prism prism) {
+            names.addAll(List.of("+y", "-y"));
+            IntStream.range(0, prism.sides()).forEach(i -> names.add("side " + i));
+        } else {
+            for (BoxFace side : BoxFace.values()) {
+                names.add(side.text());
+            }
+        }
+        if (solid instanceof Solid.Wedge wedge) {
+            names.remove("+y");
+            names.removeIf(
+                    name -> name.substring(1).equals(wedge.rising().text().substring(1))
+                            && !name.equals(wedge.rising().text()));
+            names.add("slope");
+        }
+        return names;
+    }
+
+    /** Returns what a solid says of its faces; those of which it says nothing are missing, but for planes. */
+    public static Map<String, Solid.Face> said(Solid solid) {
+        if (solid instanceof Solid.Wedge wedge) {
+            return wedge.faces();
+        } else if (solid instanceof Solid.Prism prism) {
+            return prism.faces();
+        }
+        Map<String, Solid.Face> faces = new LinkedHashMap<>();
+        if (solid instanceof Solid.Box box) {
+            box.faces().forEach((side, face) -> faces.put(side.text(), face));
+        } else if (solid instanceof Solid.Planes planes) {
+            for (int i = 0; i < planes.planes().size(); i++) {
+                Solid.PlaneFace said = planes.planes().get(i);
+                faces.put(plane(i), new Solid.Face(said.material(), said.portalable(), said.texture()));
+            }
+        }
+        return faces;
+    }
+
+    /** Returns the place of what is said of a face in its solid's record, such as {@code faces.+y} and {@code planes[3]}. */
+    public static String path(Solid solid, String face) {
+        return solid instanceof Solid.Planes ? face : "faces." + face;
+    }
+
+    /** Returns what a solid says of one face. */
+    public static Solid.Face said(Solid solid, String face) {
+        return said(solid).getOrDefault(face, Solid.Face.INHERITED);
+    }
+
+    /**
+     * Returns a solid that says something else of one face. A placement that changes nothing is left out.
+     *
+     * @throws IllegalArgumentException if the solid has no such face
+     */
+    public static Solid with(Solid solid, String face, Solid.Face said) {
+        if (!names(solid).contains(face)) {
+            throw new IllegalArgumentException(solid.id() + " has no face " + face);
+        }
+        return withKnown(
+                solid,
+                face,
+                TexturePlacement.NONE.equals(said.texture())
+                        ? new Solid.Face(said.material(), said.portalable())
+                        : said);
+    }
+
+    private static Solid withKnown(Solid solid, String face, Solid.Face said) {
+        if (solid instanceof Solid.Box b) {
+            BoxFace side = BoxFace.values()[names(solid).indexOf(face)];
+            return new Solid.Box(
+                    b.id(),
+                    b.material(),
+                    b.portalable(),
+                    b.textureMapping(),
+                    b.centre(),
+                    b.size(),
+                    with(b.faces(), side, said));
+        } else if (solid instanceof Solid.Wedge w) {
+            return new Solid.Wedge(
+                    w.id(),
+                    w.material(),
+                    w.portalable(),
+                    w.textureMapping(),
+                    w.centre(),
+                    w.size(),
+                    w.rising(),
+                    with(w.faces(), face, said));
+        } else if (solid instanceof Solid.Prism p) {
+            return new Solid.Prism(
+                    p.id(),
+                    p.material(),
+                    p.portalable(),
+                    p.textureMapping(),
+                    p.centre(),
+                    p.radiusMetres(),
+                    p.heightMetres(),
+                    p.sides(),
+                    with(p.faces(), face, said));
+        }
+        return with((Solid.Planes) solid, names(solid).indexOf(face), said);
+    }
+
+    private static Solid with(Solid.Planes solid, int index, Solid.Face said) {
+        List<Solid.PlaneFace> planes = new ArrayList<>(solid.planes());
+        Solid.PlaneFace plane = planes.get(index);
+        planes.set(
+                index,
+                new Solid.PlaneFace(
+                        plane.normal(), plane.distanceMetres(), said.material(), said.portalable(), said.texture()));
+        return new Solid.Planes(
+                solid.id(),
+                solid.material(),
+                solid.portalable(),
+                solid.textureMapping(),
+                Collections.unmodifiableList(planes));
+    }
+
+    private static <N> Map<N, Solid.Face> with(Map<N, Solid.Face> faces, N name, Solid.Face said) {
+        Map<N, Solid.Face> changed = new TreeMap<>(faces);
+        if (said.equals(Solid.Face.INHERITED)) {
+            changed.remove(name);
+        } else {
+            changed.put(name, said);
+        }
+        return changed.isEmpty() ? Map.of() : Collections.unmodifiableMap(changed);
+    }
+
+    private static String plane(int index) {
+        return "planes[" + index + "]";
+    }
+}
