@@ -3,16 +3,15 @@ package nephele.editor.brush;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import nephele.engine.level.BoxFace;
+import nephele.engine.math.ConvexPolyhedron;
 import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
 /**
- * The convex hull of a few hundred points. Every triple is tried, from the largest triangle on; points near its plane
- * are on it, so that faces of four and more corners stay whole.
+ * The convex hull of a few hundred points. Every triple is tried that is not on a known side; points near its plane are
+ * on it, so that faces of four and more corners stay whole.
  */
 final class ConvexHull {
     /** More points would take more than about a second. */
@@ -31,11 +30,11 @@ final class ConvexHull {
      */
     record Side(Plane plane, BitSet on) {}
 
-    private record Candidate(Plane plane, BitSet on, double doubledArea) {}
+    private record Candidate(Side side, double area) {}
 
     private final List<Vec3> points;
     private final double tolerance;
-    private final Map<BitSet, Candidate> candidates = new HashMap<>();
+    private final List<Candidate> candidates = new ArrayList<>();
 
     private ConvexHull(List<Vec3> points) {
         this.points = points;
@@ -47,12 +46,26 @@ final class ConvexHull {
         ConvexHull hull = new ConvexHull(points);
         for (int i = 0; i < points.size(); i++) {
             for (int j = i + 1; j < points.size(); j++) {
-                for (int k = j + 1; k < points.size(); k++) {
-                    hull.tryTriangle(i, j, k);
+                BitSet done = hull.onSidesWith(i, j);
+                for (int k = done.nextClearBit(j + 1); k < points.size(); k = done.nextClearBit(k + 1)) {
+                    if (hull.tryTriangle(i, j, k)) {
+                        done = hull.onSidesWith(i, j);
+                    }
                 }
             }
         }
         return hull.sides();
+    }
+
+    /** Returns the points on known sides that hold two points: triangles with them are known, too. */
+    private BitSet onSidesWith(int i, int j) {
+        BitSet on = new BitSet();
+        for (Candidate known : candidates) {
+            if (known.side.on.get(i) && known.side.on.get(j)) {
+                on.or(known.side.on);
+            }
+        }
+        return on;
     }
 
     /** Returns the distance in metres below which a point is on a plane. */
@@ -70,7 +83,8 @@ final class ConvexHull {
         return Math.max(Math.abs(v.x()), Math.max(Math.abs(v.y()), Math.abs(v.z())));
     }
 
-    private void tryTriangle(int i, int j, int k) {
+    /** Adds the side of a triangle that has all points behind it; returns false if there is none. */
+    private boolean tryTriangle(int i, int j, int k) {
         Vec3 a = points.get(i);
         Vec3 ab = points.get(j).minus(a);
         Vec3 ac = points.get(k).minus(a);
@@ -79,7 +93,7 @@ final class ConvexHull {
         double longest =
                 Math.max(ab.length(), Math.max(ac.length(), ac.minus(ab).length()));
         if (!(doubledArea > tolerance * longest)) {
-            return;
+            return false;
         }
         Vec3 normal = cross.scaled(1 / doubledArea);
         boolean isFront = false;
@@ -89,23 +103,30 @@ final class ConvexHull {
             isFront |= distance > tolerance;
             isBehind |= distance < -tolerance;
             if (isFront && isBehind) {
-                return;
+                return false;
             }
         }
         if (isFront || isBehind) {
-            add(isFront ? normal.negated() : normal, a, doubledArea);
+            add(isFront ? normal.negated() : normal, a);
         }
+        return isFront || isBehind;
     }
 
-    private void add(Vec3 normal, Vec3 a, double doubledArea) {
+    /** Adds the side with the mean normal of the polygon of all points near the plane (Newell's method). */
+    private void add(Vec3 normal, Vec3 a) {
         BitSet on = new BitSet(points.size());
         for (int i = 0; i < points.size(); i++) {
             on.set(i, Math.abs(normal.dot(points.get(i).minus(a))) <= tolerance);
         }
-        Candidate known = candidates.get(on);
-        if (known == null || known.doubledArea < doubledArea) {
-            candidates.put(on, new Candidate(plane(normal, a, on), on, doubledArea));
+        List<Vec3> near = on.stream().mapToObj(points::get).distinct().toList();
+        List<Vec3> ring = ConvexPolyhedron.counterClockwise(Plane.through(normal, a), near);
+        Vec3 doubledArea = Vec3.ZERO;
+        for (int i = 2; i < ring.size(); i++) {
+            doubledArea = doubledArea.plus(
+                    ring.get(i - 1).minus(ring.get(0)).cross(ring.get(i).minus(ring.get(0))));
         }
+        Vec3 mean = Plane.of(doubledArea, 0).normal();
+        candidates.add(new Candidate(new Side(plane(mean, ring.get(0), on), on), doubledArea.length()));
     }
 
     /** A side whose points agree in a coordinate is exactly perpendicular to that axis. */
@@ -122,20 +143,19 @@ final class ConvexHull {
     }
 
     private List<Side> sides() {
-        List<Candidate> largestFirst = new ArrayList<>(candidates.values());
-        largestFirst.sort(
-                Comparator.comparingDouble((Candidate c) -> -c.doubledArea).thenComparing(c -> c.on.toString()));
+        List<Candidate> largestFirst = new ArrayList<>(candidates);
+        largestFirst.sort(Comparator.comparingDouble((Candidate c) -> -c.area));
         List<Side> sides = new ArrayList<>();
         for (Candidate candidate : largestFirst) {
-            if (sides.stream().noneMatch(side -> isSame(side, candidate))) {
-                sides.add(new Side(candidate.plane, candidate.on));
+            if (sides.stream().noneMatch(side -> isSame(side, candidate.side))) {
+                sides.add(candidate.side);
             }
         }
         return sides;
     }
 
     /** Two sides share an edge at most; candidates that share more are the same side within the tolerance. */
-    private boolean isSame(Side side, Candidate candidate) {
+    private boolean isSame(Side side, Side candidate) {
         BitSet shared = (BitSet) side.on.clone();
         shared.and(candidate.on);
         return side.plane.normal().dot(candidate.plane.normal()) > 0 && isWide(shared);

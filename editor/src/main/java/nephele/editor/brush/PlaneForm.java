@@ -3,6 +3,7 @@ package nephele.editor.brush;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import nephele.engine.level.BoxFace;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Solid;
@@ -18,6 +19,8 @@ final class PlaneForm {
 
     private static final double SAME_DISTANCE_METRES = 1e-9;
 
+    private static final Solid.Face NOTHING_SAID = new Solid.Face(null, null);
+
     private PlaneForm() {}
 
     /** Returns the solid's faces as planes, in the order of its faces; planes without a face are left out. */
@@ -30,10 +33,24 @@ final class PlaneForm {
                 faces.add(planes.planes().get(at));
             } else {
                 BrushFace face = brush.faces().get(i);
-                faces.add(look(solid, canonical(face.plane()), lookOf(face)));
+                PlaneFace plane = canonical(face.plane());
+                Solid.Face said = said(solid, face.name());
+                faces.add(new PlaneFace(plane.normal(), plane.distanceMetres(), said.material(), said.portalable()));
             }
         }
         return with(solid, solid.id(), faces);
+    }
+
+    private static Solid.Face said(Solid solid, String name) {
+        Solid.Face said = null;
+        if (solid instanceof Solid.Box box) {
+            for (BoxFace side : BoxFace.values()) {
+                said = side.text().equals(name) ? box.faces().get(side) : said;
+            }
+        } else if (solid instanceof Solid.Wedge wedge) {
+            said = wedge.faces().get(name);
+        }
+        return said == null ? NOTHING_SAID : said;
     }
 
     /** Returns a solid of other planes with the properties of this one. */

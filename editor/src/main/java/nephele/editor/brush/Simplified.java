@@ -1,6 +1,7 @@
 package nephele.editor.brush;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -91,7 +92,7 @@ public final class Simplified {
                 solid.textureMapping(),
                 ExactNumber.centre(bounds),
                 ExactNumber.size(bounds),
-                faces));
+                Collections.unmodifiableMap(faces)));
     }
 
     private static Optional<Solid.Wedge> wedge(Solid.Planes solid) {
@@ -143,7 +144,7 @@ public final class Simplified {
                 ExactNumber.clean(box.centre(), ExactNumber.OF_INTERSECTIONS),
                 ExactNumber.clean(ExactNumber.size(box), ExactNumber.OF_INTERSECTIONS),
                 rising,
-                faces);
+                Collections.unmodifiableMap(faces));
         return hasPlanes(wedge, solid) ? Optional.of(wedge) : Optional.empty();
     }
 

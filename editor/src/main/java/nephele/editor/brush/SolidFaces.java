@@ -1,6 +1,7 @@
 package nephele.editor.brush;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -101,7 +102,14 @@ public final class SolidFaces {
                 faces.put(side, said);
             }
         }
-        return new Solid.Box(b.id(), b.material(), b.portalable(), b.textureMapping(), b.centre(), b.size(), faces);
+        return new Solid.Box(
+                b.id(),
+                b.material(),
+                b.portalable(),
+                b.textureMapping(),
+                b.centre(),
+                b.size(),
+                Collections.unmodifiableMap(faces));
     }
 
     private static Solid wedge(Solid.Wedge w, List<Solid.Face> looks) {
@@ -114,7 +122,14 @@ public final class SolidFaces {
             }
         }
         return new Solid.Wedge(
-                w.id(), w.material(), w.portalable(), w.textureMapping(), w.centre(), w.size(), w.rising(), faces);
+                w.id(),
+                w.material(),
+                w.portalable(),
+                w.textureMapping(),
+                w.centre(),
+                w.size(),
+                w.rising(),
+                Collections.unmodifiableMap(faces));
     }
 
     /** Leaves planes without a face as they are. */

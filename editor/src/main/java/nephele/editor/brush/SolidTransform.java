@@ -1,6 +1,7 @@
 package nephele.editor.brush;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -151,7 +152,14 @@ public final class SolidTransform {
     }
 
     private static Solid.Box withFaces(Solid.Box b, Map<BoxFace, Solid.Face> faces) {
-        return new Solid.Box(b.id(), b.material(), b.portalable(), b.textureMapping(), b.centre(), b.size(), faces);
+        return new Solid.Box(
+                b.id(),
+                b.material(),
+                b.portalable(),
+                b.textureMapping(),
+                b.centre(),
+                b.size(),
+                Collections.unmodifiableMap(faces));
     }
 
     private static Solid.Wedge withFaces(Solid.Wedge w, BoxFace rising, UnaryOperator<BoxFace> turn) {
@@ -165,7 +173,14 @@ public final class SolidTransform {
             faces.put("slope", w.faces().get("slope"));
         }
         return new Solid.Wedge(
-                w.id(), w.material(), w.portalable(), w.textureMapping(), w.centre(), w.size(), rising, faces);
+                w.id(),
+                w.material(),
+                w.portalable(),
+                w.textureMapping(),
+                w.centre(),
+                w.size(),
+                rising,
+                Collections.unmodifiableMap(faces));
     }
 
     static Solid.Box placed(Solid.Box b, Vec3 centre, Vec3 size) {
