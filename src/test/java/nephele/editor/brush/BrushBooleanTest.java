@@ -31,8 +31,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 @Execution(ExecutionMode.CONCURRENT)
 class BrushBooleanTest {
-    private static final int CASES = 60;
-    private static final int POINTS = 150;
+    private static final int CASES = 40;
+    private static final int POINTS = 100;
 
     /** Nearer to a surface, rounding may decide on which side a point is. */
     private static final double NEAR_METRES = 1e-7;
@@ -219,7 +219,7 @@ class BrushBooleanTest {
 
     @Test
     void aHullOfTooManyFacesIsRefused() {
-        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 60);
+        Solid.Prism round = new Solid.Prism("p", null, false, TextureMapping.WORLD, Vec3.ZERO, 2, 1, 40);
         Solid turned = SolidTransform.rotated(round, Vec3.ZERO, new Vec3(1, 0, 0), 90)
                 .result()
                 .orElseThrow();

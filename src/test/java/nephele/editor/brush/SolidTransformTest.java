@@ -216,10 +216,9 @@ class SolidTransformTest {
                         .refusal()
                         .orElseThrow());
         assertEquals(
-                BrushText.TOO_THIN,
+                BrushText.FLAT,
                 SolidTransform.resized(box, new Aabb(0, 0, 0, 1, 0, 1))
                         .refusal()
-                        .map(r -> BrushText.TOO_THIN)
                         .orElseThrow());
     }
 }

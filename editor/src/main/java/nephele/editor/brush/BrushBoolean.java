@@ -80,7 +80,7 @@ public final class BrushBoolean {
         return List.copyOf(named);
     }
 
-    /** Returns what two solids have in common, with the first one's id and defaults and each face's own look. */
+    /** Returns what two solids have in common, with the first one's id and defaults. A face of the second keeps its look; a grey one has the default. */
     public static BrushEdit<Solid> intersected(Solid a, Solid b) {
         BrushEdit<Solid> common = BrushEdit.done(a);
         for (PlaneFace cap : caps(a, b, CutLook.OF_CUTTER)) {

@@ -19,11 +19,16 @@ final class ExactNumber {
 
     /** Returns the number with nine decimals that is nearer than the noise; the number itself if there is none. */
     static double clean(double value, double noise) {
+        return clean(value, noise, value);
+    }
+
+    /** Returns the same for the sum of numbers of which the largest has a magnitude. */
+    private static double clean(double value, double noise, double magnitude) {
         if (!(Math.abs(value) <= LARGEST)) {
             return value;
         }
         double rounded = Math.rint(value * DECIMALS) / DECIMALS;
-        return Math.abs(rounded - value) <= noise * Math.max(1, Math.abs(value)) ? rounded + 0.0 : value;
+        return Math.abs(rounded - value) <= noise * Math.max(1, Math.abs(magnitude)) ? rounded + 0.0 : value;
     }
 
     static Vec3 clean(Vec3 v, double noise) {
@@ -32,12 +37,31 @@ final class ExactNumber {
 
     /** Returns the edge lengths of a box, without noise. */
     static Vec3 size(Aabb box) {
-        return clean(new Vec3(box.maxX() - box.minX(), box.maxY() - box.minY(), box.maxZ() - box.minZ()), OF_SUMS);
+        return size(box, OF_SUMS);
+    }
+
+    static Vec3 size(Aabb box, double noise) {
+        return new Vec3(
+                clean(box.maxX() - box.minX(), noise, magnitude(box.minX(), box.maxX())),
+                clean(box.maxY() - box.minY(), noise, magnitude(box.minY(), box.maxY())),
+                clean(box.maxZ() - box.minZ(), noise, magnitude(box.minZ(), box.maxZ())));
     }
 
     /** Returns the middle of a box, without noise. */
     static Vec3 centre(Aabb box) {
-        return clean(box.centre(), OF_SUMS);
+        return centre(box, OF_SUMS);
+    }
+
+    static Vec3 centre(Aabb box, double noise) {
+        Vec3 centre = box.centre();
+        return new Vec3(
+                clean(centre.x(), noise, magnitude(box.minX(), box.maxX())),
+                clean(centre.y(), noise, magnitude(box.minY(), box.maxY())),
+                clean(centre.z(), noise, magnitude(box.minZ(), box.maxZ())));
+    }
+
+    private static double magnitude(double a, double b) {
+        return Math.max(Math.abs(a), Math.abs(b));
     }
 
     /**

@@ -132,6 +132,8 @@ public final class Simplified {
         double highAt = sides.get(rising).distanceMetres();
         double top = (slope.distance() - along * highAt) / slope.ny();
         double lowAt = (slope.distance() - slope.ny() * bottom) / along;
+        // A shift of the slope moves its edges by more the flatter it is.
+        double noise = ExactNumber.OF_INTERSECTIONS / Math.min(-along, slope.ny());
         Aabb box = bounds(sides, rising, new double[] {bottom, top, lowAt, highAt});
         Map<String, Solid.Face> faces = new LinkedHashMap<>();
         sides.forEach((side, face) -> said(face).ifPresent(said -> faces.put(side.text(), said)));
@@ -141,8 +143,8 @@ public final class Simplified {
                 solid.material(),
                 solid.portalable(),
                 solid.textureMapping(),
-                ExactNumber.clean(box.centre(), ExactNumber.OF_INTERSECTIONS),
-                ExactNumber.clean(ExactNumber.size(box), ExactNumber.OF_INTERSECTIONS),
+                ExactNumber.centre(box, noise),
+                ExactNumber.size(box, noise),
                 rising,
                 Collections.unmodifiableMap(faces));
         return hasPlanes(wedge, solid) ? Optional.of(wedge) : Optional.empty();
