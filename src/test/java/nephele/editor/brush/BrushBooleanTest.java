@@ -145,6 +145,32 @@ class BrushBooleanTest {
         assertAccepted(pieces);
     }
 
+    /** A thousand kilometres out the engine welds corners nearer than 2 mm, so that some pieces cannot be made. */
+    @Test
+    void farFromTheOriginNothingIsLostSilently() {
+        RandomSolids solids = new RandomSolids(2);
+        Vec3 far = new Vec3(1e6, -1e5, 3e3);
+        int done = 0;
+        for (int i = 0; i < CASES; i++) {
+            Solid a = SolidTransform.moved(solids.next(), far);
+            Solid b = SolidTransform.moved(solids.next(), far);
+            boolean isValid =
+                    BrushCheck.refusal(a).isEmpty() && BrushCheck.refusal(b).isEmpty();
+            BrushEdit<List<Solid>> edit =
+                    isValid ? BrushBoolean.subtracted(a, b, CutLook.OF_SOLID, ids()) : BrushEdit.done(List.of());
+            if (isValid && edit.result().isPresent()) {
+                double common = BrushBoolean.intersected(a, b)
+                        .result()
+                        .map(SolidShape::volume)
+                        .orElse(0.0);
+                assertEquals(volume(a), volume(edit.result().get()) + common, 1e-6 * volume(a));
+                done++;
+            }
+            assertTrue(edit.refusal().filter(why -> why != BrushText.NOT_SOLID).isEmpty());
+        }
+        assertTrue(done > CASES / 2, done + " subtracted");
+    }
+
     @ParameterizedTest
     @ValueSource(doubles = {1e-2, 1, 1e4})
     void piecesFillTheDifferenceAtAnySize(double scale) {

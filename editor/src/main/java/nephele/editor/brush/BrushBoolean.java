@@ -2,6 +2,7 @@ package nephele.editor.brush;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Solid;
@@ -29,12 +30,13 @@ public final class BrushBoolean {
      */
     public static BrushEdit<List<Solid>> subtracted(Solid solid, Solid cutter, CutLook look, Supplier<String> newIds) {
         BrushEdit<Solid> common = intersected(solid, cutter);
-        if (common.result().isEmpty()) {
-            boolean isTooMuch =
-                    common.refusal().filter(BrushText.TOO_MANY_FACES::equals).isPresent();
-            return isTooMuch ? BrushEdit.refused(BrushText.TOO_MANY_FACES) : BrushEdit.done(List.of(solid));
+        Optional<BrushText> why = common.refusal();
+        if (why.isPresent()) {
+            boolean isApart = why.get() == BrushText.NO_OVERLAP || why.get() == BrushText.TOO_THIN;
+            return isApart ? BrushEdit.done(List.of(solid)) : BrushEdit.refused(why.get());
         }
-        return carved(solid, caps(solid, cutter, look)).map(pieces -> identified(pieces, solid.id(), newIds));
+        return carved(solid, caps(solid, cutter, look), common.result().orElseThrow())
+                .map(pieces -> identified(pieces, solid.id(), newIds));
     }
 
     private static List<PlaneFace> caps(Solid solid, Solid cutter, CutLook look) {
@@ -48,28 +50,37 @@ public final class BrushBoolean {
         return caps;
     }
 
-    /** Returns what is in front of one of the planes: of the rest behind those before, each cuts off a piece. */
-    static BrushEdit<List<Solid>> carved(Solid solid, List<PlaneFace> planes) {
+    /**
+     * Returns what is in front of one of the planes: of the rest behind those before, each cuts off a piece. Refused if
+     * more is lost than slivers, as happens where the engine cannot separate the corners of a piece.
+     *
+     * @param inside the part of the solid that is behind all planes
+     */
+    static BrushEdit<List<Solid>> carved(Solid solid, List<PlaneFace> planes, Solid inside) {
         List<Solid> pieces = new ArrayList<>();
         Solid rest = solid;
         for (PlaneFace plane : planes) {
             BrushEdit<Solid> piece = PlaneCut.behind(rest, PlaneForm.opposite(plane));
-            if (piece.refusal().filter(BrushText.TOO_MANY_FACES::equals).isPresent()) {
+            BrushEdit<Solid> behind = PlaneCut.behind(rest, plane);
+            if (isTooMuch(piece) || isTooMuch(behind)) {
                 return BrushEdit.refused(BrushText.TOO_MANY_FACES);
             }
-            if (piece.result().isPresent()) {
-                BrushEdit<Solid> behind = PlaneCut.behind(rest, plane);
-                if (behind.refusal().filter(BrushText.TOO_MANY_FACES::equals).isPresent()) {
-                    return BrushEdit.refused(BrushText.TOO_MANY_FACES);
-                } else if (behind.result().isEmpty()) {
-                    pieces.add(rest);
-                    return BrushEdit.done(pieces);
-                }
+            if (piece.result().isPresent() && behind.result().isPresent()) {
                 pieces.add(piece.result().get());
                 rest = behind.result().get();
             }
         }
-        return BrushEdit.done(pieces);
+        double lost = volume(solid) - volume(inside);
+        for (Solid piece : pieces) {
+            lost -= volume(piece);
+        }
+        double slivers = BrushCheck.LEAST_THICKNESS_METRES
+                * BrushMeasure.surfaceSquareMetres(Brush.of(solid).shape());
+        return Math.abs(lost) <= slivers ? BrushEdit.done(pieces) : BrushEdit.refused(BrushText.NOT_SOLID);
+    }
+
+    private static boolean isTooMuch(BrushEdit<Solid> edit) {
+        return edit.refusal().filter(BrushText.TOO_MANY_FACES::equals).isPresent();
     }
 
     static List<Solid> identified(List<Solid> pieces, String first, Supplier<String> newIds) {
@@ -80,7 +91,10 @@ public final class BrushBoolean {
         return List.copyOf(named);
     }
 
-    /** Returns what two solids have in common, with the first one's id and defaults. A face of the second keeps its look; a grey one has the default. */
+    /**
+     * Returns what two solids have in common, with the first one's id and defaults. A face of the second keeps its look;
+     * a grey one has the default.
+     */
     public static BrushEdit<Solid> intersected(Solid a, Solid b) {
         BrushEdit<Solid> common = BrushEdit.done(a);
         for (PlaneFace cap : caps(a, b, CutLook.OF_CUTTER)) {

@@ -3,6 +3,7 @@ package nephele.editor.brush;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import nephele.engine.level.Solid;
 import nephele.engine.level.Solid.PlaneFace;
@@ -25,10 +26,13 @@ public final class BrushHollow {
         planes.planes().forEach(face -> inner.add(inside(face, wallMetres)));
         inner.sort(Comparator.comparingDouble(
                 face -> -Math.abs(PlaneForm.plane(face).ny())));
-        if (PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), inner)).result().isEmpty()) {
+        Optional<Solid> room =
+                PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), inner)).result();
+        if (room.isEmpty()) {
             return BrushEdit.refused(BrushText.WALL_TOO_THICK);
         }
-        return BrushBoolean.carved(solid, inner).map(slabs -> BrushBoolean.identified(slabs, solid.id(), newIds));
+        return BrushBoolean.carved(solid, inner, room.get())
+                .map(slabs -> BrushBoolean.identified(slabs, solid.id(), newIds));
     }
 
     private static PlaneFace inside(PlaneFace face, double wallMetres) {

@@ -2,7 +2,6 @@ package nephele.editor.brush;
 
 import java.util.List;
 import nephele.engine.math.ConvexPolyhedron;
-import nephele.engine.math.Plane;
 import nephele.engine.math.Vec3;
 
 /** Measures of convex shapes. */
@@ -38,6 +37,13 @@ public final class BrushMeasure {
         return thickness;
     }
 
+    /** Returns the area of all faces in m². */
+    public static double surfaceSquareMetres(ConvexPolyhedron shape) {
+        return shape.faces().stream()
+                .mapToDouble(face -> areaSquareMetres(face.polygon()))
+                .sum();
+    }
+
     /** Returns the area of a convex polygon in m². */
     public static double areaSquareMetres(List<Vec3> ring) {
         Vec3 doubled = Vec3.ZERO;
@@ -47,16 +53,5 @@ public final class BrushMeasure {
                     doubled.plus(ring.get(i - 1).minus(origin).cross(ring.get(i).minus(origin)));
         }
         return doubled.length() / 2;
-    }
-
-    /** Returns true if a point is behind every plane of a shape, up to a distance in metres. */
-    public static boolean contains(ConvexPolyhedron shape, Vec3 point, double toleranceMetres) {
-        for (ConvexPolyhedron.Face face : shape.faces()) {
-            Plane plane = face.plane();
-            if (plane.signedDistance(point) > toleranceMetres) {
-                return false;
-            }
-        }
-        return true;
     }
 }

@@ -59,11 +59,15 @@ public final class FaceExtrude {
         double distance = PlaneForm.canonical(after).distanceMetres();
         List<PlaneFace> planes = new ArrayList<>(solid.planes());
         planes.set(face, new PlaneFace(said.normal(), distance, said.material(), said.portalable()));
-        return PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), planes))
-                .flatMap(result ->
-                        Brush.of(result).faces().stream().anyMatch(kept -> Simplified.isSame(kept.plane(), after))
-                                ? BrushEdit.done(result)
-                                : BrushEdit.refused(BrushText.FACE_VANISHES));
+        BrushEdit<Solid> moved = PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), planes));
+        if (moved.result().isEmpty()) {
+            boolean isEmpty =
+                    moved.refusal().filter(BrushText.NOT_SOLID::equals).isPresent();
+            return isEmpty ? BrushEdit.refused(BrushText.NOTHING_LEFT) : moved;
+        }
+        List<BrushFace> faces = Brush.of(moved.result().get()).faces();
+        boolean isThere = faces.stream().anyMatch(kept -> Simplified.isSame(kept.plane(), after));
+        return isThere ? moved : BrushEdit.refused(BrushText.FACE_VANISHES);
     }
 
     /**

@@ -11,7 +11,7 @@ import nephele.engine.math.Vec3;
 
 /** The faces of solids before an edit, from which the sides of a convex hull take plane and look. */
 final class HullFaces {
-    private static final double SAME_NORMAL = 1e-9;
+    private static final double SAME_NORMAL = 3e-5;
     private static final double SAME_POINT = 1e-9;
 
     /**
@@ -59,7 +59,7 @@ final class HullFaces {
     private boolean isOn(ConvexHull.Side side, Old candidate) {
         Plane plane = candidate.face.plane();
         double farthest = Math.max(1, Math.abs(plane.distance()));
-        return side.plane().normal().minus(plane.normal()).length() <= Math.sqrt(SAME_NORMAL)
+        return side.plane().normal().minus(plane.normal()).length() <= SAME_NORMAL
                 && side.on().stream()
                         .allMatch(i -> Math.abs(plane.signedDistance(points.get(i))) <= SAME_POINT * farthest);
     }

@@ -42,7 +42,10 @@ final class PlaneCut {
             }
         }
         faces.add(cap);
-        return PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), faces));
+        BrushEdit<Solid> part = PlaneForm.rebuilt(PlaneForm.with(solid, solid.id(), faces));
+        boolean isSliver = least > -BrushCheck.LEAST_THICKNESS_METRES
+                && part.refusal().filter(BrushText.NOT_SOLID::equals).isPresent();
+        return isSliver ? BrushEdit.refused(BrushText.TOO_THIN) : part;
     }
 
     static double tolerance(ConvexPolyhedron shape) {

@@ -98,7 +98,10 @@ final class PlaneForm {
         return zeros == 2;
     }
 
-    /** Returns the simplest valid solid that the planes enclose, without planes that have no face. */
+    /**
+     * Returns the simplest valid solid that the planes enclose, without planes that have no face. Refused as no solid
+     * if there is none, and if the engine cannot separate its corners so far from the origin.
+     */
     static BrushEdit<Solid> rebuilt(Solid.Planes solid) {
         List<PlaneFace> distinct = distinct(solid.planes());
         if (distinct.size() > ConvexPolyhedron.MAX_PLANES) {
@@ -109,7 +112,7 @@ final class PlaneForm {
             List<Plane> planes = distinct.stream().map(PlaneForm::plane).toList();
             ConvexPolyhedron.fromPlanes(planes).faces().forEach(face -> kept.add(distinct.get(face.planeIndex())));
         } catch (IllegalArgumentException nothing) {
-            return BrushEdit.refused(BrushText.NOTHING_LEFT);
+            return BrushEdit.refused(BrushText.NOT_SOLID);
         }
         return BrushCheck.checked(Simplified.of(with(solid, solid.id(), kept)));
     }
