@@ -148,12 +148,12 @@ class BrushBooleanTest {
     /** A thousand kilometres out the engine welds corners nearer than 2 mm, so that some pieces cannot be made. */
     @Test
     void farFromTheOriginNothingIsLostSilently() {
-        RandomSolids solids = new RandomSolids(2);
+        RandomSolids solids = new RandomSolids(11);
         Vec3 far = new Vec3(1e6, -1e5, 3e3);
         int done = 0;
         for (int i = 0; i < CASES; i++) {
-            Solid a = SolidTransform.moved(solids.next(), far);
-            Solid b = SolidTransform.moved(solids.next(), far);
+            Solid a = SolidTransform.moved(turned(solids), far);
+            Solid b = SolidTransform.moved(turned(solids), far);
             boolean isValid =
                     BrushCheck.refusal(a).isEmpty() && BrushCheck.refusal(b).isEmpty();
             BrushEdit<List<Solid>> edit =
@@ -169,6 +169,12 @@ class BrushBooleanTest {
             assertTrue(edit.refusal().filter(why -> why != BrushText.NOT_SOLID).isEmpty());
         }
         assertTrue(done > CASES / 2, done + " subtracted");
+    }
+
+    private static Solid turned(RandomSolids solids) {
+        return SolidTransform.rotated(solids.next(), Vec3.ZERO, solids.direction(), 30)
+                .result()
+                .orElseThrow();
     }
 
     @ParameterizedTest
