@@ -1,0 +1,47 @@
+package nephele.editor.brush;
+
+import nephele.engine.level.BoxFace;
+
+/** The shapes that can be drawn by dragging a box, with their numbers. */
+public sealed interface ShapeOptions {
+    /** The box itself. */
+    record Box() implements ShapeOptions {}
+
+    /**
+     * Half of the box, below a slope.
+     *
+     * @param rising the high side; {@code null} for +x or +z, whichever is longer
+     */
+    record Wedge(BoxFace rising) implements ShapeOptions {}
+
+    /**
+     * Boxes of growing height side by side.
+     *
+     * @param rising the high side; {@code null} for +x or +z, whichever is longer
+     * @param steps 1 to 1000
+     */
+    record Stairs(BoxFace rising, int steps) implements ShapeOptions {
+        /** Returns stairs with as few steps as possible that are no higher than a given height. */
+        public static Stairs withStepsOf(BoxFace rising, double mostStepMetres, double heightMetres) {
+            return new Stairs(rising, (int) Math.max(1, Math.ceil(heightMetres / mostStepMetres - 1e-9)));
+        }
+    }
+
+    /**
+     * Blocks of half an elliptic ring over an opening; the passage runs along the shorter horizontal side.
+     *
+     * @param segments number of blocks, 2 to 256
+     * @param thicknessMetres from the opening to the outside at the feet and at the crown
+     */
+    record Arch(int segments, double thicknessMetres) implements ShapeOptions {}
+
+    /**
+     * An upright cylinder that touches the sides of the box.
+     *
+     * @param sides 3 to 62
+     */
+    record Cylinder(int sides) implements ShapeOptions {}
+
+    /** Walls, floor and ceiling inside the box. */
+    record Room(double wallMetres) implements ShapeOptions {}
+}

@@ -1,0 +1,199 @@
+package nephele.editor.brush;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.UnaryOperator;
+import nephele.engine.level.BoxFace;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Solid;
+import nephele.engine.level.Solid.PlaneFace;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Plane;
+import nephele.engine.math.Rotations;
+import nephele.engine.math.Vec3;
+import org.joml.Quaterniond;
+
+/**
+ * Movement, rotation and scaling of solids. Positions on a grid of powers of two stay exact: a solid that is moved there
+ * and back, or turned four times by 90°, is equal to the last bit.
+ */
+public final class SolidTransform {
+    private SolidTransform() {}
+
+    /** Returns the solid moved; moving is never refused, even out of the world. */
+    public static Solid moved(Solid solid, Vec3 by) {
+        if (solid instanceof Solid.Planes planes) {
+            return eachPlane(planes, face -> moved(face, by));
+        } else if (solid instanceof Solid.Box box) {
+            return placed(box, sum(box.centre(), by), box.size());
+        } else if (solid instanceof Solid.Wedge wedge) {
+            return placed(wedge, sum(wedge.centre(), by), wedge.size());
+        }
+        Solid.Prism prism = (Solid.Prism) solid;
+        return placed(prism, sum(prism.centre(), by), prism.radiusMetres(), prism.heightMetres());
+    }
+
+    private static Vec3 sum(Vec3 centre, Vec3 by) {
+        return ExactNumber.clean(centre.plus(by), ExactNumber.OF_SUMS);
+    }
+
+    private static PlaneFace moved(PlaneFace face, Vec3 by) {
+        return shifted(face, face.normal(), along(face.normal(), by));
+    }
+
+    private static PlaneFace shifted(PlaneFace face, Vec3 normal, double shift) {
+        double sum = face.distanceMetres() + shift;
+        return withDistance(
+                face, normal, PlaneForm.isAlongAxis(normal) ? ExactNumber.clean(sum, ExactNumber.OF_SUMS) : sum);
+    }
+
+    /** Returns the length of a vector along a normal; snapped for an oblique one, so that sums of it are exact. */
+    private static double along(Vec3 normal, Vec3 v) {
+        double length = Plane.of(normal, 0).normal().dot(v);
+        return PlaneForm.isAlongAxis(normal) ? length : ExactNumber.snapped(length);
+    }
+
+    private static PlaneFace withDistance(PlaneFace face, Vec3 normal, double distance) {
+        return new PlaneFace(normal, distance + 0.0, face.material(), face.portalable());
+    }
+
+    /**
+     * Returns the solid turned around an axis through the pivot, counter-clockwise seen against the axis. Boxes, wedges
+     * and prisms keep their kind where it can express the result.
+     */
+    public static BrushEdit<Solid> rotated(Solid solid, Vec3 pivot, Vec3 axis, double degrees) {
+        QuarterTurn quarters = QuarterTurn.of(axis, degrees);
+        if (quarters != null) {
+            return BrushCheck.checked(quarterTurned(solid, pivot, quarters));
+        }
+        Quaterniond rotation = Rotations.aroundAxis(axis, Math.toRadians(degrees));
+        UnaryOperator<Vec3> turn = v -> Vec3.of(rotation.transform(v.toVector()));
+        return PlaneForm.rebuilt(eachPlane(PlaneForm.of(solid), face -> rotated(face, pivot, turn)));
+    }
+
+    private static PlaneFace rotated(PlaneFace face, Vec3 pivot, UnaryOperator<Vec3> turn) {
+        Plane before = PlaneForm.plane(face);
+        Vec3 normal = Plane.of(turn.apply(before.normal()), 0).normal();
+        PlaneFace turned = PlaneForm.canonical(
+                new Plane(normal.x(), normal.y(), normal.z(), before.signedDistance(pivot) * -1 + normal.dot(pivot)));
+        return withDistance(face, turned.normal(), turned.distanceMetres());
+    }
+
+    private static Solid quarterTurned(Solid solid, Vec3 pivot, QuarterTurn turn) {
+        if (turn.turns() == 0) {
+            return solid;
+        } else if (solid instanceof Solid.Box box) {
+            Map<BoxFace, Solid.Face> faces = new EnumMap<>(BoxFace.class);
+            box.faces().forEach((side, face) -> faces.put(turn.side(side), face));
+            return placed(withFaces(box, faces), turn.point(box.centre(), pivot), turn.size(box.size()));
+        } else if (solid instanceof Solid.Wedge wedge && turn.axis() == 1) {
+            Solid.Wedge turned = withFaces(wedge, turn.side(wedge.rising()), turn::side);
+            return placed(turned, turn.point(wedge.centre(), pivot), turn.size(wedge.size()));
+        } else if (solid instanceof Solid.Prism prism && turn.axis() == 1 && prism.sides() * turn.turns() % 4 == 0) {
+            return placed(prism, turn.point(prism.centre(), pivot), prism.radiusMetres(), prism.heightMetres());
+        }
+        Solid.Planes planes = solid instanceof Solid.Planes given ? given : PlaneForm.of(solid);
+        return Simplified.exceptBox(eachPlane(planes, face -> {
+            Vec3 normal = turn.direction(face.normal());
+            double shift = along(normal, pivot) - along(face.normal(), pivot);
+            return shifted(face, normal, shift);
+        }));
+    }
+
+    /** Returns the solid scaled from the pivot; negative factors mirror it. */
+    public static BrushEdit<Solid> scaled(Solid solid, Vec3 pivot, Vec3 factors) {
+        return scaled(solid, new AxisScale(factors, pivot, pivot));
+    }
+
+    /** Returns the solid scaled and moved so that its bounds are the given ones. */
+    public static BrushEdit<Solid> resized(Solid solid, Aabb bounds) {
+        Aabb before = Brush.of(solid).shape().bounds();
+        Vec3 old = ExactNumber.size(before);
+        Vec3 size = ExactNumber.size(bounds);
+        Vec3 factors = new Vec3(size.x() / old.x(), size.y() / old.y(), size.z() / old.z());
+        if (solid instanceof Solid.Box box && Math.min(size.x(), Math.min(size.y(), size.z())) > 0) {
+            return BrushCheck.checked(placed(box, ExactNumber.centre(bounds), size));
+        }
+        return scaled(solid, new AxisScale(factors, before.centre(), bounds.centre()));
+    }
+
+    private static BrushEdit<Solid> scaled(Solid solid, AxisScale scale) {
+        Vec3 f = scale.factors();
+        if (!(f.x() * f.y() * f.z() != 0)) {
+            return BrushEdit.refused(BrushText.FLAT);
+        }
+        if (solid instanceof Solid.Box box) {
+            Map<BoxFace, Solid.Face> faces = new EnumMap<>(BoxFace.class);
+            box.faces().forEach((side, face) -> faces.put(scale.side(side), face));
+            return BrushCheck.checked(placed(withFaces(box, faces), scale.point(box.centre()), scale.size(box.size())));
+        } else if (solid instanceof Solid.Wedge wedge && f.y() > 0) {
+            Solid.Wedge turned = withFaces(wedge, scale.side(wedge.rising()), scale::side);
+            return BrushCheck.checked(placed(turned, scale.point(wedge.centre()), scale.size(wedge.size())));
+        } else if (solid instanceof Solid.Prism prism && keepsRegular(prism, f)) {
+            Vec3 size = scale.size(new Vec3(prism.radiusMetres(), prism.heightMetres(), 0));
+            return BrushCheck.checked(placed(prism, scale.point(prism.centre()), size.x(), size.y()));
+        }
+        return PlaneForm.rebuilt(eachPlane(PlaneForm.of(solid), scale::plane));
+    }
+
+    /** A prism's side 0 faces +x, so that its mirror image along z is itself, that along x only with even sides. */
+    private static boolean keepsRegular(Solid.Prism prism, Vec3 factors) {
+        return Math.abs(factors.x()) == Math.abs(factors.z()) && (factors.x() > 0 || prism.sides() % 2 == 0);
+    }
+
+    private static Solid.Planes eachPlane(Solid.Planes solid, UnaryOperator<PlaneFace> change) {
+        List<PlaneFace> faces = new ArrayList<>(solid.planes().size());
+        solid.planes().forEach(face -> faces.add(change.apply(face)));
+        return PlaneForm.with(solid, solid.id(), faces);
+    }
+
+    private static Solid.Box withFaces(Solid.Box b, Map<BoxFace, Solid.Face> faces) {
+        return new Solid.Box(
+                b.id(),
+                b.material(),
+                b.portalable(),
+                b.textureMapping(),
+                b.centre(),
+                b.size(),
+                Collections.unmodifiableMap(faces));
+    }
+
+    private static Solid.Wedge withFaces(Solid.Wedge w, BoxFace rising, UnaryOperator<BoxFace> turn) {
+        Map<String, Solid.Face> faces = new LinkedHashMap<>();
+        for (BoxFace side : BoxFace.values()) {
+            if (w.faces().containsKey(side.text())) {
+                faces.put(turn.apply(side).text(), w.faces().get(side.text()));
+            }
+        }
+        if (w.faces().containsKey("slope")) {
+            faces.put("slope", w.faces().get("slope"));
+        }
+        return new Solid.Wedge(
+                w.id(),
+                w.material(),
+                w.portalable(),
+                w.textureMapping(),
+                w.centre(),
+                w.size(),
+                rising,
+                Collections.unmodifiableMap(faces));
+    }
+
+    static Solid.Box placed(Solid.Box b, Vec3 centre, Vec3 size) {
+        return new Solid.Box(b.id(), b.material(), b.portalable(), b.textureMapping(), centre, size, b.faces());
+    }
+
+    static Solid.Wedge placed(Solid.Wedge w, Vec3 centre, Vec3 size) {
+        return new Solid.Wedge(
+                w.id(), w.material(), w.portalable(), w.textureMapping(), centre, size, w.rising(), w.faces());
+    }
+
+    static Solid.Prism placed(Solid.Prism p, Vec3 centre, double radius, double height) {
+        return new Solid.Prism(
+                p.id(), p.material(), p.portalable(), p.textureMapping(), centre, radius, height, p.sides());
+    }
+}
