@@ -79,7 +79,13 @@ final class FaceEdit {
 
     private static <K> Map<K, Solid.Face> changed(Map<K, Solid.Face> faces, K key, UnaryOperator<Solid.Face> ofFace) {
         Map<K, Solid.Face> changed = new LinkedHashMap<>(faces);
-        changed.put(key, ofFace.apply(faces.getOrDefault(key, new Solid.Face(null, null))));
+        Solid.Face nothing = new Solid.Face(null, null);
+        Solid.Face said = ofFace.apply(faces.getOrDefault(key, nothing));
+        if (said.equals(nothing)) {
+            changed.remove(key);
+        } else {
+            changed.put(key, said);
+        }
         return changed;
     }
 

@@ -9,6 +9,7 @@ import nephele.engine.level.Level;
 import nephele.engine.level.layout.BrushIndex;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.placed.WorldTriangles;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import nephele.engine.math.bvh.ItemList;
@@ -48,12 +49,9 @@ final class FreePlace {
             others.add(EntityBox.of(level.player()));
         }
         for (PlacedModel model : statics.models().sheets()) {
-            double[] c = model.triangles().corners();
-            for (int at = 0; at < c.length; at += 9) {
-                others.add(Aabb.of(List.of(
-                        new Vec3(c[at], c[at + 1], c[at + 2]),
-                        new Vec3(c[at + 3], c[at + 4], c[at + 5]),
-                        new Vec3(c[at + 6], c[at + 7], c[at + 8]))));
+            WorldTriangles mesh = model.triangles();
+            for (int i = 0; i < mesh.count(); i++) {
+                others.add(Aabb.of(List.of(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2))));
             }
         }
         otherIndex = SpatialIndex.of(others);

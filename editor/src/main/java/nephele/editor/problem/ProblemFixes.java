@@ -152,13 +152,14 @@ final class ProblemFixes {
         });
     }
 
-    /** Finds the solid by its id, because another face of it may have been changed just before. */
+    /** Finds the solid by its place, because another face of it may have been changed just before. */
     private static Level refusing(Level now, EntityPath place) {
         if (place.index() >= now.solids().size()) {
             return now;
         }
         Solid solid = now.solids().get(place.index());
-        return place.replacedAt(now, FaceEdit.withoutPortals(solid, place.rest()));
+        Solid changed = FaceEdit.withoutPortals(solid, place.rest());
+        return changed.equals(solid) ? now : place.replacedAt(now, changed);
     }
 
     private static List<String> paths(Problem problem) {

@@ -1,10 +1,8 @@
 package nephele.engine.level.layout;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
-import java.util.Set;
 import java.util.function.Consumer;
 import nephele.engine.level.Brush.BrushFace;
 import nephele.engine.level.Level;
@@ -45,7 +43,6 @@ final class FaceRules {
         private final BrushIndex solids;
         private final Told told;
         private final List<Place> places = new ArrayList<>();
-        private final Set<List<Integer>> toldPairs = new HashSet<>();
         private int pairs;
 
         Search(Level level, StaticShapes statics, Consumer<Problem> report) {
@@ -80,11 +77,10 @@ final class FaceRules {
             boolean mayFight = a.solid() != b.solid()
                     && !Objects.equals(a.face().material(), b.face().material())
                     && isCoplanar(a.face(), b.face());
-            if (mayFight && !toldPairs.contains(List.of(a.solid(), b.solid()))) {
+            if (mayFight) {
                 List<Vec3> common = FacePieces.common(
                         a.face().polygon(), b.face().polygon(), a.face().plane().normal());
                 if (FacePieces.widthMetres(common) >= LEAST_WIDTH_METRES && isSeen(common, a.face())) {
-                    toldPairs.add(List.of(a.solid(), b.solid()));
                     tell(a, b, common);
                 }
             }

@@ -33,6 +33,11 @@ public final class Leak {
     /** How far a straightened line may graze a shape. */
     private static final double GRAZE_METRES = 2e-3;
 
+    /** Number of parts into which each step of a way is divided before it is straightened. */
+    private static final int PARTS = 12;
+
+    private static final int MOST_POINTS = 1200;
+
     private Leak() {}
 
     /**
@@ -54,7 +59,7 @@ public final class Leak {
         }
         world = world.grown(MARGIN_METRES);
         List<Vec3> way = new LeakSearch(FreeCells.of(shapes, world), world).way(from);
-        return straightened(way, new BrushIndex(statics));
+        return straightened(divided(way), new BrushIndex(statics));
     }
 
     private static List<FreeCells.Shape> shapes(StaticShapes statics) {
@@ -78,11 +83,8 @@ public final class Leak {
 
     /** Returns a triangle's bounds, thick enough to be a wall. */
     private static FreeCells.Shape sheet(WorldTriangles triangles, int triangle) {
-        double[] c = triangles.corners();
-        List<Vec3> corners = new ArrayList<>();
-        for (int at = 9 * triangle; at < 9 * triangle + 9; at += 3) {
-            corners.add(new Vec3(c[at], c[at + 1], c[at + 2]));
-        }
+        List<Vec3> corners =
+                List.of(triangles.corner(triangle, 0), triangles.corner(triangle, 1), triangles.corner(triangle, 2));
         return new FreeCells.Shape(Aabb.of(corners).grown(2 * FreeCells.LEAST_GAP_METRES), List.of());
     }
 
@@ -97,6 +99,20 @@ public final class Leak {
             met += rays.meets(from, direction) ? 1 : 0;
         }
         return met >= CLOSED_SHARE * DIRECTIONS;
+    }
+
+    /** Adds points between those of a way, so that it can be straightened past a corner in the middle of a cell. */
+    private static List<Vec3> divided(List<Vec3> way) {
+        if (way.isEmpty() || way.size() * PARTS > MOST_POINTS) {
+            return way;
+        }
+        List<Vec3> points = new ArrayList<>(List.of(way.get(0)));
+        for (int i = 1; i < way.size(); i++) {
+            for (int part = 1; part <= PARTS; part++) {
+                points.add(way.get(i - 1).lerp(way.get(i), (double) part / PARTS));
+            }
+        }
+        return points;
     }
 
     /** Leaves points out as long as the straight line past them is free. */

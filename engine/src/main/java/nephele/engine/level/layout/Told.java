@@ -4,25 +4,30 @@ import java.util.function.Consumer;
 import nephele.engine.level.Problem;
 
 /** Passes the first problems of a rule on; a heap of solids in one place has millions. */
-final class Told {
-    static final int MOST = 50;
+public final class Told {
+    public static final int MOST = 50;
 
     private final Consumer<Problem> report;
     private final String section;
     private int count;
 
-    /** @param section path of the problem that says that there are more */
-    Told(String section, Consumer<Problem> report) {
+    /**
+     * Starts counting.
+     *
+     * @param section path of the problem that says that there are more
+     */
+    public Told(String section, Consumer<Problem> report) {
         this.section = section;
         this.report = report;
     }
 
     /** Returns true if no more problems are wanted. */
-    boolean isFull() {
+    public boolean isFull() {
         return count > MOST;
     }
 
-    void accept(Problem problem) {
+    /** Passes a problem on, or says once that there are more. */
+    public void accept(Problem problem) {
         count++;
         if (count <= MOST) {
             report.accept(problem);

@@ -8,7 +8,7 @@ import nephele.engine.portal.Aperture;
 /** Whether a region has a place for an aperture anywhere, with any heading on floors and ceilings. */
 final class RegionRoom {
     /** Greatest number of obstacles of a search; a region with more is taken for large. */
-    private static final int MOST_LIMITS = 400;
+    private static final int MOST_LIMITS = 150;
 
     /** Number of headings that are tried over half a turn; a place that fits at others only is too tight to aim at. */
     private static final int HEADINGS = 12;
@@ -45,7 +45,11 @@ final class RegionRoom {
     }
 
     private boolean fitsIn(Region region, double upX, double upY) {
-        forbidden.begin(new ReflectedAperture(aperture, upX, upY));
+        ReflectedAperture turned = new ReflectedAperture(aperture, upX, upY);
+        if (!isAsLarge(region.faces().bounds(), turned)) {
+            return false;
+        }
+        forbidden.begin(turned);
         for (int i = 0; i < region.outline().size(); i++) {
             forbidden.addOutline(region.outline().shape(i));
         }
@@ -56,5 +60,19 @@ final class RegionRoom {
         Vec3 middle = box.centre();
         double reach = (box.maxX() - box.minX()) + (box.maxY() - box.minY());
         return nearest.find(region, middle.x(), middle.y(), reach);
+    }
+
+    /** Compares the bounds only, which excludes most small surfaces without a search. */
+    private static boolean isAsLarge(Aabb box, ReflectedAperture turned) {
+        double width = 0;
+        double height = 0;
+        for (int i = 0; i < turned.corners(); i++) {
+            for (int j = 0; j < i; j++) {
+                width = Math.max(width, Math.abs(turned.x(i) - turned.x(j)));
+                height = Math.max(height, Math.abs(turned.y(i) - turned.y(j)));
+            }
+        }
+        double slack = 2 * (Tolerance.OVERLAP + Tolerance.CRACK);
+        return width <= box.maxX() - box.minX() + slack && height <= box.maxY() - box.minY() + slack;
     }
 }

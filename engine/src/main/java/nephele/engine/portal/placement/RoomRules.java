@@ -14,6 +14,7 @@ import nephele.engine.level.Problem.Subject;
 import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Solid;
 import nephele.engine.level.layout.FacePath;
+import nephele.engine.level.layout.Told;
 import nephele.engine.level.placed.PlacedRule;
 import nephele.engine.level.placed.StaticShapes;
 
@@ -75,6 +76,7 @@ public final class RoomRules {
         }
 
         void run(Consumer<Problem> report) {
+            Told told = new Told("solids", report);
             Map<Integer, List<String>> tight = new LinkedHashMap<>();
             Map<Integer, BrushFace> shown = new LinkedHashMap<>();
             int face = 0;
@@ -84,19 +86,19 @@ public final class RoomRules {
                 boolean isUseless = said.portalable();
                 for (BrushFace each : brush.faces()) {
                     int region = surfaces.regionOfFace(face++);
-                    isUseless &= !each.portalable() || !takes(region);
+                    isUseless = isUseless && !(each.portalable() && takes(region));
                     if (each.portalable() && isMarked(said, each) && !takes(region)) {
                         tight.computeIfAbsent(region, key -> new ArrayList<>()).add(FacePath.of(level, i, each.name()));
                         shown.putIfAbsent(region, each);
                     }
                 }
                 if (isUseless) {
-                    report.accept(Problem.warning(FacePath.of(i) + ".portalable", message("none of its faces has"))
+                    told.accept(Problem.warning(FacePath.of(i) + ".portalable", message("none of its faces has"))
                             .about(Topic.TOO_SMALL_FOR_PORTAL));
                 }
             }
             tight.forEach((region, paths) ->
-                    report.accept(Problem.warning(paths.get(0) + ".portalable", message("the surface has"))
+                    told.accept(Problem.warning(paths.get(0) + ".portalable", message("the surface has"))
                             .about(new Subject(
                                     Topic.TOO_SMALL_FOR_PORTAL,
                                     paths.subList(1, paths.size()),
