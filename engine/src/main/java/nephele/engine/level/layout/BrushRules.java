@@ -18,6 +18,9 @@ final class BrushRules {
     /** Surfaces closer than this count as one everywhere in the engine. */
     private static final double THINNEST_METRES = 1e-3;
 
+    /** Greatest number of comparisons of solids: a second of work. */
+    private static final long MOST_PAIRS = 5_000_000;
+
     private static final double SAME_NORMAL = 1 - 1e-9;
 
     static final PlacedRule THICK = (level, statics, report) -> {
@@ -35,8 +38,11 @@ final class BrushRules {
     static final PlacedRule IN_SIGHT = (level, statics, report) -> {
         BrushIndex index = new BrushIndex(statics);
         Told told = new Told("solids", report);
-        for (int i = 0; i < statics.solids().size() && !told.isFull(); i++) {
-            int around = around(index, i, statics.solids().size());
+        long pairs = 0;
+        for (int i = 0; i < statics.solids().size() && !told.isFull() && pairs < MOST_PAIRS; i++) {
+            ItemList near = index.near(statics.solids().get(i).shape().bounds());
+            pairs += near.size();
+            int around = around(index, near, i, statics.solids().size());
             if (around >= 0) {
                 String message = "lies wholly inside " + FacePath.named(level, around)
                         + " and changes nothing: delete it or move it out";
@@ -61,9 +67,8 @@ final class BrushRules {
     }
 
     /** Returns the first solid that holds another without showing anything of it; −1 for none. */
-    private static int around(BrushIndex index, int solid, int solids) {
+    private static int around(BrushIndex index, ItemList near, int solid, int solids) {
         Brush inner = index.brushes().get(solid);
-        ItemList near = index.near(inner.shape().bounds());
         for (int i = 0; i < near.size() && near.get(i) < solids; i++) {
             int other = near.get(i);
             Brush outer = index.brushes().get(other);

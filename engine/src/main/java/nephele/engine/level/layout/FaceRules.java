@@ -32,6 +32,9 @@ final class FaceRules {
     /** Greatest number of comparisons of faces: a second of work. */
     private static final int MOST_PAIRS = 5_000_000;
 
+    /** Greatest number of pieces of a face; one in so many is taken for seen. */
+    private static final int MOST_PIECES = 500;
+
     static final PlacedRule APART = (level, statics, report) -> new Search(level, statics, report).run();
 
     private FaceRules() {}
@@ -66,8 +69,8 @@ final class FaceRules {
                 near.clear();
                 index.overlapping(boxes.get(i).grown(SAME_PLANE_METRES), near);
                 near.sort();
+                pairs += near.size();
                 for (int j = 0; j < near.size() && near.get(j) < i; j++) {
-                    pairs++;
                     compare(places.get(i), places.get(near.get(j)));
                 }
             }
@@ -92,7 +95,7 @@ final class FaceRules {
                     .toList();
             List<List<Vec3>> seen = List.of(before);
             ItemList near = solids.near(Aabb.of(before));
-            for (int i = 0; i < near.size() && !seen.isEmpty(); i++) {
+            for (int i = 0; i < near.size() && !seen.isEmpty() && seen.size() < MOST_PIECES; i++) {
                 seen = FacePieces.outside(
                         seen, solids.brushes().get(near.get(i)).shape());
             }

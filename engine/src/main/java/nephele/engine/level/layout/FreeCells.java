@@ -22,6 +22,9 @@ final class FreeCells {
 
     private static final int MOST_CELLS = 200_000;
 
+    /** Greatest number of comparisons of a shape with a cell: a second of work. What is left then counts as solid. */
+    private static final long MOST_COMPARISONS = 20_000_000;
+
     /** A shape: a convex polyhedron's bounds and planes, or bounds alone for a box that is solid as a whole. */
     record Shape(Aabb bounds, List<Plane> planes) {}
 
@@ -29,6 +32,7 @@ final class FreeCells {
     private final List<Aabb> cells = new ArrayList<>();
     private SpatialIndex index;
     private int visited;
+    private long comparisons;
 
     private FreeCells(List<Shape> shapes) {
         this.shapes = shapes;
@@ -62,6 +66,7 @@ final class FreeCells {
 
     private void divide(Aabb cell, int[] near) {
         visited++;
+        comparisons += near.length;
         int[] inside = new int[near.length];
         int count = 0;
         for (int shape : near) {
@@ -77,7 +82,7 @@ final class FreeCells {
         }
         if (count == 0) {
             cells.add(cell);
-        } else if (visited < MOST_CELLS) {
+        } else if (visited < MOST_CELLS && comparisons < MOST_COMPARISONS) {
             Cut cut = cut(cell, inside, count);
             if (cut != null) {
                 int[] rest = Arrays.copyOf(inside, count);

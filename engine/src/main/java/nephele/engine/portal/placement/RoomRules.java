@@ -23,8 +23,11 @@ import nephele.engine.level.placed.StaticShapes;
  * solid that says so for all faces, of which at least one has a place. One warning for each surface.
  */
 public final class RoomRules {
+    /** Levels with more solids are not checked: grouping their faces takes too long. */
+    private static final int MOST_SOLIDS = 10_000;
+
     public static final PlacedRule LARGE_ENOUGH = (level, statics, report) -> {
-        if (level.portalGun() != null && !statics.solids().isEmpty()) {
+        if (level.portalGun() != null && statics.solids().size() <= MOST_SOLIDS) {
             new Search(level, statics).run(report);
         }
     };
