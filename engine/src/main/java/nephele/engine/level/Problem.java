@@ -1,13 +1,16 @@
 package nephele.engine.level;
 
+import java.util.List;
 import nephele.engine.asset.MessageText;
+import nephele.engine.math.Vec3;
 
 /**
  * A problem of a level.
  *
  * @param path JSON path such as {@code solids[3].size}; {@code $} is the whole file
+ * @param subject what it is about, for programs that show or repair it
  */
-public record Problem(Severity severity, String path, String message) {
+public record Problem(Severity severity, String path, String message, Subject subject) {
     public Problem {
         path = MessageText.shortened(path);
         message = MessageText.shortened(message);
@@ -19,13 +22,56 @@ public record Problem(Severity severity, String path, String message) {
         WARNING
     }
 
+    /** The kind of a problem, for programs that offer a remedy. */
+    public enum Topic {
+        GENERAL,
+        DUPLICATE_ID,
+        MISSING_MATERIAL,
+        MISSING_ASSET,
+        NO_VIEWPOINT,
+        NOT_DRAWN_YET,
+        NO_VOLUME,
+        TOO_THIN,
+        INSIDE_ANOTHER,
+        FIGHTING_FACES,
+        TOO_SMALL_FOR_PORTAL,
+        ENTITY_IN_SOLID,
+        LIGHT_WITHOUT_EFFECT,
+        LEAK
+    }
+
+    /**
+     * What a problem is about.
+     *
+     * @param otherPaths JSON paths of what else takes part
+     * @param place in world metres: the corners of an area or the points of a line; empty where the records say it
+     */
+    public record Subject(Topic topic, List<String> otherPaths, List<Vec3> place) {
+        public static final Subject GENERAL = new Subject(Topic.GENERAL, List.of(), List.of());
+
+        public Subject {
+            otherPaths = List.copyOf(otherPaths);
+            place = List.copyOf(place);
+        }
+    }
+
     /** Returns a problem that prevents play. */
     public static Problem error(String path, String message) {
-        return new Problem(Severity.ERROR, path, message);
+        return new Problem(Severity.ERROR, path, message, Subject.GENERAL);
     }
 
     public static Problem warning(String path, String message) {
-        return new Problem(Severity.WARNING, path, message);
+        return new Problem(Severity.WARNING, path, message, Subject.GENERAL);
+    }
+
+    /** Returns this problem with a topic. */
+    public Problem about(Topic topic) {
+        return about(new Subject(topic, List.of(), List.of()));
+    }
+
+    /** Returns this problem with another subject. */
+    public Problem about(Subject other) {
+        return new Problem(severity, path, message, other);
     }
 
     /** Returns true if the problem prevents play. */

@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import nephele.engine.level.Body;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.placed.PlacedRule;
 
 /**
@@ -39,7 +40,8 @@ final class StartRules {
     private StartRules() {}
 
     private static void tell(int body, List<String> overlaps, Consumer<Problem> report) {
-        overlaps.forEach(overlap -> report.accept(Problem.error("bodies[" + body + "].centre", overlap)));
+        overlaps.forEach(overlap -> report.accept(
+                Problem.error("bodies[" + body + "].centre", overlap).about(Topic.ENTITY_IN_SOLID)));
     }
 
     private static void more(Consumer<Problem> report) {

@@ -6,19 +6,28 @@ import java.util.function.Supplier;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
+import nephele.engine.level.layout.LayoutRules;
 import nephele.engine.level.placed.PlacedRule;
 import nephele.engine.level.placed.StaticShapes;
 import nephele.engine.level.rule.LevelRules;
 import nephele.engine.portal.placement.FixedPortalRules;
+import nephele.engine.portal.placement.RoomRules;
 
 /**
  * All rules that {@code check} applies to a level: the rules of its records, then those of the world built from them.
  */
 public final class WorldRules {
-    /** The rules of the placed world, in the order in which their problems are reported; skipped without bodies and portals. */
-    public static final List<PlacedRule> PLACED = List.of(StartRules.FREE, FixedPortalRules.SEEN);
+    /** The rules of the placed world, in the order in which their problems are reported. */
+    public static final List<PlacedRule> PLACED = placed();
 
     private WorldRules() {}
+
+    private static List<PlacedRule> placed() {
+        List<PlacedRule> placed = new ArrayList<>(List.of(StartRules.FREE, FixedPortalRules.SEEN));
+        placed.add(RoomRules.LARGE_ENOUGH);
+        placed.addAll(LayoutRules.ALL);
+        return List.copyOf(placed);
+    }
 
     /** Returns every problem, errors and warnings; the world is not checked if a record already has an error. */
     public static List<Problem> check(Level level, AssetSource assets) {
@@ -27,11 +36,18 @@ public final class WorldRules {
             problems.replaceAll(WorldRules::keepsFromDrawing);
         }
         boolean isDerivable = problems.stream().noneMatch(Problem::isError);
-        if (isDerivable && (!level.bodies().isEmpty() || !level.portals().isEmpty())) {
+        if (isDerivable && hasShapes(level)) {
             StaticShapes statics = StaticShapes.of(level, assets);
             PLACED.forEach(rule -> rule.check(level, statics, problems::add));
         }
         return problems;
+    }
+
+    private static boolean hasShapes(Level level) {
+        return !level.solids().isEmpty()
+                || !level.models().isEmpty()
+                || !level.bodies().isEmpty()
+                || !level.portals().isEmpty();
     }
 
     /**
@@ -41,6 +57,7 @@ public final class WorldRules {
     private static Problem keepsFromDrawing(Problem problem) {
         return problem.path().equals("player")
                 ? Problem.error("player", problem.message() + ": add player.feet or a camera")
+                        .about(problem.subject())
                 : problem;
     }
 

@@ -5,8 +5,8 @@ import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
 
 /**
- * A rule on the world that follows from a level. It is applied only to levels that have bodies or portals and
- * no error under {@link nephele.engine.level.rule.LevelRules}.
+ * A rule on the world that follows from a level. It is applied only to levels that have shapes and no error
+ * under {@link nephele.engine.level.rule.LevelRules}.
  */
 public interface PlacedRule {
     /** Reports every violation, in the order of the file. */

@@ -9,6 +9,7 @@ import nephele.engine.asset.Picture;
 import nephele.engine.asset.PictureDecoder;
 import nephele.engine.level.Cloud;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.appearance.SkyboxSizes;
@@ -40,7 +41,7 @@ final class AssetRules {
         Verdict picture(String path, String id) {
             Verdict verdict = id == null ? null : verdicts.computeIfAbsent(id, this::verdict);
             if (verdict != null && verdict.objection() != null) {
-                report.accept(Problem.error(path, verdict.objection()));
+                report.accept(Problem.error(path, verdict.objection()).about(Topic.MISSING_ASSET));
                 return null;
             }
             return verdict;
@@ -91,7 +92,8 @@ final class AssetRules {
         void file(String path, String id) {
             if (!assets.exists(id)) {
                 report.accept(Problem.error(
-                        path, id + ": there is no such file; put it into the level's folder or into assets/"));
+                                path, id + ": there is no such file; put it into the level's folder or into assets/")
+                        .about(Topic.MISSING_ASSET));
             }
         }
     }

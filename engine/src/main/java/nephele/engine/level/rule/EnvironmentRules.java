@@ -3,6 +3,7 @@ package nephele.engine.level.rule;
 import java.util.function.Consumer;
 import nephele.engine.level.Environment;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Sky;
 import nephele.engine.level.SkyboxLayout;
 import nephele.engine.level.json.WordFormats;
@@ -34,7 +35,8 @@ final class EnvironmentRules {
 
     private static void tell(boolean present, String path, Consumer<Problem> report) {
         if (present) {
-            report.accept(Problem.warning(path, "is not drawn by this version yet"));
+            report.accept(
+                    Problem.warning(path, "is not drawn by this version yet").about(Topic.NOT_DRAWN_YET));
         }
     }
 }

@@ -1,6 +1,7 @@
 package nephele.engine.level.rule;
 
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 
 /** Rules for exits that a player cannot enter. */
 final class ExitRules {
@@ -18,8 +19,10 @@ final class ExitRules {
                 LevelRule.each("solids", level.solids(), (solidPath, solid) -> {
                     if (PlayerRules.isStandingIn(solid, exit.feet())) {
                         report.accept(Problem.warning(
-                                path + ".feet",
-                                "the exit's middle is inside " + solidPath + " ('" + solid.id() + "'): move it out"));
+                                        path + ".feet",
+                                        "the exit's middle is inside " + solidPath + " ('" + solid.id()
+                                                + "'): move it out")
+                                .about(Topic.ENTITY_IN_SOLID));
                     }
                 });
             });

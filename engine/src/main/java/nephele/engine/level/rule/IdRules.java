@@ -16,6 +16,7 @@ import nephele.engine.level.Material;
 import nephele.engine.level.ModelPlacement;
 import nephele.engine.level.PortalSpec;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Solid;
 import nephele.engine.level.SolidFaces;
 import nephele.engine.level.json.WrittenMaterials;
@@ -52,8 +53,9 @@ final class IdRules {
             Integer before = first.putIfAbsent(name, i);
             if (before != null) {
                 report.accept(Problem.error(
-                        section + "[" + i + "].id",
-                        "'" + name + "' is already the id of " + section + "[" + before + "]: give it another"));
+                                section + "[" + i + "].id",
+                                "'" + name + "' is already the id of " + section + "[" + before + "]: give it another")
+                        .about(Topic.DUPLICATE_ID));
             }
         }
     }
@@ -61,7 +63,8 @@ final class IdRules {
     private record References(Set<String> known, Consumer<Problem> report) {
         void material(String path, String material) {
             if (material != null && !known.contains(material)) {
-                report.accept(Problem.error(path + ".material", WrittenMaterials.noMaterial(material)));
+                report.accept(Problem.error(path + ".material", WrittenMaterials.noMaterial(material))
+                        .about(Topic.MISSING_MATERIAL));
             }
         }
 

@@ -3,6 +3,7 @@ package nephele.engine.level.rule;
 import java.util.function.Consumer;
 import nephele.engine.level.Light;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.math.Vec3;
 
 /** Rules for lights that have no effect or cast too many shadows. */
@@ -42,7 +43,11 @@ final class LightRules {
             report.accept(Problem.error(path + ".innerConeDegrees", "must not be larger than outerConeDegrees"));
         }
         if (light.rangeMetres() == 0) {
-            report.accept(Problem.warning(path + ".rangeMetres", "with a range of 0 the light reaches nothing"));
+            report.accept(Problem.warning(path + ".rangeMetres", "with a range of 0 the light reaches nothing")
+                    .about(Topic.LIGHT_WITHOUT_EFFECT));
+        } else if (light.radiantIntensity().equals(Vec3.ZERO)) {
+            report.accept(Problem.warning(path + ".radiantIntensity", "the light is dark: give it an intensity")
+                    .about(Topic.LIGHT_WITHOUT_EFFECT));
         }
     }
 }

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import nephele.engine.asset.AssetException;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.placed.MeshAssets;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.PlacedModels;
@@ -40,7 +41,8 @@ final class ModelRules {
                 read(source, file, meshes, objections);
             }
             if (objections.containsKey(file)) {
-                report.accept(Problem.error("models[" + i + "].file", objections.get(file)));
+                report.accept(Problem.error("models[" + i + "].file", objections.get(file))
+                        .about(Topic.MISSING_ASSET));
                 continue;
             }
             triangles += meshes.get(file).triangleCount();

@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Level;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Solid;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.PlacedModels;
@@ -27,14 +28,17 @@ final class PlayerRules {
         LevelRule.each("solids", level.solids(), (path, solid) -> {
             if (isStandingIn(solid, feet)) {
                 report.accept(Problem.error(
-                        "player.feet", "the player starts inside " + path + " ('" + solid.id() + "'): move the start"));
+                                "player.feet",
+                                "the player starts inside " + path + " ('" + solid.id() + "'): move the start")
+                        .about(Topic.ENTITY_IN_SOLID));
             }
         });
     };
 
     static final LevelRule SOMEWHERE = (level, assets, report) -> {
         if (level.player() == null && level.cameras().isEmpty()) {
-            report.accept(Problem.warning("player", "there is neither a player nor a camera to look from"));
+            report.accept(Problem.warning("player", "there is neither a player nor a camera to look from")
+                    .about(Topic.NO_VIEWPOINT));
         }
     };
 
@@ -47,9 +51,10 @@ final class PlayerRules {
                     && model.solid() != null
                     && holdsAxis(planes(model.solid()), level.player().feet())) {
                 report.accept(Problem.error(
-                        "player.feet",
-                        "the player starts inside models[" + model.index() + "] ('"
-                                + model.said().id() + "'): move the start"));
+                                "player.feet",
+                                "the player starts inside models[" + model.index() + "] ('"
+                                        + model.said().id() + "'): move the start")
+                        .about(Topic.ENTITY_IN_SOLID));
             }
         }
     }

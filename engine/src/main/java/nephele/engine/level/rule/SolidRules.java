@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import nephele.engine.level.Brush;
 import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
 import nephele.engine.level.Solid;
 import nephele.engine.level.SolidFaces;
 import nephele.engine.math.ConvexPolyhedron;
@@ -68,7 +69,7 @@ final class SolidRules {
                 Brush.of(solid);
             }
         } catch (IllegalArgumentException problem) {
-            report.accept(Problem.error(path, problem.getMessage()));
+            report.accept(Problem.error(path, problem.getMessage()).about(Topic.NO_VOLUME));
         }
     }
 

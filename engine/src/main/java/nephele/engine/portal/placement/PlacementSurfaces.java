@@ -83,6 +83,19 @@ public final class PlacementSurfaces {
         return region == RegionGrowth.NONE ? null : regions.get(region);
     }
 
+    /**
+     * Returns the region of a face; −1 if no portal is permitted there.
+     *
+     * @param face counted through all solids
+     */
+    int regionOfFace(int face) {
+        return regionOfPatch[face];
+    }
+
+    Region region(int index) {
+        return regions.get(index);
+    }
+
     /** Returns the number of surfaces that take portals. */
     public int regions() {
         return regions.size();

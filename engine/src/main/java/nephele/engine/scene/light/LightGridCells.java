@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
+import nephele.engine.level.appearance.LightReach;
 import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.level.placed.PlacedModels;
 import nephele.engine.level.placed.StaticShapes;

@@ -1,15 +1,15 @@
-package nephele.engine.scene.light;
+package nephele.engine.level.appearance;
 
-import nephele.engine.level.appearance.PunctualLight;
 import nephele.engine.math.Aabb;
 import nephele.engine.math.Vec3;
 import org.joml.Vector3d;
 
 /** A conservative test if a punctual light can light anything in a box; it never returns false wrongly. */
-final class LightReach {
+public final class LightReach {
     private LightReach() {}
 
-    static boolean touches(PunctualLight light, Aabb box) {
+    /** Returns false only if the light cannot reach anything in the box. */
+    public static boolean touches(PunctualLight light, Aabb box) {
         Vec3 p = light.position();
         double dx = outside(p.x(), box.minX(), box.maxX());
         double dy = outside(p.y(), box.minY(), box.maxY());

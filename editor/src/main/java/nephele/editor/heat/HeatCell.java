@@ -1,0 +1,26 @@
+package nephele.editor.heat;
+
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.engine.level.Language;
+import nephele.engine.math.Vec3;
+
+/**
+ * A piece of surface with the result of a shot straight at it.
+ *
+ * @param mark the piece, coloured: ALLOWED where a portal fits as aimed, SLIDES or REFUSED
+ * @param aim the aimed point, on the surface
+ * @param text the result
+ * @param slideMetres how far the portal slides; 0 if it does not
+ */
+public record HeatCell(Mark.Polygon mark, Vec3 aim, HeatText text, double slideMetres) {
+    /** Returns the result in words, for the status line. */
+    public String reason(Language language) {
+        return text.in(language, slideMetres);
+    }
+
+    /** Returns the result as a colour. */
+    public MarkColour colour() {
+        return mark.colour();
+    }
+}

@@ -1,0 +1,56 @@
+package nephele.editor.heat;
+
+import java.util.Locale;
+import nephele.engine.level.Language;
+import nephele.engine.portal.placement.Refusal;
+
+/** A text of the heat map in English, Brazilian and European Portuguese. */
+public enum HeatText {
+    FITS("A portal fits here", "Um portal cabe aqui", "Um portal cabe aqui"),
+    SLIDES("A portal slides %s m to fit", "Um portal desliza %s m para caber", "Um portal desliza %s m para caber"),
+    NOTHING_HIT("No portal: nothing is there", "Sem portal: não há nada ali", "Sem portal: não há nada ali"),
+    OUT_OF_RANGE("No portal: too far away", "Sem portal: longe demais", "Sem portal: demasiado longe"),
+    MOVING_SURFACE(
+            "No portal: something that moves is in the way",
+            "Sem portal: algo que se move está no caminho",
+            "Sem portal: algo que se move está no caminho"),
+    NOT_PORTALABLE(
+            "No portal: this surface takes none",
+            "Sem portal: esta superfície não aceita portais",
+            "Sem portal: esta superfície não aceita portais"),
+    OVERLAPS_OTHER(
+            "No portal: another portal is in its place",
+            "Sem portal: outro portal está no lugar",
+            "Sem portal: outro portal está no lugar"),
+    TOO_SMALL(
+            "No portal: the surface is too small",
+            "Sem portal: a superfície é pequena demais",
+            "Sem portal: a superfície é demasiado pequena"),
+    EDGE("No portal: too near the edge", "Sem portal: perto demais da borda", "Sem portal: demasiado perto da borda"),
+    OCCUPIED(
+            "No portal: something stands in the old one",
+            "Sem portal: algo está no portal antigo",
+            "Sem portal: algo está no portal antigo");
+
+    private final String english;
+    private final String brazilian;
+    private final String european;
+
+    HeatText(String english, String brazilian, String european) {
+        this.english = english;
+        this.brazilian = brazilian;
+        this.european = european;
+    }
+
+    /** Returns the text for a refusal. */
+    static HeatText of(Refusal refusal) {
+        return valueOf(refusal.name());
+    }
+
+    /** Returns the text in a language; a number of metres fills its place, if it has one. */
+    String in(Language language, double metres) {
+        String text = language == Language.EN ? english : language == Language.PT_BR ? brazilian : european;
+        String number = String.format(Locale.ROOT, "%.2f", metres);
+        return String.format(Locale.ROOT, text, language == Language.EN ? number : number.replace('.', ','));
+    }
+}

@@ -1,0 +1,151 @@
+package nephele.editor.heat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.engine.level.Level;
+import nephele.engine.level.PortalGun;
+import nephele.engine.level.PortalShape;
+import nephele.engine.level.layout.BrushIndex;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Basis;
+import nephele.engine.math.Vec3;
+import nephele.engine.portal.Portal;
+import nephele.engine.portal.placement.Gun;
+import nephele.engine.portal.placement.MovingSurfaces;
+import nephele.engine.portal.placement.Placement;
+import nephele.engine.portal.placement.PlacementResult;
+import nephele.engine.portal.placement.PlacementSurfaces;
+import nephele.engine.portal.placement.ShotRay;
+
+/**
+ * Computes where the gun's portal fits, slides or is refused: a shot straight at each cell of a grid on every surface
+ * that takes portals, with the level's fixed portals open; a surface that takes none is one cell. A level without a gun
+ * is shown for the default one. Bodies bar nothing. Used once, by one thread.
+ */
+public final class PlacementHeatMap {
+    /** Distance before the surface from which a cell is shot at; something nearer hides it. */
+    private static final double EYE_METRES = 0.02;
+
+    /** Distance of the cells before their surface, so that it does not hide them. */
+    private static final double LIFT_METRES = 5e-3;
+
+    /** Slide up to which a portal is where it was aimed. */
+    private static final double AIMED_METRES = 1e-6;
+
+    private static final int CHUNK_CELLS = 500;
+
+    /** So often at most the cells are made coarser; what then is too much is left out. */
+    private static final int MOST_DOUBLINGS = 20;
+
+    private static final PortalGun DEFAULT_GUN = new PortalGun(1.2, 2.1, PortalShape.ARCH, 500);
+
+    private final HeatSettings settings;
+    private final List<HeatSurface> surfaces;
+    private final BrushIndex solids;
+    private final Placement placement;
+    private final List<Portal> fixed;
+    private final double spacing;
+
+    /** Prepares the map of a level; the shots are made by {@link #compute}. */
+    public PlacementHeatMap(PlacedLevel placed, HeatSettings settings) {
+        this.settings = settings;
+        Level level = placed.level();
+        surfaces = HeatSurface.all(placed.statics());
+        solids = new BrushIndex(placed.statics());
+        Gun gun = Gun.of(level.portalGun() == null ? DEFAULT_GUN : level.portalGun());
+        placement = new Placement(PlacementSurfaces.of(placed.statics()), gun);
+        fixed = level.portals().stream().map(Portal::of).toList();
+        spacing = spacing();
+    }
+
+    /** Returns the side of the cells, in metres. */
+    public double spacingMetres() {
+        return spacing;
+    }
+
+    private double spacing() {
+        double side = settings.spacingMetres();
+        for (int i = 0; i < MOST_DOUBLINGS && cells(side) > settings.mostCells(); i++) {
+            side *= 2;
+        }
+        return side;
+    }
+
+    private long cells(double side) {
+        return surfaces.stream()
+                .mapToLong(surface -> surface.portalable() ? surface.cells(side) : 1)
+                .sum();
+    }
+
+    /**
+     * Computes the cells and passes them on in parts, surface by surface, at most as many as the settings permit.
+     *
+     * @param isCancelled asked between cells; an interrupt of the thread cancels, too
+     * @return false if cancelled
+     */
+    public boolean compute(BooleanSupplier isCancelled, Consumer<List<HeatCell>> part) {
+        List<HeatCell> cells = new ArrayList<>();
+        int left = settings.mostCells();
+        for (HeatSurface surface : surfaces) {
+            Basis view = surface.view(settings.yawRadians());
+            for (List<Vec3> piece : surface.portalable() ? surface.pieces(spacing) : List.of(surface.corners())) {
+                if (isCancelled.getAsBoolean() || Thread.currentThread().isInterrupted()) {
+                    return false;
+                }
+                HeatCell cell = left > 0 ? cell(surface, piece, view) : null;
+                if (cell != null) {
+                    cells.add(cell);
+                    left--;
+                }
+                if (cells.size() >= CHUNK_CELLS) {
+                    part.accept(List.copyOf(cells));
+                    cells.clear();
+                }
+            }
+        }
+        if (!cells.isEmpty()) {
+            part.accept(List.copyOf(cells));
+        }
+        return true;
+    }
+
+    /** Returns {@code null} for a cell that a solid hides. */
+    private HeatCell cell(HeatSurface surface, List<Vec3> piece, Basis view) {
+        Vec3 aim = middle(piece);
+        if (!surface.portalable()) {
+            return cell(surface, piece, aim, HeatText.NOT_PORTALABLE, 0);
+        }
+        Vec3 eye = aim.addScaled(EYE_METRES, surface.normal());
+        if (solids.holding(eye, 0) >= 0) {
+            return null;
+        }
+        PlacementResult result = placement.place("heat", new ShotRay(eye, view), fixed, MovingSurfaces.NONE);
+        if (result instanceof PlacementResult.Fits fits) {
+            double slide = fits.slideMetres() > AIMED_METRES ? fits.slideMetres() : 0;
+            return cell(surface, piece, aim, slide > 0 ? HeatText.SLIDES : HeatText.FITS, slide);
+        }
+        return cell(surface, piece, aim, HeatText.of(((PlacementResult.Refused) result).reason()), 0);
+    }
+
+    private static HeatCell cell(HeatSurface surface, List<Vec3> piece, Vec3 aim, HeatText text, double slide) {
+        MarkColour colour = text == HeatText.FITS
+                ? MarkColour.ALLOWED
+                : text == HeatText.SLIDES ? MarkColour.SLIDES : MarkColour.REFUSED;
+        List<Vec3> lifted = piece.stream()
+                .map(corner -> corner.addScaled(LIFT_METRES, surface.normal()))
+                .toList();
+        return new HeatCell(new Mark.Polygon(lifted, colour, Mark.Visibility.HIDDEN_BY_SURFACES), aim, text, slide);
+    }
+
+    private static Vec3 middle(List<Vec3> polygon) {
+        Vec3 sum = Vec3.ZERO;
+        for (Vec3 corner : polygon) {
+            sum = sum.plus(corner);
+        }
+        return sum.scaled(1.0 / polygon.size());
+    }
+}

@@ -1,0 +1,220 @@
+package nephele.editor.problem;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.UnaryOperator;
+import nephele.engine.level.Brush.BrushFace;
+import nephele.engine.level.Level;
+import nephele.engine.level.Material;
+import nephele.engine.level.Problem;
+import nephele.engine.level.Problem.Topic;
+import nephele.engine.level.Solid;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.Vec3;
+
+/** The remedies for the rules' problems. Each finds its records in the level that it is applied to by identity. */
+final class ProblemFixes {
+    private static final Vec3 LIGHT_GREY = new Vec3(0.5, 0.5, 0.5);
+
+    private final Level level;
+    private final StaticShapes statics;
+
+    /** @param statics {@code null} if they cannot be derived */
+    ProblemFixes(Level level, StaticShapes statics) {
+        this.level = level;
+        this.statics = statics;
+    }
+
+    List<ProblemFix> of(Problem problem) {
+        Topic topic = problem.subject().topic();
+        Optional<EntityPath> place = EntityPath.of(level, problem.path());
+        if (problem.path().startsWith("player") && topic == Topic.ENTITY_IN_SOLID) {
+            return moveStart();
+        } else if (problem.path().startsWith("environment.sky") && topic == Topic.MISSING_ASSET) {
+            return List.of(new ProblemFix(ProblemText.REMOVE_FILE, "", this::withoutSky));
+        } else if (place.isEmpty() || !(place.get().entity(level) instanceof Record)) {
+            return List.of();
+        }
+        return of(topic, place.get(), problem);
+    }
+
+    private List<ProblemFix> of(Topic topic, EntityPath place, Problem problem) {
+        switch (topic) {
+            case DUPLICATE_ID:
+                return List.of(rename(place));
+            case MISSING_MATERIAL:
+                return missingMaterial(place);
+            case MISSING_ASSET:
+                return List.of(withoutFile(place));
+            case NO_VOLUME:
+            case TOO_THIN:
+            case INSIDE_ANOTHER:
+            case LIGHT_WITHOUT_EFFECT:
+                return List.of(delete(place));
+            case FIGHTING_FACES:
+                return oneMaterial(problem);
+            case TOO_SMALL_FOR_PORTAL:
+                return List.of(withoutPortals(problem));
+            case ENTITY_IN_SOLID:
+                return moveOut(place);
+            case GENERAL:
+            case NO_VIEWPOINT:
+            case NOT_DRAWN_YET:
+            case LEAK:
+                return List.of();
+        }
+        throw new IllegalStateException("no case for " + topic);
+    }
+
+    private ProblemFix delete(EntityPath place) {
+        return replace(ProblemText.DELETE, place, null);
+    }
+
+    private ProblemFix replace(ProblemText text, EntityPath place, Object other) {
+        Object known = place.entity(level);
+        return new ProblemFix(text, place.id(level), now -> place.replaced(now, known, other));
+    }
+
+    private ProblemFix rename(EntityPath place) {
+        Set<Object> taken = new HashSet<>();
+        for (Object each : place.list(level)) {
+            taken.add(RecordWalk.get((Record) each, "id"));
+        }
+        String id = place.id(level);
+        int number = 2;
+        while (taken.contains(id + "-" + number)) {
+            number++;
+        }
+        String name = id + "-" + number;
+        Record record = (Record) place.entity(level);
+        Record renamed = RecordWalk.with(record, "id", name);
+        // Duplicates may be one object, so that only the place tells them apart.
+        return new ProblemFix(ProblemText.RENAME, name, now -> renamedLast(place, now, record, renamed));
+    }
+
+    private static Level renamedLast(EntityPath place, Level now, Record record, Record renamed) {
+        List<?> list = place.list(now);
+        boolean isThere = place.index() < list.size() && list.get(place.index()) == record;
+        return isThere ? place.replacedAt(now, renamed) : now;
+    }
+
+    private List<ProblemFix> missingMaterial(EntityPath place) {
+        Set<String> known = new HashSet<>();
+        level.materials().forEach(material -> known.add(material.id()));
+        Set<String> missing = new TreeSet<>();
+        Object entity = place.entity(level);
+        RecordWalk.collectReferences(entity, "materials", missing);
+        missing.removeAll(known);
+        ProblemFix create = new ProblemFix(
+                ProblemText.CREATE_MATERIAL, String.join(", ", missing), now -> withMaterials(now, missing));
+        return List.of(
+                create,
+                replace(ProblemText.USE_NO_MATERIAL, place, RecordWalk.withoutReferences(entity, "materials", known)));
+    }
+
+    private static Level withMaterials(Level now, Set<String> missing) {
+        Set<String> wanted = new TreeSet<>(missing);
+        now.materials().forEach(material -> wanted.remove(material.id()));
+        List<Material> materials = new ArrayList<>(now.materials());
+        wanted.forEach(id -> materials.add(new Material(id, LIGHT_GREY, null, null, null, null, Vec3.ZERO, 1)));
+        return wanted.isEmpty() ? now : now.with(List.copyOf(materials), now.solids());
+    }
+
+    /** Leaves an optional file out; a record that is nothing without its file is deleted. */
+    private ProblemFix withoutFile(EntityPath place) {
+        String name = place.rest().substring(Math.min(1, place.rest().length()));
+        Record record = (Record) place.entity(level);
+        return record instanceof Material && RecordWalk.has(record, name)
+                ? replace(ProblemText.REMOVE_FILE, place, RecordWalk.with(record, name, null))
+                : delete(place);
+    }
+
+    private Level withoutSky(Level now) {
+        return RecordWalk.with(now, "environment", RecordWalk.with(now.environment(), "sky", null));
+    }
+
+    private ProblemFix withoutPortals(Problem problem) {
+        List<UnaryOperator<Level>> changes = new ArrayList<>();
+        for (String path : paths(problem)) {
+            EntityPath.of(level, path).ifPresent(place -> changes.add(now -> refusing(now, place)));
+        }
+        return new ProblemFix(ProblemText.TAKE_NO_PORTALS, "", now -> {
+            Level changed = now;
+            for (UnaryOperator<Level> change : changes) {
+                changed = change.apply(changed);
+            }
+            return changed;
+        });
+    }
+
+    /** Finds the solid by its place, because another face of it may have been changed just before. */
+    private static Level refusing(Level now, EntityPath place) {
+        if (place.index() >= now.solids().size()) {
+            return now;
+        }
+        Solid solid = now.solids().get(place.index());
+        Solid changed = FaceEdit.withoutPortals(solid, place.rest());
+        return changed.equals(solid) ? now : place.replacedAt(now, changed);
+    }
+
+    private static List<String> paths(Problem problem) {
+        List<String> paths = new ArrayList<>(List.of(problem.path()));
+        paths.addAll(problem.subject().otherPaths());
+        return paths;
+    }
+
+    /** Offers both materials; the default grey cannot be given to a face, so that one has only the other. */
+    private List<ProblemFix> oneMaterial(Problem problem) {
+        List<ProblemFix> fixes = new ArrayList<>();
+        List<String> paths = paths(problem);
+        for (int i = 0; i < 2 && paths.size() == 2; i++) {
+            Optional<EntityPath> to = EntityPath.of(level, paths.get(i));
+            Optional<EntityPath> from = EntityPath.of(level, paths.get(1 - i));
+            String material = from.flatMap(this::material).orElse(null);
+            if (to.isPresent() && material != null && to.get().entity(level) instanceof Solid solid) {
+                EntityPath place = to.get();
+                Solid changed = FaceEdit.withMaterial(solid, place.rest(), material);
+                fixes.add(
+                        new ProblemFix(ProblemText.ONE_MATERIAL, material, now -> place.replaced(now, solid, changed)));
+            }
+        }
+        return fixes;
+    }
+
+    private Optional<String> material(EntityPath place) {
+        Optional<String> ofFace = FaceEdit.derived(level, place).map(BrushFace::material);
+        return ofFace.isPresent() || !(place.entity(level) instanceof Solid solid)
+                ? ofFace
+                : Optional.ofNullable(solid.material());
+    }
+
+    private List<ProblemFix> moveOut(EntityPath place) {
+        Record entity = (Record) place.entity(level);
+        Aabb box = EntityBox.of(entity);
+        if (box == null || statics == null) {
+            return List.of(delete(place));
+        }
+        ProblemFix move = new ProblemFix(ProblemText.MOVE_OUT, "", now -> new FreePlace(level, statics, entity)
+                .nearest(box)
+                .map(way -> place.replaced(now, entity, EntityBox.moved(entity, way)))
+                .orElse(now));
+        return List.of(move, delete(place));
+    }
+
+    private List<ProblemFix> moveStart() {
+        Record start = level.player();
+        if (statics == null) {
+            return List.of();
+        }
+        return List.of(new ProblemFix(ProblemText.MOVE_OUT, "", now -> new FreePlace(level, statics, start)
+                .nearest(EntityBox.of(start))
+                .filter(way -> now.player() == start)
+                .map(way -> RecordWalk.with(now, "player", EntityBox.moved(start, way)))
+                .orElse(now)));
+    }
+}

@@ -1,0 +1,12 @@
+package nephele.engine.level.layout;
+
+import java.util.List;
+import nephele.engine.level.placed.PlacedRule;
+
+/** The rules on the layout of shapes, in the order in which their problems are reported; all give warnings. */
+public final class LayoutRules {
+    public static final List<PlacedRule> ALL =
+            List.of(BrushRules.THICK, BrushRules.IN_SIGHT, FaceRules.APART, BuriedRules.LIGHTS, LeakRules.CLOSED);
+
+    private LayoutRules() {}
+}

@@ -1,0 +1,134 @@
+package nephele.engine.level.layout;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.engine.level.Brush;
+import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedModel;
+import nephele.engine.level.placed.StaticShapes;
+import nephele.engine.level.placed.WorldTriangles;
+import nephele.engine.math.Aabb;
+import nephele.engine.math.ConvexPolyhedron;
+import nephele.engine.math.Vec3;
+
+/** The way from the player's start out of a level that seems to be closed: through a gap that somebody forgot. */
+public final class Leak {
+    /** Height of the start's point above the feet. */
+    private static final double MIDDLE_METRES = 0.9;
+
+    /** Free space around all shapes; its sides are the outside. */
+    private static final double MARGIN_METRES = 1;
+
+    /** Share of the directions from the start that have to meet a shape; a level with fewer is open on purpose. */
+    private static final double CLOSED_SHARE = 0.8;
+
+    private static final int DIRECTIONS = 400;
+
+    /** The golden angle in radians: directions that turn by it are spread evenly (Vogel 1979). */
+    private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
+
+    /** Greatest number of shapes that are searched. */
+    private static final int MOST_SHAPES = 20_000;
+
+    /** How far a straightened line may graze a shape. */
+    private static final double GRAZE_METRES = 2e-3;
+
+    /** Number of parts into which each step of a way is divided before it is straightened. */
+    private static final int PARTS = 12;
+
+    private static final int MOST_POINTS = 1200;
+
+    private Leak() {}
+
+    /**
+     * Returns the points of a short line from the start to the outside; empty if the level is closed, is open on
+     * purpose, has no start, or has a start inside a shape. Triangles of models count as their bounding boxes.
+     */
+    public static List<Vec3> line(Level level, StaticShapes statics) {
+        if (level.player() == null || !statics.ground().isEmpty()) {
+            return List.of();
+        }
+        List<FreeCells.Shape> shapes = shapes(statics);
+        Vec3 from = level.player().feet().plus(new Vec3(0, MIDDLE_METRES, 0));
+        if (shapes.isEmpty() || shapes.size() > MOST_SHAPES || !seemsClosed(shapes, from)) {
+            return List.of();
+        }
+        Aabb world = Aabb.EMPTY;
+        for (FreeCells.Shape shape : shapes) {
+            world = world.union(shape.bounds());
+        }
+        world = world.grown(MARGIN_METRES);
+        List<Vec3> way = new LeakSearch(FreeCells.of(shapes, world), world).way(from);
+        return straightened(divided(way), new BrushIndex(statics));
+    }
+
+    private static List<FreeCells.Shape> shapes(StaticShapes statics) {
+        List<FreeCells.Shape> shapes = new ArrayList<>();
+        List<Brush> brushes = new ArrayList<>(statics.solids());
+        brushes.addAll(statics.models().solids());
+        for (Brush brush : brushes) {
+            shapes.add(new FreeCells.Shape(
+                    brush.shape().bounds(),
+                    brush.shape().faces().stream()
+                            .map(ConvexPolyhedron.Face::plane)
+                            .toList()));
+        }
+        for (PlacedModel model : statics.models().sheets()) {
+            for (int i = 0; i < model.triangles().count() && shapes.size() <= MOST_SHAPES; i++) {
+                shapes.add(sheet(model.triangles(), i));
+            }
+        }
+        return shapes;
+    }
+
+    /** Returns a triangle's bounds, thick enough to be a wall. */
+    private static FreeCells.Shape sheet(WorldTriangles triangles, int triangle) {
+        List<Vec3> corners =
+                List.of(triangles.corner(triangle, 0), triangles.corner(triangle, 1), triangles.corner(triangle, 2));
+        return new FreeCells.Shape(Aabb.of(corners).grown(2 * FreeCells.LEAST_GAP_METRES), List.of());
+    }
+
+    private static boolean seemsClosed(List<FreeCells.Shape> shapes, Vec3 from) {
+        ShapeRays rays = new ShapeRays(shapes);
+        int met = 0;
+        for (int i = 0; i < DIRECTIONS; i++) {
+            double y = 1 - (2 * i + 1.0) / DIRECTIONS;
+            double across = Math.sqrt(1 - y * y);
+            double turn = i * GOLDEN_ANGLE;
+            Vec3 direction = new Vec3(across * StrictMath.cos(turn), y, across * StrictMath.sin(turn));
+            met += rays.meets(from, direction) ? 1 : 0;
+        }
+        return met >= CLOSED_SHARE * DIRECTIONS;
+    }
+
+    /** Adds points between those of a way, so that it can be straightened past a corner in the middle of a cell. */
+    private static List<Vec3> divided(List<Vec3> way) {
+        if (way.isEmpty() || way.size() * PARTS > MOST_POINTS) {
+            return way;
+        }
+        List<Vec3> points = new ArrayList<>(List.of(way.get(0)));
+        for (int i = 1; i < way.size(); i++) {
+            for (int part = 1; part <= PARTS; part++) {
+                points.add(way.get(i - 1).lerp(way.get(i), (double) part / PARTS));
+            }
+        }
+        return points;
+    }
+
+    /** Leaves points out as long as the straight line past them is free. */
+    private static List<Vec3> straightened(List<Vec3> way, BrushIndex index) {
+        List<Vec3> kept = new ArrayList<>();
+        int at = 0;
+        while (at < way.size()) {
+            kept.add(way.get(at));
+            int next = Math.min(at + 1, way.size() - 1);
+            for (int i = way.size() - 1; i > next; i--) {
+                if (!index.isBlocked(way.get(at), way.get(i), GRAZE_METRES)) {
+                    next = i;
+                }
+            }
+            at = at == way.size() - 1 ? way.size() : next;
+        }
+        return kept;
+    }
+}
