@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
-import nephele.app.settings.UserFolders;
+import nephele.engine.userfile.UserFolders;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.named.LevelName;
 import nephele.engine.sim.replay.Replay;

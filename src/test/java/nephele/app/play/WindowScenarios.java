@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import nephele.app.settings.PlayerFiles;
-import nephele.app.settings.UserFolders;
+import nephele.engine.userfile.UserFolders;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;

@@ -9,7 +9,7 @@ import nephele.app.play.StartProfile;
 import nephele.app.play.WindowedGame;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
-import nephele.app.settings.UserFolders;
+import nephele.engine.userfile.UserFolders;
 import nephele.app.window.SystemDisplay;
 import nephele.app.window.WindowSize;
 import nephele.engine.level.PlayerStart;
