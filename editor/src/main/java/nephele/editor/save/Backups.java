@@ -1,6 +1,7 @@
 package nephele.editor.save;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -25,8 +26,9 @@ public final class Backups {
     private static final String ENDING = ".json";
 
     /** Sorts as text like time, and holds no character that Windows forbids. */
-    private static final DateTimeFormatter NAME =
-            DateTimeFormatter.ofPattern("uuuu-MM-dd'T'HH-mm-ss.SSS'Z'", Locale.ROOT).withZone(ZoneOffset.UTC);
+    private static final DateTimeFormatter NAME = DateTimeFormatter.ofPattern(
+                    "uuuu-MM-dd'T'HH-mm-ss.SSS'Z'", Locale.ROOT)
+            .withZone(ZoneOffset.UTC);
 
     /** A previous version of a level. */
     public record Backup(Path file, Instant replaced) {}
@@ -83,7 +85,7 @@ public final class Backups {
     /** Returns the folder of a file's backups, named after the file and its path. */
     private Path folderOf(Path file) {
         Path absolute = file.toAbsolutePath().normalize();
-        String hash = ContentHash.of(absolute.toString().getBytes(java.nio.charset.StandardCharsets.UTF_8));
+        String hash = ContentHash.of(absolute.toString().getBytes(StandardCharsets.UTF_8));
         return folder.resolve(absolute.getFileName() + "-" + hash.substring(0, 16));
     }
 

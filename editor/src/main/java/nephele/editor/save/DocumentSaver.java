@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import java.nio.file.attribute.DosFileAttributes;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermission;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
@@ -23,8 +22,8 @@ import nephele.engine.level.json.LevelSaveException;
 
 /** Saves documents atomically, with backups, and never over a version that its author has not seen. */
 public final class DocumentSaver {
-    private static final Set<PosixFilePermission> WRITE = Set.of(
-            PosixFilePermission.OWNER_WRITE, PosixFilePermission.GROUP_WRITE, PosixFilePermission.OTHERS_WRITE);
+    private static final Set<PosixFilePermission> WRITE =
+            Set.of(PosixFilePermission.OWNER_WRITE, PosixFilePermission.GROUP_WRITE, PosixFilePermission.OTHERS_WRITE);
 
     private final Backups backups;
     private final FileOperations files;
@@ -123,8 +122,7 @@ public final class DocumentSaver {
             return SaveMessage.of(SaveText.ACCESS_DENIED, path);
         }
         if (problem instanceof NoSuchFileException) {
-            return SaveMessage.of(
-                    SaveText.FOLDER_MISSING, path.toAbsolutePath().getParent());
+            return SaveMessage.of(SaveText.FOLDER_MISSING, path.toAbsolutePath().getParent());
         }
         return SaveMessage.of(SaveText.NOT_SAVED, path, AtomicFile.reason(problem));
     }

@@ -1,5 +1,6 @@
 package nephele.editor.save;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import nephele.engine.level.Language;
@@ -8,8 +9,7 @@ import nephele.engine.level.Language;
 public record SaveMessage(SaveText text, List<String> values) {
     /** Returns a message with files and reasons in the order of the text's placeholders. */
     public static SaveMessage of(SaveText text, Object... values) {
-        return new SaveMessage(
-                text, java.util.Arrays.stream(values).map(String::valueOf).toList());
+        return new SaveMessage(text, Arrays.stream(values).map(String::valueOf).toList());
     }
 
     /** Returns the message in a language. */

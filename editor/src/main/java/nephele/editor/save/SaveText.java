@@ -5,8 +5,10 @@ import nephele.engine.level.Language;
 /** A message about files, in English, Brazilian and European Portuguese; {@code %s} stand for files and reasons. */
 public enum SaveText {
     READ_ONLY(
-            "%s is read-only: nothing was saved. Save under another name, or permit writing to the file and save again.",
-            "%s é somente leitura: nada foi salvo. Salve com outro nome, ou permita a gravação no arquivo e salve de novo.",
+            "%s is read-only: nothing was saved. Save under another name, or permit writing to the file and save"
+                    + " again.",
+            "%s é somente leitura: nada foi salvo. Salve com outro nome, ou permita a gravação no arquivo e salve de"
+                    + " novo.",
             "%s é só de leitura: nada foi guardado. Guarde com outro nome, ou permita a escrita no ficheiro e guarde de"
                     + " novo."),
     ACCESS_DENIED(
@@ -34,12 +36,12 @@ public enum SaveText {
             "%s não pode ser salvo (%s). A versão no disco não mudou: salve de novo, ou com outro nome.",
             "%s não pode ser guardado (%s). A versão no disco não mudou: guarde de novo, ou com outro nome."),
     CHANGED_OUTSIDE(
-            "Another program has changed %s since it was opened. Replace it by your version, save under another name, or"
-                    + " open the file again?",
+            "Another program has changed %s since it was opened. Replace it by your version, save under another name,"
+                    + " or open the file again?",
             "Outro programa alterou %s desde que foi aberto. Substituir pela sua versão, salvar com outro nome ou abrir"
                     + " o arquivo de novo?",
-            "Outro programa alterou %s desde que foi aberto. Substituir pela sua versão, guardar com outro nome ou abrir"
-                    + " o ficheiro de novo?"),
+            "Outro programa alterou %s desde que foi aberto. Substituir pela sua versão, guardar com outro nome ou"
+                    + " abrir o ficheiro de novo?"),
     DELETED_OUTSIDE(
             "%s was deleted or moved while it was open. Save it there again, or under another name?",
             "%s foi apagado ou movido enquanto estava aberto. Salvar ali de novo ou com outro nome?",
