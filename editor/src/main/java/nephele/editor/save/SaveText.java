@@ -9,38 +9,38 @@ public enum SaveText {
                     + " again.",
             "%s é somente leitura: nada foi salvo. Salve com outro nome, ou permita a gravação no arquivo e salve de"
                     + " novo.",
-            "%s é só de leitura: nada foi guardado. Guarde com outro nome, ou permita a escrita no ficheiro e guarde de"
+            "%s é só de leitura: nada foi guardado. Guarda com outro nome, ou permite a escrita no ficheiro e guarda de"
                     + " novo."),
     ACCESS_DENIED(
             "Access to %s is denied: nothing was saved. Save to a folder of your own.",
             "O acesso a %s foi negado: nada foi salvo. Salve em uma pasta sua.",
-            "O acesso a %s foi negado: nada foi guardado. Guarde numa pasta sua."),
+            "O acesso a %s foi negado: nada foi guardado. Guarda numa pasta tua."),
     FOLDER_MISSING(
             "The folder %s is missing: nothing was saved. Save elsewhere, or make the folder again and save.",
             "A pasta %s não existe: nada foi salvo. Salve em outro lugar, ou crie a pasta de novo e salve.",
-            "A pasta %s não existe: nada foi guardado. Guarde noutro lugar, ou crie a pasta de novo e guarde."),
+            "A pasta %s não existe: nada foi guardado. Guarda noutro lugar, ou cria a pasta de novo e guarda."),
     DISK_FULL(
             "The disk of %s is full: nothing was saved. Make room on it and save again, or save elsewhere.",
             "O disco de %s está cheio: nada foi salvo. Libere espaço e salve de novo, ou salve em outro lugar.",
-            "O disco de %s está cheio: nada foi guardado. Liberte espaço e guarde de novo, ou guarde noutro lugar."),
+            "O disco de %s está cheio: nada foi guardado. Liberta espaço e guarda de novo, ou guarda noutro lugar."),
     IS_FOLDER(
             "%s is a folder: nothing was saved. Choose the name of a file.",
             "%s é uma pasta: nada foi salvo. Escolha um nome de arquivo.",
-            "%s é uma pasta: nada foi guardado. Escolha um nome de ficheiro."),
+            "%s é uma pasta: nada foi guardado. Escolhe um nome de ficheiro."),
     NO_LEVEL_FILE(
             "The level cannot be a file as it is: nothing was saved. Correct this first: %s",
             "A fase não pode ser um arquivo como está: nada foi salvo. Corrija isto primeiro: %s",
-            "O nível não pode ser um ficheiro como está: nada foi guardado. Corrija isto primeiro: %s"),
+            "O nível não pode ser um ficheiro como está: nada foi guardado. Corrige isto primeiro: %s"),
     NOT_SAVED(
             "%s cannot be saved (%s). The version on disk is unchanged: save again, or under another name.",
             "%s não pode ser salvo (%s). A versão no disco não mudou: salve de novo, ou com outro nome.",
-            "%s não pode ser guardado (%s). A versão no disco não mudou: guarde de novo, ou com outro nome."),
+            "%s não pode ser guardado (%s). A versão no disco não mudou: guarda de novo, ou com outro nome."),
     CHANGED_OUTSIDE(
             "Another program has changed %s since it was opened. Replace it by your version, save under another name,"
                     + " or open the file again?",
             "Outro programa alterou %s desde que foi aberto. Substituir pela sua versão, salvar com outro nome ou abrir"
                     + " o arquivo de novo?",
-            "Outro programa alterou %s desde que foi aberto. Substituir pela sua versão, guardar com outro nome ou"
+            "Outro programa alterou %s desde que foi aberto. Substituir pela tua versão, guardar com outro nome ou"
                     + " abrir o ficheiro de novo?"),
     DELETED_OUTSIDE(
             "%s was deleted or moved while it was open. Save it there again, or under another name?",
@@ -53,23 +53,23 @@ public enum SaveText {
     NOT_RECORDED(
             "Your edits cannot be recorded in %s (%s): a crash would lose them. Save the level now.",
             "Suas edições não podem ser registradas em %s (%s): uma falha as perderia. Salve a fase agora.",
-            "As suas edições não podem ser registadas em %s (%s): uma falha perdê-las-ia. Guarde o nível agora."),
+            "As tuas edições não podem ser registadas em %s (%s): com uma falha, perdem-se. Guarda o nível agora."),
     PACKAGE_ASSET(
             "%s was not written: the level names %s. Correct the name or add the file, then export again.",
             "%s não foi gravado: a fase indica %s. Corrija o nome ou acrescente o arquivo e exporte de novo.",
-            "%s não foi escrito: o nível indica %s. Corrija o nome ou acrescente o ficheiro e exporte de novo."),
+            "%s não foi escrito: o nível indica %s. Corrige o nome ou acrescenta o ficheiro e exporta de novo."),
     PACKAGE_UNREADABLE(
             "%s cannot be opened (%s). Choose a .zip that the editor exported.",
             "%s não pode ser aberto (%s). Escolha um .zip exportado pelo editor.",
-            "%s não pode ser aberto (%s). Escolha um .zip exportado pelo editor."),
+            "%s não pode ser aberto (%s). Escolhe um .zip exportado pelo editor."),
     PACKAGE_ENTRY(
             "%s was not opened because of its entry %s: %s. Ask its author for a new export.",
             "%s não foi aberto por causa da entrada %s: %s. Peça ao autor uma nova exportação.",
-            "%s não foi aberto por causa da entrada %s: %s. Peça ao autor uma nova exportação."),
+            "%s não foi aberto por causa da entrada %s: %s. Pede ao autor uma nova exportação."),
     PACKAGE_TARGET(
             "%s exists already and is not empty: nothing was written. Choose a new folder.",
             "%s já existe e não está vazia: nada foi gravado. Escolha uma pasta nova.",
-            "%s já existe e não está vazia: nada foi escrito. Escolha uma pasta nova.");
+            "%s já existe e não está vazia: nada foi escrito. Escolhe uma pasta nova.");
 
     private final String english;
     private final String brazilian;

@@ -60,6 +60,10 @@ final class StoredJournal implements JournalStore {
         } catch (OverlappingFileLockException ownProcess) {
             channel.close();
             return false;
+        } catch (IOException noLocksHere) {
+            // Some network folders have none: work that is offered twice is better than work that is not recorded.
+            locked = channel;
+            return true;
         }
         channel.close();
         return false;
