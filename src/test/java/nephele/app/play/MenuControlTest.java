@@ -13,11 +13,11 @@ import nephele.app.play.hud.MenuPanel;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Progress;
 import nephele.app.settings.Settings;
-import nephele.app.settings.UserFolders;
 import nephele.app.window.Control;
 import nephele.app.window.Input;
 import nephele.engine.level.Language;
 import nephele.engine.named.LevelName;
+import nephele.engine.userfile.UserFolders;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 

@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Map;
 import nephele.app.settings.PlayerFiles;
 import nephele.app.settings.Settings;
-import nephele.app.settings.UserFolders;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.named.LevelName;
 import nephele.engine.sim.replay.Replay;
 import nephele.engine.sim.state.Assist;
 import nephele.engine.sim.state.SimSettings;
+import nephele.engine.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
 
 /** Options of the command line go before the player's settings, which hold where no option is given. */

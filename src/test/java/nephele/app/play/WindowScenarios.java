@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import nephele.app.settings.PlayerFiles;
-import nephele.app.settings.UserFolders;
 import nephele.app.window.Control;
 import nephele.app.window.GameWindow;
 import nephele.app.window.Input;
@@ -18,6 +17,7 @@ import nephele.engine.draw.QualityChoice;
 import nephele.engine.named.LevelName;
 import nephele.engine.render.gl.GlContext;
 import nephele.engine.sim.state.SimSettings;
+import nephele.engine.userfile.UserFolders;
 import org.lwjgl.system.MemoryUtil;
 
 /**

@@ -11,13 +11,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 import nephele.engine.level.Language;
+import nephele.engine.userfile.UserFolders;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Settings and progress survive a restart, and a broken entry costs nothing but itself. */
@@ -128,30 +127,5 @@ class PlayerFilesTest {
         assertEquals(
                 List.of(settings + ": language: must be one of en, pt-br, pt-pt; it is left as it is"),
                 files().takeProblems());
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            nullValues = "-",
-            value = {
-                "Linux, /h, -, -, /h/.config/nephele, /h/.local/state/nephele",
-                "Linux, /h, /c, /s, /c/nephele, /s/nephele",
-                "Linux, /h, relative, '', /h/.config/nephele, /h/.local/state/nephele",
-                "Linux, -, /c, -, /c/nephele, -",
-                "Linux, -, -, -, -, -",
-                "Mac OS X, /h, /c, /s, /h/Library/Application Support/nephele, /h/Library/Application Support/nephele"
-            })
-    void foldersFollowTheSystem(String system, String home, String config, String state, Path settings, Path progress) {
-        Map<String, String> environment = new java.util.HashMap<>();
-        put(environment, "HOME", home);
-        put(environment, "XDG_CONFIG_HOME", config);
-        put(environment, "XDG_STATE_HOME", state);
-        assertEquals(new UserFolders(settings, progress), UserFolders.of(system, environment));
-    }
-
-    private static void put(Map<String, String> environment, String name, String value) {
-        if (value != null) {
-            environment.put(name, value);
-        }
     }
 }

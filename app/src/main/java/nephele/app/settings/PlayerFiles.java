@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import nephele.engine.userfile.UserFile;
+import nephele.engine.userfile.UserFolders;
 
 /** The settings and the progress of a player, kept in two files; each change is saved at once. */
 public final class PlayerFiles {

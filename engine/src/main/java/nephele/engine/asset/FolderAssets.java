@@ -16,6 +16,11 @@ public final class FolderAssets implements AssetSource {
         this.root = root.toAbsolutePath().normalize();
     }
 
+    /** Returns the place of an asset, whether or not it is there. */
+    Path place(String assetId) {
+        return root.resolve(assetId);
+    }
+
     @Override
     public boolean exists(String assetId) {
         return AssetId.rejectionReason(assetId) == null && Files.isRegularFile(root.resolve(assetId));

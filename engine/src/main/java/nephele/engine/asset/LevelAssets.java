@@ -63,6 +63,17 @@ public final class LevelAssets implements AssetSource {
         }
     }
 
+    /** Returns the files that the asset could be, whether or not they are there, in the order of preference. */
+    public List<Path> places(String assetId) {
+        List<Path> places = new ArrayList<>();
+        for (AssetSource source : sources) {
+            if (source instanceof FolderAssets folderAssets && AssetId.rejectionReason(assetId) == null) {
+                places.add(folderAssets.place(assetId));
+            }
+        }
+        return places;
+    }
+
     @Override
     public Optional<Path> cacheFolder() {
         return Optional.ofNullable(folder).map(beside -> beside.resolve("cache"));

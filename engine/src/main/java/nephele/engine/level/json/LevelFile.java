@@ -93,7 +93,12 @@ public final class LevelFile {
      * @throws LevelFormatException if the level contains values that a file must not; nothing was written
      */
     public static void save(Path path, Level level) throws LevelSaveException {
-        new LevelSaver(FileOperations.REAL).save(path, level);
+        save(path, level, FileOperations.REAL);
+    }
+
+    /** Saves through other file operations, as tests do that let one of them fail. */
+    public static void save(Path path, Level level, FileOperations files) throws LevelSaveException {
+        new LevelSaver(files).save(path, level);
     }
 
     private static Path path(String typed) {

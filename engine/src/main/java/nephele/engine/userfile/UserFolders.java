@@ -1,4 +1,4 @@
-package nephele.app.settings;
+package nephele.engine.userfile;
 
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -11,7 +11,7 @@ import java.util.Optional;
  * macOS and Windows the folder for application data.
  *
  * @param settings folder of the settings; {@code null} if the environment names none
- * @param state folder of the progress; {@code null} if the environment names none
+ * @param state folder of what is kept between runs: progress, the editor's journals and backups; {@code null} if the environment names none
  */
 public record UserFolders(Path settings, Path state) {
     private static final String NAME = "nephele";

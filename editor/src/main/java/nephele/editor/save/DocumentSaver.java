@@ -1,0 +1,135 @@
+package nephele.editor.save;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.attribute.DosFileAttributes;
+import java.nio.file.attribute.PosixFileAttributes;
+import java.nio.file.attribute.PosixFilePermission;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import nephele.engine.asset.AtomicFile;
+import nephele.engine.level.Level;
+import nephele.engine.level.json.FileOperations;
+import nephele.engine.level.json.LevelFile;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.LevelJson;
+import nephele.engine.level.json.LevelSaveException;
+
+/** Saves documents atomically, with backups, and never over a version that its author has not seen. */
+public final class DocumentSaver {
+    private static final Set<PosixFilePermission> WRITE =
+            Set.of(PosixFilePermission.OWNER_WRITE, PosixFilePermission.GROUP_WRITE, PosixFilePermission.OTHERS_WRITE);
+
+    private final Backups backups;
+    private final FileOperations files;
+
+    public DocumentSaver(Backups backups) {
+        this(backups, FileOperations.REAL);
+    }
+
+    /** @param files lets tests fail each operation of a save */
+    DocumentSaver(Backups backups, FileOperations files) {
+        this.backups = backups;
+        this.files = files;
+    }
+
+    /**
+     * Saves a document to its own file, unless that is no longer as it was opened or saved.
+     *
+     * @param file not untitled
+     */
+    public SaveResult save(DocumentFile file, Level level) {
+        Path path = file.path().orElseThrow(() -> new IllegalArgumentException("an untitled document has no file yet"));
+        Optional<SaveMessage> obstacle = obstacle(path);
+        if (obstacle.isPresent()) {
+            return new SaveResult.Failed(obstacle.get());
+        }
+        return switch (file.outside()) {
+            case SAME -> saveAs(path, level);
+            case CHANGED -> new SaveResult.ChangedOutside(SaveMessage.of(SaveText.CHANGED_OUTSIDE, path));
+            case DELETED -> new SaveResult.ChangedOutside(SaveMessage.of(SaveText.DELETED_OUTSIDE, path));
+        };
+    }
+
+    /** Saves a level to a file that the user has chosen, and replaces what is there; that becomes a backup. */
+    public SaveResult saveAs(Path path, Level level) {
+        Optional<SaveMessage> obstacle = obstacle(path);
+        if (obstacle.isPresent()) {
+            return new SaveResult.Failed(obstacle.get());
+        }
+        Optional<SaveMessage> notice = backups.keep(path);
+        try {
+            byte[] content = LevelJson.write(level).getBytes(StandardCharsets.UTF_8);
+            LevelFile.save(path, level, files);
+            return new SaveResult.Saved(
+                    DocumentFile.saved(path, content), notice.stream().toList());
+        } catch (LevelFormatException noLevel) {
+            String first = noLevel.getMessage().lines().findFirst().orElse("");
+            return new SaveResult.Failed(SaveMessage.of(SaveText.NO_LEVEL_FILE, first));
+        } catch (LevelSaveException problem) {
+            return new SaveResult.Failed(
+                    problem.getCause() instanceof IOException cause
+                            ? message(path, cause)
+                            : SaveMessage.of(SaveText.NOT_SAVED, path, problem.getMessage()));
+        }
+    }
+
+    /** Returns the reason why a file cannot be saved, if it can be seen before. */
+    private static Optional<SaveMessage> obstacle(Path path) {
+        Path folder = path.toAbsolutePath().getParent();
+        if (Files.isDirectory(path)) {
+            return Optional.of(SaveMessage.of(SaveText.IS_FOLDER, path));
+        }
+        if (folder == null || !Files.isDirectory(folder)) {
+            return Optional.of(SaveMessage.of(SaveText.FOLDER_MISSING, folder));
+        }
+        return isReadOnly(path) ? Optional.of(SaveMessage.of(SaveText.READ_ONLY, path)) : Optional.empty();
+    }
+
+    /**
+     * Asks the file's permissions, too: renaming over a read-only file succeeds where its folder is writable, and an
+     * administrator may write everything.
+     */
+    private static boolean isReadOnly(Path path) {
+        if (!Files.exists(path)) {
+            return false;
+        }
+        try {
+            Set<String> views = path.getFileSystem().supportedFileAttributeViews();
+            boolean denied = views.contains("posix")
+                    ? Files.readAttributes(path, PosixFileAttributes.class).permissions().stream()
+                            .noneMatch(WRITE::contains)
+                    : views.contains("dos")
+                            && Files.readAttributes(path, DosFileAttributes.class)
+                                    .isReadOnly();
+            return denied || !Files.isWritable(path);
+        } catch (IOException | UnsupportedOperationException unknown) {
+            return !Files.isWritable(path);
+        }
+    }
+
+    /** Returns the message of a failed write. */
+    static SaveMessage message(Path path, IOException problem) {
+        if (isDiskFull(problem)) {
+            return SaveMessage.of(SaveText.DISK_FULL, path);
+        }
+        if (problem instanceof AccessDeniedException) {
+            return SaveMessage.of(SaveText.ACCESS_DENIED, path);
+        }
+        if (problem instanceof NoSuchFileException) {
+            return SaveMessage.of(SaveText.FOLDER_MISSING, path.toAbsolutePath().getParent());
+        }
+        return SaveMessage.of(SaveText.NOT_SAVED, path, AtomicFile.reason(problem));
+    }
+
+    /** Java has no exception of its own for a full disk; the words are those of Linux, macOS and Windows. */
+    private static boolean isDiskFull(IOException problem) {
+        String reason = AtomicFile.reason(problem).toLowerCase(Locale.ROOT);
+        return reason.contains("no space left") || reason.contains("not enough space") || reason.contains("quota");
+    }
+}

@@ -1,0 +1,142 @@
+package nephele.editor.save;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Path;
+import java.util.Enumeration;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
+import nephele.engine.asset.AssetException;
+import nephele.engine.asset.AssetId;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Level;
+import nephele.engine.level.json.LevelFormatException;
+import nephele.engine.level.json.LevelJson;
+
+/**
+ * The content of a package, checked and in memory.
+ *
+ * @param levelName the entry of the level
+ * @param assets all entries by their names
+ */
+record PackageContent(String levelName, Level level, AssetSource assets) {
+    static final int MOST_ENTRIES = 2_000;
+    static final int MOST_ENTRY_BYTES = 128 << 20;
+
+    /** Bounds memory: entries are counted as they are unpacked, whatever size they declare. */
+    static final int MOST_BYTES = 512 << 20;
+
+    /**
+     * Reads a package.
+     *
+     * @throws PackageException if it is none, or has an unsafe or damaged entry
+     */
+    static PackageContent read(Path zip) {
+        Map<String, byte[]> entries;
+        try (var file = new ZipFile(zip.toFile())) {
+            entries = new Reading(zip).entries(file);
+        } catch (IOException | IllegalArgumentException noZip) {
+            String reason = noZip.getMessage() == null ? "it is no zip file" : noZip.getMessage();
+            throw new PackageException(SaveMessage.of(SaveText.PACKAGE_UNREADABLE, zip, reason), noZip);
+        }
+        var levels = entries.keySet().stream()
+                .filter(name -> !name.contains("/") && name.endsWith(".json"))
+                .toList();
+        if (levels.size() != 1) {
+            String reason = levels.isEmpty() ? "it holds no level" : "it holds several levels: " + levels;
+            throw new PackageException(SaveMessage.of(SaveText.PACKAGE_UNREADABLE, zip, reason));
+        }
+        String name = levels.get(0);
+        try {
+            Level level = LevelJson.read(name, entries.get(name));
+            return new PackageContent(name, level, new Entries(entries));
+        } catch (LevelFormatException noLevel) {
+            String reason = noLevel.getMessage().lines().findFirst().orElse("");
+            throw new PackageException(SaveMessage.of(SaveText.PACKAGE_ENTRY, zip, name, reason), noLevel);
+        }
+    }
+
+    /** Unpacks one file within its limits. */
+    private static final class Reading {
+        private final Path zip;
+        private final Map<String, byte[]> entries = new LinkedHashMap<>();
+        private final Set<String> lowerCase = new HashSet<>();
+        private long total;
+
+        Reading(Path zip) {
+            this.zip = zip;
+        }
+
+        Map<String, byte[]> entries(ZipFile file) throws IOException {
+            if (file.size() > MOST_ENTRIES) {
+                throw new IOException("it has more than " + MOST_ENTRIES + " entries");
+            }
+            for (Enumeration<? extends ZipEntry> all = file.entries(); all.hasMoreElements(); ) {
+                ZipEntry entry = all.nextElement();
+                check(entry.getName());
+                if (!entry.isDirectory()) {
+                    entries.put(entry.getName(), content(file, entry));
+                }
+            }
+            return entries;
+        }
+
+        private void check(String name) {
+            String id = name.endsWith("/") ? name.substring(0, name.length() - 1) : name;
+            String objection = AssetId.rejectionReason(id);
+            if (objection == null && !lowerCase.add(name.toLowerCase(Locale.ROOT))) {
+                objection = "another entry has the same name on systems that ignore case";
+            }
+            if (objection != null) {
+                throw refused(name, objection);
+            }
+        }
+
+        private byte[] content(ZipFile file, ZipEntry entry) {
+            long left = Math.min(MOST_ENTRY_BYTES, MOST_BYTES - total);
+            try (InputStream stream = file.getInputStream(entry)) {
+                byte[] content = stream.readNBytes((int) left + 1);
+                if (content.length > left) {
+                    throw refused(
+                            entry.getName(),
+                            "it has more than " + (MOST_ENTRY_BYTES >> 20) + " MiB, or all entries together more than "
+                                    + (MOST_BYTES >> 20) + " MiB");
+                }
+                total += content.length;
+                return content;
+            } catch (IOException damaged) {
+                throw refused(entry.getName(), "it is damaged");
+            } catch (OutOfMemoryError tooLarge) {
+                throw refused(entry.getName(), "it does not fit into memory");
+            }
+        }
+
+        private PackageException refused(String name, String reason) {
+            String printable = name.replaceAll("[^\\x20-\\x7e]", "?");
+            String shown = printable.length() > 100 ? printable.substring(0, 100) + "…" : printable;
+            return new PackageException(SaveMessage.of(SaveText.PACKAGE_ENTRY, zip, shown, reason));
+        }
+    }
+
+    /** The entries as assets. */
+    private record Entries(Map<String, byte[]> content) implements AssetSource {
+        @Override
+        public boolean exists(String assetId) {
+            return content.containsKey(assetId);
+        }
+
+        @Override
+        public byte[] bytes(String assetId) {
+            byte[] bytes = content.get(assetId);
+            if (bytes == null) {
+                throw new AssetException(assetId, "is not in the package", "export it again");
+            }
+            return bytes;
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package nephele.editor.settings;
+
+import com.google.gson.JsonElement;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import nephele.engine.level.Language;
+
+/** A setting of the editor: its key in the file, its values, and the one of a missing or broken entry. */
+public final class EditorSetting<T> {
+    /** The colours of the window. */
+    public enum Theme {
+        LIGHT,
+        DARK
+    }
+
+    /** How the 3-D views get into the window. */
+    public enum Viewport {
+        /** AWT where that works, else offscreen. */
+        AUTO,
+        AWT,
+        OFFSCREEN
+    }
+
+    /** The most files that {@link #RECENT_FILES} holds. */
+    public static final int MOST_RECENT_FILES = 20;
+
+    private static final int MOST_KEYS = 4;
+
+    public static final EditorSetting<Theme> THEME = of("theme", EntryKind.word(Theme.class), Theme.DARK);
+    public static final EditorSetting<Integer> SCALE_PERCENT = of("scalePercent", EntryKind.whole(100, 200), 100);
+    public static final EditorSetting<Language> LANGUAGE = of("language", EntryKind.word(Language.class), Language.EN);
+    public static final EditorSetting<Viewport> VIEWPORT =
+            of("viewport", EntryKind.word(Viewport.class), Viewport.AUTO);
+
+    /** The name of an arrangement of panes; what names there are is the window's affair. */
+    public static final EditorSetting<String> PANE_ARRANGEMENT = of("paneArrangement", EntryKind.text(), "");
+
+    /** Places of splitters by name, as shares of their length. */
+    public static final EditorSetting<Map<String, Double>> SPLITTERS =
+            of("splitters", EntryKind.map(EntryKind.share()), Map.of());
+
+    /** Panels by name that are shown or hidden otherwise than at the first start. */
+    public static final EditorSetting<Map<String, Boolean>> PANELS =
+            of("panels", EntryKind.map(EntryKind.flag()), Map.of());
+
+    /** Paths, the newest first. */
+    public static final EditorSetting<List<String>> RECENT_FILES =
+            of("recentFiles", EntryKind.list(EntryKind.text(), MOST_RECENT_FILES), List.of());
+
+    /** Keys by action id, for actions whose keys the user has changed; an empty list takes them away. */
+    public static final EditorSetting<Map<String, List<String>>> KEYS =
+            of("keys", EntryKind.map(EntryKind.list(EntryKind.text(), MOST_KEYS)), Map.of());
+
+    public static final EditorSetting<Boolean> GUIDE_FINISHED = of("guideFinished", EntryKind.flag(), false);
+
+    /** True if edits are recorded before they are saved. */
+    public static final EditorSetting<Boolean> JOURNAL = of("journal", EntryKind.flag(), true);
+
+    /** True if previous versions of saved levels are kept. */
+    public static final EditorSetting<Boolean> BACKUPS = of("backups", EntryKind.flag(), true);
+
+    /** All settings, in the order of the file. */
+    public static final List<EditorSetting<?>> ALL = List.of(
+            THEME,
+            SCALE_PERCENT,
+            LANGUAGE,
+            VIEWPORT,
+            PANE_ARRANGEMENT,
+            SPLITTERS,
+            PANELS,
+            RECENT_FILES,
+            KEYS,
+            GUIDE_FINISHED,
+            JOURNAL,
+            BACKUPS);
+
+    private final String key;
+    private final EntryKind<T> kind;
+    private final T absent;
+
+    private EditorSetting(String key, EntryKind<T> kind, T absent) {
+        this.key = key;
+        this.kind = kind;
+        this.absent = absent;
+    }
+
+    private static <T> EditorSetting<T> of(String key, EntryKind<T> kind, T absent) {
+        return new EditorSetting<>(key, kind, absent);
+    }
+
+    /** Returns the setting's name in the file. */
+    public String key() {
+        return key;
+    }
+
+    /** Returns the value of a missing or broken entry. */
+    public T absent() {
+        return absent;
+    }
+
+    /** Returns the values in words, for messages. */
+    String expected() {
+        return kind.expected();
+    }
+
+    Optional<T> read(JsonElement entry) {
+        return kind.read().apply(entry);
+    }
+
+    JsonElement written(T value) {
+        return kind.write().apply(value);
+    }
+}
