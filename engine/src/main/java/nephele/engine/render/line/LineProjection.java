@@ -80,7 +80,9 @@ public final class LineProjection {
         return point.minus(eye);
     }
 
+    /** Returns the matrix from directions relative to the eye to clip space, with depth as {@link #depth} has it. */
     float[] matrix() {
-        return clipFromRelative.get(new float[16]);
+        Matrix4d nearer = new Matrix4d(clipFromRelative);
+        return nearer.m32(nearer.m32() / (1 - NEARER_SHARE)).get(new float[16]);
     }
 }

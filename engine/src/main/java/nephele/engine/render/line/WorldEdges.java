@@ -47,13 +47,14 @@ public final class WorldEdges implements AutoCloseable {
                 Inputs::of);
     }
 
-    /** Draws over everything in the picture. */
-    public void draw(LineProjection projection, LineColour colour, RenderTarget picture) {
+    /** Draws over a picture, whose depth may hide what is behind its surfaces. */
+    public void draw(LineProjection projection, LineColour colour, LineLayer layer, RenderTarget picture) {
         if (lines == null) {
             return;
         }
         picture.bind();
-        gl.state().set(Depth.OFF, Blend.OVER, Cull.NONE);
+        Depth depth = layer == LineLayer.BEHIND_SURFACES ? Depth.LESS_OR_EQUAL : Depth.OFF;
+        gl.state().set(depth, Blend.OVER, Cull.NONE);
         program.use();
         Vec3 fromEye = projection.fromEye(origin);
         program.uniforms().clipFromRelative().set(projection.matrix());
