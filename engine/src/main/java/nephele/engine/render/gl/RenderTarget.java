@@ -303,6 +303,16 @@ public final class RenderTarget implements GlObject {
         return bytes;
     }
 
+    /**
+     * Reads 0xAARRGGBB of each pixel, the bottom row first.
+     *
+     * @param pixels receives them; one element for each
+     */
+    public void readRgb(int[] pixels) {
+        bind();
+        glReadPixels(0, 0, width, height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
+    }
+
     /** Returns linear RGB floats, the bottom row first. */
     public float[] readFloats() {
         float[] rgb = new float[3 * width * height];
