@@ -43,6 +43,7 @@ final class FallbackSurface implements ViewportSurface {
         listeners.forEach(each -> shown.listen(each.mouse, each.keys));
         place.add(shown.component());
         place.revalidate();
+        place.validate();
         place.repaint();
         if (hadFocus) {
             shown.requestFocus();
@@ -78,7 +79,9 @@ final class FallbackSurface implements ViewportSurface {
 
     @Override
     public BufferedImage picture() {
-        return shown.picture();
+        ViewportSurface before = shown;
+        BufferedImage picture = before.picture();
+        return shown == before ? picture : shown.picture();
     }
 
     @Override
