@@ -47,6 +47,7 @@ public final class CanvasScenarios {
         boolean isCanvas = REPORTS.isEmpty();
         tell("taken away", !isCanvas || count(painter, "closing") == 1 && painter.live() == 0, painter);
         split.setLeftComponent(surface.component());
+        split.setDividerLocation(120);
         frame.validate();
         painter.red = 0;
         picture = surface.picture();
