@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import nephele.editor.draw.derived.LevelRepair;
 import nephele.editor.draw.derived.VisibleLevel;
+import nephele.editor.pane.PaneKind;
 import nephele.editor.pane.ViewMode;
 import nephele.engine.asset.AssetSource;
 import nephele.engine.level.Level;
@@ -24,7 +25,7 @@ final class DrawnLevel implements AutoCloseable {
     private final LevelRepair repair = new LevelRepair();
     private final Map<ViewMode, LevelPicture> pictures = new EnumMap<>(ViewMode.class);
     private final Map<ViewMode, String> failures = new EnumMap<>(ViewMode.class);
-    private final LevelEdges edges;
+    private final Map<PaneKind, LevelEdges> edges = new EnumMap<>(PaneKind.class);
     private final SkyBake bake;
     private PlacedLevel placed;
     private Level shown;
@@ -35,7 +36,6 @@ final class DrawnLevel implements AutoCloseable {
         this.gl = gl;
         this.assets = assets;
         this.background = background;
-        edges = new LevelEdges(gl);
         bake = new SkyBake(executor, repaintSoon);
     }
 
@@ -98,10 +98,11 @@ final class DrawnLevel implements AutoCloseable {
         }
     }
 
-    /** Returns the edges of all shapes. */
-    LevelEdges edges() {
-        edges.show(placed.statics());
-        return edges;
+    /** Returns the edges of all shapes, for a kind of pane. */
+    LevelEdges edges(PaneKind kind) {
+        LevelEdges all = edges.computeIfAbsent(kind, k -> new LevelEdges(gl, k));
+        all.show(placed.statics());
+        return all;
     }
 
     /** Returns the sky's light that the next picture would use; {@code null} for none. */
@@ -127,7 +128,7 @@ final class DrawnLevel implements AutoCloseable {
     @Override
     public void close() {
         bake.close();
-        edges.close();
+        edges.values().forEach(LevelEdges::close);
         pictures.values().forEach(LevelPicture::close);
         pictures.clear();
     }

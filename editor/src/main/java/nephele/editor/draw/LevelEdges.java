@@ -7,6 +7,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import nephele.editor.pane.PaneKind;
 import nephele.engine.level.Brush;
 import nephele.engine.level.placed.PlacedModel;
 import nephele.engine.level.placed.StaticShapes;
@@ -19,9 +20,13 @@ import nephele.engine.render.line.LineLayer;
 import nephele.engine.render.line.LineProjection;
 import nephele.engine.render.line.WorldEdges;
 
-/** The edges of a level's solids and models as lines on the GPU; an edit computes those of changed shapes only. */
+/**
+ * The edges of a level's solids and models as lines on the GPU, for panes of one kind; an edit computes those of changed
+ * shapes only. In a plan, edges of a solid that are behind each other are one line: a box has four instead of twelve.
+ */
 final class LevelEdges implements AutoCloseable {
     private final GlContext gl;
+    private final PaneKind kind;
     /** Six numbers for each edge, by {@link Brush} or {@link PlacedModel}. */
     private Map<Object, float[]> known = new IdentityHashMap<>();
 
@@ -29,8 +34,9 @@ final class LevelEdges implements AutoCloseable {
     private Vec3 origin;
     private WorldEdges edges;
 
-    LevelEdges(GlContext gl) {
+    LevelEdges(GlContext gl, PaneKind kind) {
         this.gl = gl;
+        this.kind = kind;
     }
 
     /** Follows an edit. */
@@ -76,9 +82,11 @@ final class LevelEdges implements AutoCloseable {
         for (Brush.BrushFace face : brush.faces()) {
             List<Vec3> polygon = face.polygon();
             for (int i = 0; i < polygon.size(); i++) {
-                int from = index(polygon.get(i), vertices, indices);
-                int to = index(polygon.get((i + 1) % polygon.size()), vertices, indices);
-                pairs.add(pair(from, to));
+                int from = index(seen(polygon.get(i)), vertices, indices);
+                int to = index(seen(polygon.get((i + 1) % polygon.size())), vertices, indices);
+                if (from != to) {
+                    pairs.add(pair(from, to));
+                }
             }
         }
         float[] ends = new float[6 * pairs.size()];
@@ -88,6 +96,16 @@ final class LevelEdges implements AutoCloseable {
             at = put(vertices.get((int) pair), ends, at);
         }
         return ends;
+    }
+
+    /** Returns the vertex without its distance in a plan. */
+    private Vec3 seen(Vec3 vertex) {
+        return switch (kind) {
+            case PERSPECTIVE -> vertex;
+            case TOP -> new Vec3(vertex.x(), origin.y(), vertex.z());
+            case FRONT -> new Vec3(vertex.x(), vertex.y(), origin.z());
+            case SIDE -> new Vec3(origin.x(), vertex.y(), vertex.z());
+        };
     }
 
     private static int index(Vec3 vertex, List<Vec3> vertices, Map<Vec3, Integer> indices) {

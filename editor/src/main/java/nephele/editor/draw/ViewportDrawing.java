@@ -152,10 +152,12 @@ public final class ViewportDrawing implements AutoCloseable {
         boolean hasSurfaces = pane.view().kind() == PaneKind.PERSPECTIVE && mode != ViewMode.WIREFRAME;
         Optional<LevelPicture> picture = hasSurfaces ? drawn.picture(mode) : Optional.empty();
         if (picture.isEmpty()) {
-            return new Shown.Edges(drawn.edges());
+            return new Shown.Edges(drawn.edges(pane.view().kind()));
         }
         boolean hasTextures = mode == ViewMode.LIT || mode == ViewMode.UNLIT;
-        return hasTextures ? new Shown.Surfaces(picture.get()) : new Shown.EdgedSurfaces(picture.get(), drawn.edges());
+        return hasTextures
+                ? new Shown.Surfaces(picture.get())
+                : new Shown.EdgedSurfaces(picture.get(), drawn.edges(pane.view().kind()));
     }
 
     private void drawActive(ViewportFrame frame, RenderTarget target) {
