@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.fail;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
+import java.util.ArrayList;
+import java.util.List;
 
 /** An X display for tests (Xvfb), independent of any display of the machine. */
 public final class VirtualDisplay implements AutoCloseable {
@@ -18,9 +20,21 @@ public final class VirtualDisplay implements AutoCloseable {
 
     /** Starts a display of 1024 × 600 pixels. */
     public static VirtualDisplay start() throws IOException {
+        return start("+extension", "GLX");
+    }
+
+    /** Starts a display on which windows cannot have OpenGL. */
+    public static VirtualDisplay startWithoutOpenGl() throws IOException {
+        return start("-extension", "GLX");
+    }
+
+    private static VirtualDisplay start(String... options) throws IOException {
         Process xvfb = null;
+        List<String> command =
+                new ArrayList<>(List.of("Xvfb", "-displayfd", "1", "-screen", "0", "1024x600x24", "-nolisten", "tcp"));
+        command.addAll(List.of(options));
         try {
-            xvfb = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1024x600x24", "-nolisten", "tcp")
+            xvfb = new ProcessBuilder(command)
                     .redirectError(ProcessBuilder.Redirect.DISCARD)
                     .start();
         } catch (IOException missing) {

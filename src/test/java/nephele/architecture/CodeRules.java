@@ -104,7 +104,7 @@ final class CodeRules {
                     .resideOutsideOfPackage("nephele.engine.render.gl..")
                     .should()
                     .dependOnClassesThat()
-                    .resideInAnyPackage("org.lwjgl.opengl..", "org.lwjgl.egl..")
+                    .resideInAnyPackage("org.lwjgl.opengl", "org.lwjgl.egl..")
                     .as("raw OpenGL only in render.gl"),
             noClasses()
                     .that()

@@ -38,6 +38,7 @@ final class PackageTable {
         USES.put("measure", List.of());
         USES.put("render.gl", List.of());
         USES.put("render.fixed", with("render.gl", HEADLESS));
+        USES.put("render.line", with("render.gl", HEADLESS));
         USES.put("render.resource", with("render.gl", HEADLESS));
         USES.put("render.frame", List.of("render.resource"));
         USES.put("render.pass", List.of("render.frame"));

@@ -274,6 +274,20 @@ public final class RenderTarget implements GlObject {
         copyPixels(from, to, width, height, copied);
     }
 
+    /**
+     * Copies the colours to a place in another target, without the scissor, and binds it.
+     *
+     * @param x column of the target's pixels that receives the first column
+     * @param y row of the target's pixels, from the bottom, that receives the bottom row
+     */
+    public void copyInto(RenderTarget target, int x, int y) {
+        target.bind();
+        gl.state().noScissor();
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer == null ? 0 : framebuffer.id());
+        glBlitFramebuffer(0, 0, width, height, x, y, x + width, y + height, CopiedPlanes.COLOUR.buffers, GL_NEAREST);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer == null ? 0 : target.framebuffer.id());
+    }
+
     /** Copies, and leaves {@code to} bound for reading too, as {@link #bind} does. */
     static void copyPixels(int from, int to, int width, int height, CopiedPlanes copied) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
@@ -287,6 +301,16 @@ public final class RenderTarget implements GlObject {
         bind();
         glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
         return bytes;
+    }
+
+    /**
+     * Reads 0xAARRGGBB of each pixel, the bottom row first.
+     *
+     * @param pixels receives them; one element for each
+     */
+    public void readRgb(int[] pixels) {
+        bind();
+        glReadPixels(0, 0, width, height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
     }
 
     /** Returns linear RGB floats, the bottom row first. */

@@ -1,0 +1,135 @@
+package nephele.editor.draw;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import nephele.editor.draw.derived.LevelRepair;
+import nephele.editor.draw.derived.VisibleLevel;
+import nephele.editor.pane.PaneKind;
+import nephele.editor.pane.ViewMode;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.scene.light.bake.SkyVisibility;
+
+/** One document on the GPU, in the view modes that were used so far. What cannot be drawn is left out and reported. */
+final class DrawnLevel implements AutoCloseable {
+    private final GlContext gl;
+    private final AssetSource assets;
+    private final Background background;
+    private final VisibleLevel visible = new VisibleLevel();
+    private final LevelRepair repair = new LevelRepair();
+    private final Map<ViewMode, LevelPicture> pictures = new EnumMap<>(ViewMode.class);
+    private final Map<ViewMode, String> failures = new EnumMap<>(ViewMode.class);
+    private final Map<PaneKind, LevelEdges> edges = new EnumMap<>(PaneKind.class);
+    private final SkyBake bake;
+    private PlacedLevel placed;
+    private Level shown;
+    /** {@code null} if the last version could be derived. */
+    private String levelFailure;
+
+    DrawnLevel(GlContext gl, AssetSource assets, Background background, Executor executor, Runnable repaintSoon) {
+        this.gl = gl;
+        this.assets = assets;
+        this.background = background;
+        bake = new SkyBake(executor, repaintSoon);
+    }
+
+    /** Returns true if a level with these files and background is an edited version of this one. */
+    boolean follows(AssetSource otherAssets, Background otherBackground) {
+        return otherAssets == assets && otherBackground == background;
+    }
+
+    /** Follows an edit. */
+    void show(Level level) {
+        shown = level;
+        levelFailure = null;
+        Level wanted = visible.of(level);
+        while (true) {
+            Level usable = repair.of(wanted);
+            try {
+                place(usable);
+                return;
+            } catch (RuntimeException failure) {
+                if (!repair.learn(wanted, failure)) {
+                    failure(failure);
+                    return;
+                }
+            }
+        }
+    }
+
+    /** Keeps the last level that could be derived. */
+    private void failure(RuntimeException failure) {
+        levelFailure = String.valueOf(failure.getMessage());
+        if (placed == null) {
+            place(Level.of("", "", shown.environment(), List.of()));
+        }
+    }
+
+    private void place(Level usable) {
+        if (placed == null) {
+            placed = PlacedLevel.of(usable, assets);
+        } else if (placed.level() != usable) {
+            placed = placed.edited(usable);
+        }
+    }
+
+    /** Returns the picture of a mode, or empty if it cannot be made; the reason is then among the messages. */
+    Optional<LevelPicture> picture(ViewMode mode) {
+        LevelPicture picture = pictures.computeIfAbsent(mode, m -> new LevelPicture(gl, m, background.radiance()));
+        SkyVisibility light = mode == ViewMode.LIT ? bake.latest() : null;
+        failures.remove(mode);
+        while (true) {
+            try {
+                picture.show(placed, light);
+                return Optional.of(picture);
+            } catch (RuntimeException failure) {
+                if (!repair.learn(visible.of(shown), failure)) {
+                    failures.put(mode, mode + ": " + failure.getMessage());
+                    return Optional.empty();
+                }
+                show(shown);
+            }
+        }
+    }
+
+    /** Returns the edges of all shapes, for a kind of pane. */
+    LevelEdges edges(PaneKind kind) {
+        LevelEdges all = edges.computeIfAbsent(kind, k -> new LevelEdges(gl, k));
+        all.show(placed.statics());
+        return all;
+    }
+
+    /** Returns the sky's light that the next picture would use; {@code null} for none. */
+    SkyVisibility light() {
+        return bake.latest();
+    }
+
+    /** Computes the sky's light of this version in the background if it differs. */
+    void bake() {
+        bake.follow(placed);
+    }
+
+    /** Returns what is not shown, a line each. */
+    List<String> messages() {
+        List<String> messages = new ArrayList<>(repair.messages(visible.of(shown)));
+        messages.addAll(failures.values());
+        if (levelFailure != null) {
+            messages.add(levelFailure);
+        }
+        return messages;
+    }
+
+    @Override
+    public void close() {
+        bake.close();
+        edges.values().forEach(LevelEdges::close);
+        pictures.values().forEach(LevelPicture::close);
+        pictures.clear();
+    }
+}

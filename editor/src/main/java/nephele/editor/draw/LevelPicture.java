@@ -1,0 +1,91 @@
+package nephele.editor.draw;
+
+import nephele.editor.draw.derived.EvenLight;
+import nephele.editor.draw.derived.LevelDerivation;
+import nephele.editor.pane.ViewMode;
+import nephele.engine.level.Level;
+import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.math.Vec3;
+import nephele.engine.render.RenderSettings;
+import nephele.engine.render.Renderer;
+import nephele.engine.render.frame.Output;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.scene.FrameState;
+import nephele.engine.scene.Scene;
+import nephele.engine.scene.View;
+import nephele.engine.scene.light.LightRequirements;
+import nephele.engine.scene.light.bake.SkyVisibility;
+
+/** The level in one view mode on the GPU, followed through edits. */
+final class LevelPicture implements AutoCloseable {
+    private static final RenderSettings SETTINGS = RenderSettings.of(Output.DIRECT);
+
+    private final GlContext gl;
+    private final ViewMode mode;
+    private final LevelDerivation derivation;
+    private PlacedLevel placed;
+    private SkyVisibility baked;
+    private Renderer renderer;
+    private FrameState state;
+
+    LevelPicture(GlContext gl, ViewMode mode, Vec3 background) {
+        this.gl = gl;
+        this.mode = mode;
+        derivation = LevelDerivation.of(mode, background);
+    }
+
+    /**
+     * Follows an edit; unchanged parts stay on the GPU.
+     *
+     * @param base the visible level; others of the same document share its shapes
+     * @param light {@code null} if none is baked yet
+     */
+    void show(PlacedLevel base, SkyVisibility light) {
+        Level level = derivation.of(base.level());
+        boolean isSame = placed != null && placed.level() == level && baked == light;
+        if (isSame) {
+            return;
+        }
+        PlacedLevel next = placed(base, level);
+        Scene scene = renderer == null
+                ? Scene.of(next, first(level, light))
+                : renderer.scene().edited(next, light);
+        renderer = renderer == null ? Renderer.load(gl, scene, SETTINGS) : renderer.edited(scene);
+        state = FrameState.atStart(level);
+        placed = next;
+        baked = light;
+    }
+
+    private static SkyVisibility first(Level level, SkyVisibility light) {
+        if (!LightRequirements.skyVisibility(level)) {
+            return null;
+        }
+        return light == null ? SkyVisibility.open() : light;
+    }
+
+    private PlacedLevel placed(PlacedLevel base, Level level) {
+        boolean isBase = level.solids() == base.level().solids()
+                && level.models() == base.level().models();
+        if (isBase) {
+            return new PlacedLevel(level, base.assets(), base.statics());
+        }
+        return placed == null ? PlacedLevel.of(level, base.assets()) : placed.edited(level);
+    }
+
+    /** Draws over the whole target. */
+    void draw(View view, RenderTarget picture) {
+        if (mode != ViewMode.LIT) {
+            state.environment(EvenLight.seenFrom(placed.level().environment(), view.right(), view.up(), view.back()));
+        }
+        renderer.draw(view, state, picture);
+    }
+
+    @Override
+    public void close() {
+        if (renderer != null) {
+            renderer.close();
+            renderer = null;
+        }
+    }
+}

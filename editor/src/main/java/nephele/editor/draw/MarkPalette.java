@@ -1,0 +1,56 @@
+package nephele.editor.draw;
+
+import nephele.editor.mark.MarkColour;
+import nephele.engine.render.line.LineColour;
+
+/** The shades of marks on one kind of background. */
+enum MarkPalette {
+    /** Bright shades; over pictures of surfaces, drawing adds dark outlines to them. */
+    ON_DARK,
+    ON_LIGHT;
+
+    /** Returns an opaque shade. */
+    LineColour of(MarkColour colour) {
+        return LineColour.of(this == ON_DARK ? onDark(colour) : onLight(colour), 1);
+    }
+
+    private static int onDark(MarkColour colour) {
+        return switch (colour) {
+            case GRID -> 0x2a2f35;
+            case GRID_MAJOR -> 0x3d454e;
+            case AXIS_X -> 0xe8605a;
+            case AXIS_Y -> 0x62c466;
+            case AXIS_Z -> 0x5c93f2;
+            case EDGE -> 0x98a3ae;
+            case SELECTED -> 0xffb000;
+            case HOVERED -> 0xfff1bd;
+            case PREVIEW -> 0x5ad1ff;
+            case GUIDE -> 0xcdaaff;
+            case ENTITY -> 0x7fe0c3;
+            case ALLOWED -> 0x5fe36a;
+            case SLIDES -> 0xffd84a;
+            case REFUSED -> 0xff5a4f;
+            case PROBLEM -> 0xff4fae;
+        };
+    }
+
+    private static int onLight(MarkColour colour) {
+        return switch (colour) {
+            case GRID -> 0xe3e6ea;
+            case GRID_MAJOR -> 0xc2c8cf;
+            case AXIS_X -> 0xc62828;
+            case AXIS_Y -> 0x23762a;
+            case AXIS_Z -> 0x1d4fbf;
+            case EDGE -> 0x4c555f;
+            case SELECTED -> 0xc25500;
+            case HOVERED -> 0x7a4b00;
+            case PREVIEW -> 0x0070ad;
+            case GUIDE -> 0x6a3fb5;
+            case ENTITY -> 0x00766a;
+            case ALLOWED -> 0x1b7f2a;
+            case SLIDES -> 0x8f6b00;
+            case REFUSED -> 0xc4001a;
+            case PROBLEM -> 0xb0006e;
+        };
+    }
+}

@@ -1,0 +1,146 @@
+package nephele.editor.draw;
+
+import java.util.ArrayList;
+import java.util.List;
+import nephele.editor.draw.MarkDrawing.Outline;
+import nephele.editor.draw.ViewportFrame.FloorGrid;
+import nephele.editor.draw.ViewportFrame.Pane;
+import nephele.editor.mark.Mark;
+import nephele.editor.mark.MarkColour;
+import nephele.editor.pane.PaneCamera;
+import nephele.editor.pane.PaneCamera.PaneSize;
+import nephele.editor.pane.PerspectiveCamera;
+import nephele.editor.pane.PlanCamera;
+import nephele.engine.math.Basis;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.line.LineCanvas;
+import nephele.engine.render.line.LineColour;
+import nephele.engine.render.line.LineDrawing;
+import nephele.engine.render.line.LineLayer;
+import nephele.engine.render.line.LineProjection;
+import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.OverlayCanvas;
+import nephele.engine.render.pass.overlay.OverlayPass;
+import nephele.engine.scene.Projection;
+import nephele.engine.scene.View;
+
+/** Draws one pane after another: what the level shows, then marks and letters over it. */
+final class PaneDrawing implements AutoCloseable {
+    private static final double NEAR_METRES = 0.05;
+    private static final double CAPTION_BASELINE_POINTS = 34;
+
+    private static final LineColour BETWEEN_SURFACES = LineColour.of(0x000000, 0.6);
+
+    private final LineDrawing drawing;
+    private final OverlayPass overlay;
+    private final LineCanvas ground = new LineCanvas();
+    private final LineCanvas lines = new LineCanvas();
+    private final OverlayCanvas texts;
+
+    PaneDrawing(GlContext gl) {
+        Lettering lettering = new Lettering();
+        drawing = new LineDrawing(gl);
+        overlay = new OverlayPass(gl, lettering);
+        texts = new OverlayCanvas(lettering);
+    }
+
+    /** What a pane shows of the level. */
+    sealed interface Shown {
+        /** Surfaces in a view mode. */
+        record Surfaces(LevelPicture picture) implements Shown {}
+
+        /** Surfaces of few colours, and the edges between them. */
+        record EdgedSurfaces(LevelPicture picture, LevelEdges edges) implements Shown {}
+
+        /** Edges alone. */
+        record Edges(LevelEdges edges) implements Shown {}
+    }
+
+    /** Draws over the whole picture. */
+    void draw(Shown shown, Pane pane, ViewportFrame frame, RenderTarget picture) {
+        PaneCamera camera = pane.view().camera();
+        PaneSize size = new PaneSize(picture.width(), picture.height());
+        boolean isPlain = shown instanceof Shown.Edges && frame.look().background() == Background.LIGHT;
+        MarkPalette palette = isPlain ? MarkPalette.ON_LIGHT : MarkPalette.ON_DARK;
+        texts.begin(frame.look().pixelsPerPoint());
+        LineProjection projection = camera instanceof PlanCamera plan
+                ? plan(shown, plan, frame, picture, palette)
+                : perspective(shown, (PerspectiveCamera) camera, frame, picture, palette);
+        lines.begin(projection);
+        MarkDrawing marks = new MarkDrawing(lines, texts, palette, frame.look().pixelsPerPoint());
+        List<Mark> all = new ArrayList<>(frame.marks());
+        all.addAll(pane.marks());
+        marks.add(all, camera, size, shown instanceof Shown.Edges ? Outline.NONE : Outline.DARK);
+        AxesSymbol.add(lines, texts, camera, size, marks);
+        if (!pane.caption().isEmpty()) {
+            marks.plate(pane.caption(), 10, CAPTION_BASELINE_POINTS, MarkPalette.ON_DARK.of(MarkColour.EDGE));
+        }
+        drawing.draw(lines, picture);
+        overlay.draw(texts, picture);
+    }
+
+    private LineProjection perspective(
+            Shown shown, PerspectiveCamera camera, ViewportFrame frame, RenderTarget picture, MarkPalette palette) {
+        View view = view(camera, picture.width() / (double) picture.height());
+        LineProjection projection = LineProjection.of(view, picture.width(), picture.height());
+        if (shown instanceof Shown.Surfaces surfaces) {
+            surfaces.picture().draw(view, picture);
+        } else if (shown instanceof Shown.EdgedSurfaces surfaces) {
+            surfaces.picture().draw(view, picture);
+            surfaces.edges().draw(projection, BETWEEN_SURFACES, LineLayer.BEHIND_SURFACES, picture);
+        } else {
+            clear(picture, frame.look().background().rgb());
+        }
+        ground.begin(projection);
+        if (frame.look().floorGrid() == FloorGrid.SHOWN) {
+            new FloorLines(camera.eye(), frame.look().gridMetres(), palette).add(ground);
+        }
+        drawing.draw(ground, picture);
+        edges(shown, projection, palette, picture);
+        return projection;
+    }
+
+    /** Returns the engine's view of a camera. */
+    static View view(PerspectiveCamera camera, double aspect) {
+        Projection projection = new Projection(
+                Math.toRadians(camera.verticalFovDegrees()), aspect, NEAR_METRES, Double.POSITIVE_INFINITY);
+        return new View(
+                camera.eye(), camera.right(), camera.up(), camera.forward().negated(), projection);
+    }
+
+    private LineProjection plan(
+            Shown shown, PlanCamera camera, ViewportFrame frame, RenderTarget picture, MarkPalette palette) {
+        int width = picture.width();
+        int height = picture.height();
+        double scale = frame.look().pixelsPerPoint();
+        Basis axes = new Basis(camera.right(), camera.up(), camera.forward().negated());
+        LineProjection projection =
+                LineProjection.orthographic(camera.centre(), axes, camera.metresPerPixel(), width, height);
+        GridSpacing spacing = GridSpacing.of(frame.look().gridMetres(), camera.metresPerPixel(), scale);
+        PlanGrid grid = new PlanGrid(camera, new PaneSize(width, height), spacing, palette, scale);
+        clear(picture, frame.look().background().rgb());
+        ground.begin(projection);
+        grid.addLines(ground);
+        drawing.draw(ground, picture);
+        edges(shown, projection, palette, picture);
+        grid.addLabels(texts);
+        return projection;
+    }
+
+    private static void edges(Shown shown, LineProjection projection, MarkPalette palette, RenderTarget picture) {
+        if (shown instanceof Shown.Edges edges) {
+            edges.edges().draw(projection, palette.of(MarkColour.EDGE), LineLayer.OVER_ALL, picture);
+        }
+    }
+
+    static void clear(RenderTarget picture, int rgb) {
+        picture.clear((rgb >> 16 & 255) / 255f, (rgb >> 8 & 255) / 255f, (rgb & 255) / 255f);
+    }
+
+    @Override
+    public void close() {
+        drawing.close();
+        overlay.close();
+    }
+}

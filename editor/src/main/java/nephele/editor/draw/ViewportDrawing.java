@@ -1,0 +1,192 @@
+package nephele.editor.draw;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import nephele.editor.draw.PaneDrawing.Shown;
+import nephele.editor.draw.ViewportFrame.Look;
+import nephele.editor.draw.ViewportFrame.Pane;
+import nephele.editor.mark.Mark;
+import nephele.editor.pane.PaneKind;
+import nephele.editor.pane.PaneLayout.PaneRectangle;
+import nephele.editor.pane.ViewMode;
+import nephele.engine.level.Level;
+import nephele.engine.render.gl.GlContext;
+import nephele.engine.render.gl.PixelFormat;
+import nephele.engine.render.gl.RenderTarget;
+import nephele.engine.render.pass.overlay.Lettering;
+import nephele.engine.render.pass.overlay.OverlayCanvas;
+import nephele.engine.render.pass.overlay.OverlayColour;
+import nephele.engine.render.pass.overlay.OverlayPass;
+import nephele.engine.scene.light.bake.SkyVisibility;
+
+/**
+ * Draws viewport frames and keeps what follows from the level from one frame to the next: an edit renews what changed,
+ * and a pane whose content has not changed keeps its picture. Everything runs on the context's thread.
+ */
+public final class ViewportDrawing implements AutoCloseable {
+    private static final OverlayColour ACTIVE = OverlayColour.opaque(0x4d9de0);
+    private static final double ACTIVE_POINTS = 2;
+
+    private final GlContext gl;
+    private final Executor background;
+    private final Runnable repaintSoon;
+    private final PaneDrawing panes;
+    private final OverlayPass frameOverlay;
+    private final OverlayCanvas frameCanvas;
+    private final Map<Integer, Held> held = new HashMap<>();
+    private DrawnLevel drawn;
+
+    /** A pane's picture and what it shows. */
+    private record Held(RenderTarget picture, Content content) {}
+
+    /** Everything on which the picture of a pane depends. */
+    private record Content(Level level, Pane pane, List<Mark> marks, Look look, SkyVisibility light) {
+        /** Levels are compared by identity: an edit makes a new one. */
+        boolean isSame(Content other) {
+            return level == other.level
+                    && light == other.light
+                    && pane.equals(other.pane)
+                    && look.equals(other.look)
+                    && marks.equals(other.marks);
+        }
+    }
+
+    /**
+     * Creates an empty drawing.
+     *
+     * @param background runs what takes long, such as the light of the sky
+     * @param repaintSoon called on a thread of {@code background} if the next frame would differ
+     */
+    public ViewportDrawing(GlContext gl, Executor background, Runnable repaintSoon) {
+        this.gl = gl;
+        this.background = background;
+        this.repaintSoon = repaintSoon;
+        panes = new PaneDrawing(gl);
+        Lettering lettering = new Lettering();
+        frameOverlay = new OverlayPass(gl, lettering);
+        frameCanvas = new OverlayCanvas(lettering);
+    }
+
+    /** Draws a frame over the whole target. */
+    public void draw(ViewportFrame frame, RenderTarget target) {
+        if (target.width() == 0 || target.height() == 0) {
+            return;
+        }
+        follow(frame);
+        held.entrySet().removeIf(entry -> isStale(entry.getKey(), entry.getValue(), frame));
+        for (Pane pane : frame.panes()) {
+            draw(pane, frame);
+        }
+        if (frame.isSettled() && frame.panes().stream().anyMatch(ViewportDrawing::isLit)) {
+            drawn.bake();
+        }
+        PaneDrawing.clear(target, frame.look().background().gapRgb());
+        for (Pane pane : frame.panes()) {
+            PaneRectangle place = pane.place();
+            int bottom = target.height() - place.y() - place.height();
+            held.get(place.index()).picture.copyInto(target, place.x(), bottom);
+        }
+        drawActive(frame, target);
+    }
+
+    private void follow(ViewportFrame frame) {
+        Background behind = frame.look().background();
+        if (drawn == null || !drawn.follows(frame.assets(), behind)) {
+            closeLevel();
+            drawn = new DrawnLevel(gl, frame.assets(), behind, background, repaintSoon);
+        }
+        drawn.show(frame.level());
+    }
+
+    private void closeLevel() {
+        if (drawn != null) {
+            drawn.close();
+            drawn = null;
+        }
+        held.values().forEach(pane -> pane.picture.close());
+        held.clear();
+    }
+
+    /** Closes the picture of a pane that is gone or has another size. */
+    private static boolean isStale(int index, Held pane, ViewportFrame frame) {
+        boolean isNeeded = frame.panes().stream()
+                .anyMatch(wanted -> wanted.place().index() == index
+                        && wanted.place().width() == pane.picture.width()
+                        && wanted.place().height() == pane.picture.height());
+        if (!isNeeded) {
+            pane.picture.close();
+        }
+        return !isNeeded;
+    }
+
+    private static boolean isLit(Pane pane) {
+        return pane.view().kind() == PaneKind.PERSPECTIVE && pane.view().mode() == ViewMode.LIT;
+    }
+
+    private void draw(Pane pane, ViewportFrame frame) {
+        int index = pane.place().index();
+        SkyVisibility light = isLit(pane) ? drawn.light() : null;
+        Content content = new Content(frame.level(), pane, frame.marks(), frame.look(), light);
+        Held known = held.get(index);
+        if (known != null && known.content.isSame(content)) {
+            return;
+        }
+        RenderTarget picture = known != null
+                ? known.picture
+                : RenderTarget.picture(
+                        gl,
+                        "pane " + index,
+                        PixelFormat.RGBA8,
+                        pane.place().width(),
+                        pane.place().height());
+        held.put(index, new Held(picture, content));
+        panes.draw(shown(pane), pane, frame, picture);
+    }
+
+    /** A mode whose picture cannot be made shows edges instead. */
+    private Shown shown(Pane pane) {
+        ViewMode mode = pane.view().mode();
+        boolean hasSurfaces = pane.view().kind() == PaneKind.PERSPECTIVE && mode != ViewMode.WIREFRAME;
+        Optional<LevelPicture> picture = hasSurfaces ? drawn.picture(mode) : Optional.empty();
+        if (picture.isEmpty()) {
+            return new Shown.Edges(drawn.edges(pane.view().kind()));
+        }
+        boolean hasTextures = mode == ViewMode.LIT || mode == ViewMode.UNLIT;
+        return hasTextures
+                ? new Shown.Surfaces(picture.get())
+                : new Shown.EdgedSurfaces(picture.get(), drawn.edges(pane.view().kind()));
+    }
+
+    private void drawActive(ViewportFrame frame, RenderTarget target) {
+        if (frame.panes().size() < 2) {
+            return;
+        }
+        PaneRectangle place = frame.panes().get(frame.active()).place();
+        double scale = frame.look().pixelsPerPoint();
+        double x = place.x() / scale;
+        double y = place.y() / scale;
+        double width = place.width() / scale;
+        double height = place.height() / scale;
+        frameCanvas.begin(scale);
+        frameCanvas.rectangle(x, y, width, ACTIVE_POINTS, ACTIVE);
+        frameCanvas.rectangle(x, y + height - ACTIVE_POINTS, width, ACTIVE_POINTS, ACTIVE);
+        frameCanvas.rectangle(x, y, ACTIVE_POINTS, height, ACTIVE);
+        frameCanvas.rectangle(x + width - ACTIVE_POINTS, y, ACTIVE_POINTS, height, ACTIVE);
+        frameOverlay.draw(frameCanvas, target);
+    }
+
+    /** Returns what of the last frame's level could not be shown, a line each: files that cannot be read, broken solids. */
+    public List<String> messages() {
+        return drawn == null ? List.of() : drawn.messages();
+    }
+
+    @Override
+    public void close() {
+        closeLevel();
+        panes.close();
+        frameOverlay.close();
+    }
+}

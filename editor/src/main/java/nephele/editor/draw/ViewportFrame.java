@@ -1,0 +1,46 @@
+package nephele.editor.draw;
+
+import java.util.List;
+import nephele.editor.mark.Mark;
+import nephele.editor.pane.PaneLayout.PaneRectangle;
+import nephele.editor.pane.PaneView;
+import nephele.engine.asset.AssetSource;
+import nephele.engine.level.Level;
+
+/**
+ * Everything that a viewport shows at one instant.
+ *
+ * @param assets another object means that files may have changed: everything is read again
+ * @param active index into {@code panes}; that pane has a frame
+ * @param marks drawn in every pane
+ * @param isSettled false during a drag; light that takes long is computed only for settled levels
+ */
+public record ViewportFrame(
+        Level level, AssetSource assets, List<Pane> panes, int active, List<Mark> marks, Look look, boolean isSettled) {
+    public ViewportFrame {
+        panes = List.copyOf(panes);
+    }
+
+    /**
+     * One pane.
+     *
+     * @param place in pixels of the target, from the upper left corner
+     * @param caption in the user's language; empty for none
+     * @param marks drawn in this pane only
+     */
+    public record Pane(PaneRectangle place, PaneView view, String caption, List<Mark> marks) {}
+
+    /**
+     * How the viewport looks.
+     *
+     * @param gridMetres spacing of the grid to which the editor snaps; lines that would be too close are left out
+     * @param pixelsPerPoint 1 on an ordinary display, 2 at 200 %
+     */
+    public record Look(Background background, double gridMetres, FloorGrid floorGrid, double pixelsPerPoint) {}
+
+    /** Whether perspective panes show the grid on the plane y = 0. */
+    public enum FloorGrid {
+        SHOWN,
+        HIDDEN
+    }
+}

@@ -1,0 +1,146 @@
+package nephele.editor.draw.derived;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import nephele.engine.level.Body;
+import nephele.engine.level.Material;
+import nephele.engine.level.ModelPlacement;
+import nephele.engine.level.Solid;
+import nephele.engine.math.Vec3;
+
+/** Copies of records with other materials. */
+final class Recoloured {
+    private Recoloured() {}
+
+    /** Returns a plain material. */
+    static Material material(String id, Vec3 colour) {
+        return new Material(id, colour, null, null, null, null, Vec3.ZERO, 1);
+    }
+
+    /** Returns a solid with one material on all its faces. */
+    static Solid solid(Solid solid, String material) {
+        return new Faces(solid, (said, isPortalable) -> material).copy();
+    }
+
+    /**
+     * Returns a solid whose faces have one of two materials.
+     *
+     * @param isMirror tells which materials refuse portals
+     */
+    static Solid byPortals(Solid solid, Predicate<String> isMirror, String portalable, String others) {
+        return new Faces(
+                        solid,
+                        (said, isPortalable) ->
+                                isPortalable && !(said != null && isMirror.test(said)) ? portalable : others)
+                .copy();
+    }
+
+    static ModelPlacement model(ModelPlacement said, String material) {
+        return new ModelPlacement(said.id(), said.file(), said.parent(), said.transform(), material, said.portalable());
+    }
+
+    static Body body(Body body, String material) {
+        if (body instanceof Body.Box box) {
+            return new Body.Box(
+                    box.id(),
+                    box.centre(),
+                    box.size(),
+                    box.massKilograms(),
+                    material,
+                    box.friction(),
+                    box.restitution());
+        } else if (body instanceof Body.Sphere sphere) {
+            return new Body.Sphere(
+                    sphere.id(),
+                    sphere.centre(),
+                    sphere.radiusMetres(),
+                    sphere.massKilograms(),
+                    material,
+                    sphere.friction(),
+                    sphere.restitution());
+        }
+        Body.Capsule capsule = (Body.Capsule) body;
+        return new Body.Capsule(
+                capsule.id(),
+                capsule.centre(),
+                capsule.radiusMetres(),
+                capsule.heightMetres(),
+                capsule.massKilograms(),
+                material,
+                capsule.friction(),
+                capsule.restitution());
+    }
+
+    /** Chooses a face's material from its own one, {@code null} for grey, and from whether it takes portals. */
+    @FunctionalInterface
+    private interface Choice {
+        String material(String said, boolean isPortalable);
+    }
+
+    /** A solid whose faces get other materials. */
+    private record Faces(Solid solid, Choice choice) {
+        Solid copy() {
+            String whole = chosen(null, null);
+            if (solid instanceof Solid.Box box) {
+                return new Solid.Box(
+                        box.id(),
+                        whole,
+                        box.portalable(),
+                        box.textureMapping(),
+                        box.centre(),
+                        box.size(),
+                        faces(box.faces()));
+            } else if (solid instanceof Solid.Wedge wedge) {
+                return new Solid.Wedge(
+                        wedge.id(),
+                        whole,
+                        wedge.portalable(),
+                        wedge.textureMapping(),
+                        wedge.centre(),
+                        wedge.size(),
+                        wedge.rising(),
+                        faces(wedge.faces()));
+            } else if (solid instanceof Solid.Planes planes) {
+                return new Solid.Planes(
+                        planes.id(),
+                        whole,
+                        planes.portalable(),
+                        planes.textureMapping(),
+                        planes.planes().stream().map(this::face).collect(Collectors.toList()));
+            }
+            Solid.Prism prism = (Solid.Prism) solid;
+            return new Solid.Prism(
+                    prism.id(),
+                    whole,
+                    prism.portalable(),
+                    prism.textureMapping(),
+                    prism.centre(),
+                    prism.radiusMetres(),
+                    prism.heightMetres(),
+                    prism.sides());
+        }
+
+        private Solid.PlaneFace face(Solid.PlaneFace said) {
+            return new Solid.PlaneFace(
+                    said.normal(),
+                    said.distanceMetres(),
+                    chosen(said.material(), said.portalable()),
+                    said.portalable());
+        }
+
+        private <K> Map<K, Solid.Face> faces(Map<K, Solid.Face> said) {
+            Map<K, Solid.Face> others = new LinkedHashMap<>();
+            said.forEach((side, face) ->
+                    others.put(side, new Solid.Face(chosen(face.material(), face.portalable()), face.portalable())));
+            return others;
+        }
+
+        private String chosen(String material, Boolean isPortalable) {
+            return choice.material(
+                    material == null ? solid.material() : material,
+                    isPortalable == null ? solid.portalable() : isPortalable);
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package nephele.editor.draw.derived;
+
+import nephele.engine.level.Level;
+import nephele.engine.level.Material;
+import nephele.engine.math.Vec3;
+
+/** The level's own textures and colours under an even light. */
+final class UnlitLevel implements LevelDerivation {
+    private final Vec3 background;
+    private final DerivedRecords<Material, Material> materials = new DerivedRecords<>(UnlitLevel::plain);
+    private EvenLight.Surfaces shown;
+    private Level derived;
+
+    UnlitLevel(Vec3 background) {
+        this.background = background;
+    }
+
+    private static Material plain(Material said) {
+        return new Material(
+                said.id(),
+                said.baseColour(),
+                said.texture(),
+                null,
+                null,
+                null,
+                said.emission(),
+                said.textureMetres(),
+                false);
+    }
+
+    @Override
+    public Level of(Level level) {
+        EvenLight.Surfaces now =
+                new EvenLight.Surfaces(materials.of(level.materials()), level.solids(), level.models(), level.bodies());
+        if (!now.isSame(shown)) {
+            shown = now;
+            derived = EvenLight.level(now, background);
+        }
+        return derived;
+    }
+}

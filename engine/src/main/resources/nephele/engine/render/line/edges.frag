@@ -1,0 +1,7 @@
+uniform vec4 lineColour;
+
+out vec4 colour;
+
+void main() {
+    colour = lineColour;
+}
