@@ -49,13 +49,22 @@ public record SkyVisibilityCache(AssetSource assets, List<Path> writable) {
     public SkyVisibility of(StaticShapes statics, DoubleConsumer progress) {
         LightMapLayout layout = LightMapLayout.of(statics.solids());
         String name = SkyVisibilityFile.nameFor(statics);
-        Optional<SkyVisibility> known = stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, statics, bytes));
+        Optional<SkyVisibility> known = known(layout, statics, name);
         if (known.isPresent()) {
             return known.get();
         }
         SkyVisibility visibility = SkyVisibility.bake(layout, statics, BakeQuality.RATIONED, progress);
         store(name, SkyVisibilityFile.encode(visibility));
         return visibility;
+    }
+
+    /** Returns the stored visibility; bakes nothing. */
+    public Optional<SkyVisibility> known(StaticShapes statics) {
+        return known(LightMapLayout.of(statics.solids()), statics, SkyVisibilityFile.nameFor(statics));
+    }
+
+    private Optional<SkyVisibility> known(LightMapLayout layout, StaticShapes statics, String name) {
+        return stored(name).flatMap(bytes -> SkyVisibilityFile.decode(layout, statics, bytes));
     }
 
     private Optional<byte[]> stored(String name) {
