@@ -49,6 +49,11 @@ final class CurrentLevel implements AutoCloseable {
         session.notice().ifPresent(message::say);
     }
 
+    /** Frees what the level takes; its recording is not saved. */
+    void leave() {
+        closeSession();
+    }
+
     /** Draws the level with the chosen quality. */
     void redraw() {
         boolean showsFigures = figures.isOpen();

@@ -17,6 +17,7 @@ import nephele.editor.play.PlayAnswer;
 import nephele.editor.play.PlayEnd;
 import nephele.editor.play.PlayOrder;
 import nephele.engine.asset.AtomicFile;
+import nephele.engine.draw.FollowingBake;
 import nephele.engine.draw.Preparation;
 import nephele.engine.draw.QualityChoice;
 import nephele.engine.level.PlayerStart;
@@ -54,6 +55,9 @@ public final class WaitingGame {
     private final CurrentLevel current;
     private final GamePicture picture;
 
+    /** The last played level and its light, {@code null} before the first play. */
+    private Lit lit;
+
     private WaitingGame(Parts parts, OrderQueue orders, PrintStream answers) {
         usual = parts.usual;
         window = parts.window;
@@ -69,6 +73,8 @@ public final class WaitingGame {
         input.bind(Settings.bindings(files.settings()));
         window.verticalSync(files.settings().get(Settings.VERTICAL_SYNC) == Settings.Switch.ON);
     }
+
+    private record Lit(LevelName level, SkyVisibility light) {}
 
     private record Parts(
             PlayRequest usual, GameWindow window, GlContext gl, Input input, Message message, Display display) {}
@@ -113,12 +119,23 @@ public final class WaitingGame {
             warm();
         }
         answer(new PlayAnswer.Ready());
+        rest();
         for (var entry = orders.take(); !(entry instanceof OrderQueue.Leave); entry = orders.take()) {
             if (entry instanceof OrderQueue.Ordered ordered) {
                 obey(ordered);
             } else if (entry instanceof OrderQueue.Rejected rejected) {
                 answer(new PlayAnswer.Failed(rejected.message()));
             }
+            rest();
+        }
+    }
+
+    /** Gives back the level's memory while nobody plays; compiled programs and loaded classes stay. */
+    private void rest() {
+        picture.levelEnds();
+        current.leave();
+        if (!orders.isAnyWaiting()) {
+            System.gc();
         }
     }
 
@@ -132,7 +149,11 @@ public final class WaitingGame {
             var name = new LevelName(WARMING);
             var request = usual.of(name);
             current.become(Session.load(
-                    gl, request, Preparation.beginUnbaked(name::open, request.chosenQuality(), null), input, auto));
+                    gl,
+                    request,
+                    Preparation.beginUnbaked(name::open, request.chosenQuality(), () -> null),
+                    input,
+                    auto));
             for (int frame = 0; frame < WARMING_FRAMES; frame++) {
                 current.session().walk().advance(WARMING_TICKS * 1_000_000_000L / 120 / WARMING_FRAMES);
                 picture.draw(GameStage.RUNNING, null, Page.NONE, Display.Shot.NONE);
@@ -147,14 +168,7 @@ public final class WaitingGame {
 
     private void obey(OrderQueue.Ordered ordered) {
         try {
-            if (!load(ordered.order())) {
-                return;
-            }
-            if (ordered.order().purpose() == PlayOrder.Purpose.PREPARE) {
-                picture.draw(GameStage.RUNNING, null, Page.NONE, Display.Shot.NONE);
-                gl.finish();
-                answer(new PlayAnswer.Ready());
-            } else {
+            if (load(ordered.order())) {
                 play(ordered);
             }
         } catch (CommandFailure problem) {
@@ -167,7 +181,8 @@ public final class WaitingGame {
     /** Loads the ordered level; returns false if the next order came before. */
     private boolean load(PlayOrder order) {
         PlayRequest request = request(order);
-        var preparation = Preparation.beginUnbaked(() -> opened(order), request.chosenQuality(), formerLight(request));
+        var preparation = Preparation.beginUnbaked(
+                () -> opened(order), request.chosenQuality(), () -> formerLight(request.level()));
         while (!preparation.isDone()) {
             window.waitForEvents(PREPARATION_WAIT_SECONDS);
             if (orders.isAnyWaiting()) {
@@ -202,12 +217,11 @@ public final class WaitingGame {
         return new LevelName(order.level()).openCopy(Path.of(order.snapshot()));
     }
 
-    /** Returns the light of the current level if that is an earlier state of the requested one. */
-    private SkyVisibility formerLight(PlayRequest request) {
-        var session = current.session();
-        return session != null && session.request().level().equals(request.level())
-                ? session.prepared().scene().skyVisibility()
-                : null;
+    /** Returns the light of the last play, if that was an earlier state of the level; otherwise that of its file. */
+    private SkyVisibility formerLight(LevelName level) {
+        return lit != null && lit.level.equals(level)
+                ? lit.light
+                : FollowingBake.lightOf(level).orElse(null);
     }
 
     private void play(OrderQueue.Ordered ordered) {
@@ -219,6 +233,9 @@ public final class WaitingGame {
                 },
                 percent -> answer(new PlayAnswer.Baking(percent)));
         var finished = new TestPlay(window, input, current, picture, message, reports).run();
+        lit = new Lit(
+                current.session().request().level(),
+                current.session().prepared().scene().skyVisibility());
         Optional<Path> recorded = record(finished);
         answer(new PlayAnswer.Ended(end(finished, recorded)));
     }

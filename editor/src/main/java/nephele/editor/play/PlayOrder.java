@@ -18,7 +18,6 @@ import nephele.engine.level.json.RecordFile;
  * @param record the file in which a solution is recorded, {@code null} for none
  */
 public record PlayOrder(
-        @Written(required = true) Purpose purpose,
         @Written(required = true, text = TextKind.PROSE) String level,
         @Written(required = true, text = TextKind.PROSE) String snapshot,
         @Written PlayerStart from,
@@ -33,14 +32,6 @@ public record PlayOrder(
     private static final String NAME = "order";
 
     private static final RecordFile<PlayOrder> FILE = RecordFile.of("play-order", 1, PlayOrder.class);
-
-    /** What the game does with a level. */
-    public enum Purpose {
-        /** Load it and stay hidden, so that it is played at once later. */
-        PREPARE,
-        /** Show and play it. */
-        PLAY
-    }
 
     /**
      * Reads a line.

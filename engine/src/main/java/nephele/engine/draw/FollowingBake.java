@@ -1,9 +1,14 @@
 package nephele.engine.draw;
 
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.function.Supplier;
+import nephele.engine.asset.AssetException;
+import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.placed.PlacedLevel;
+import nephele.engine.named.LevelName;
 import nephele.engine.scene.Scene;
 import nephele.engine.scene.light.BakedSky;
 import nephele.engine.scene.light.bake.SkyVisibility;
@@ -29,11 +34,22 @@ public final class FollowingBake implements AutoCloseable {
      * @param former of an earlier state of the level, {@code null} for none
      * @return {@code null} if no light of the sky reaches anything
      */
-    static SkyVisibility lightBefore(PlacedLevel placed, SkyVisibility former) {
+    static SkyVisibility lightBefore(PlacedLevel placed, Supplier<SkyVisibility> former) {
         if (!BakedSky.isRequired(placed)) {
             return null;
         }
-        return BakedSky.known(placed).orElseGet(() -> former == null ? SkyVisibility.open() : former);
+        return BakedSky.known(placed)
+                .or(() -> Optional.ofNullable(former.get()))
+                .orElseGet(SkyVisibility::open);
+    }
+
+    /** Returns the baked light of a level as saved; empty if it was not baked, or the level cannot be read. */
+    public static Optional<SkyVisibility> lightOf(LevelName level) {
+        try {
+            return BakedSky.known(level.open().placed());
+        } catch (LevelFormatException | AssetException unusable) {
+            return Optional.empty();
+        }
     }
 
     /**

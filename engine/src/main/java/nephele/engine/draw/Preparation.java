@@ -46,9 +46,11 @@ public final class Preparation {
     /**
      * Starts the preparation of a level without a bake: {@link FollowingBake} bakes its light while it is drawn.
      *
-     * @param former light of an earlier state of the level, {@code null} for none
+     * @param former gives the light of an earlier state of the level, {@code null} for none; called only if needed, on
+     *     the thread of the preparation
      */
-    public static Preparation beginUnbaked(Supplier<OpenedLevel> level, QualityChoice quality, SkyVisibility former) {
+    public static Preparation beginUnbaked(
+            Supplier<OpenedLevel> level, QualityChoice quality, Supplier<SkyVisibility> former) {
         return begin(level, quality, shown -> FollowingBake.lightBefore(shown, former));
     }
 
