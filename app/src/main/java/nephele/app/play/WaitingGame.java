@@ -171,10 +171,18 @@ public final class WaitingGame {
             if (load(ordered.order())) {
                 play(ordered);
             }
-        } catch (CommandFailure problem) {
-            answer(new PlayAnswer.Failed(problem.getMessage()));
         } catch (RuntimeException problem) {
-            answer(new PlayAnswer.Failed(LoadProblem.line(problem).orElseThrow(() -> problem)));
+            fail(problem);
+        }
+    }
+
+    /** Tells why an order failed; not if the next one is there already, for which its snapshot may have been deleted. */
+    private void fail(RuntimeException problem) {
+        String message = problem instanceof CommandFailure known
+                ? known.getMessage()
+                : LoadProblem.line(problem).orElseThrow(() -> problem);
+        if (!orders.isAnyWaiting()) {
+            answer(new PlayAnswer.Failed(message));
         }
     }
 

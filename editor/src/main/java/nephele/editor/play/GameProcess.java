@@ -12,6 +12,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 
 /** One process of the waiting game, with the threads that read what it writes. */
 final class GameProcess implements AutoCloseable {
@@ -23,7 +24,6 @@ final class GameProcess implements AutoCloseable {
     private final Writer orders;
     private final Deque<String> complaints = new ArrayDeque<>();
     private volatile boolean isReady;
-    private volatile boolean owesAnswer;
     private volatile long orderedNanos;
     private Thread complaining;
 
@@ -68,11 +68,6 @@ final class GameProcess implements AutoCloseable {
         return isReady;
     }
 
-    /** Returns true while an order is not ended. */
-    boolean owesAnswer() {
-        return owesAnswer;
-    }
-
     long id() {
         return process.pid();
     }
@@ -83,7 +78,6 @@ final class GameProcess implements AutoCloseable {
      * @param nanos when the user gave it
      */
     void order(PlayOrder order, long nanos) {
-        owesAnswer = true;
         orderedNanos = nanos;
         try {
             orders.write(order.line() + "\n");
@@ -96,7 +90,6 @@ final class GameProcess implements AutoCloseable {
     private void readAnswers(Answered answered) {
         eachLine(process.getInputStream(), line -> PlayAnswer.read(line).ifPresent(answer -> {
             isReady |= answer instanceof PlayAnswer.Ready;
-            owesAnswer &= !(answer instanceof PlayAnswer.Ended || answer instanceof PlayAnswer.Failed);
             answered.answer(answer, orderedNanos);
         }));
     }
@@ -112,7 +105,7 @@ final class GameProcess implements AutoCloseable {
         });
     }
 
-    private static void eachLine(InputStream in, java.util.function.Consumer<String> use) {
+    private static void eachLine(InputStream in, Consumer<String> use) {
         try (var reader = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8))) {
             for (String line = reader.readLine(); line != null; line = reader.readLine()) {
                 use.accept(line);

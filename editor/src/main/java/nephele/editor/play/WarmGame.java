@@ -53,7 +53,7 @@ public final class WarmGame implements AutoCloseable {
      * @param file the level's own file, for its name and its assets; it need not exist
      * @param from where the player starts, {@code null} for the level's start
      * @param quality the quality preset, {@code null} for that of the player's settings
-     * @param record the file for a solution, {@code null} for none: see {@link Solutions#fileOf}
+     * @param record the file for a solution, {@code null} for none: see {@link RecordedSolution#fileOf}
      */
     public record Request(Level level, Path file, PlayerStart from, String quality, Path record) {}
 
@@ -114,7 +114,6 @@ public final class WarmGame implements AutoCloseable {
         byte[] text = LevelJson.write(level).getBytes(StandardCharsets.UTF_8);
         Path next = Files.createTempFile("nephele-play-", ".json");
         Files.write(next, text);
-        next.toFile().deleteOnExit();
         deleteSnapshot();
         snapshot = next;
         return next;
@@ -126,7 +125,7 @@ public final class WarmGame implements AutoCloseable {
                 Files.deleteIfExists(snapshot);
             }
         } catch (IOException leftToTheSystem) {
-            snapshot.toFile().deleteOnExit();
+            snapshot.toFile().deleteOnExit(); // on Windows the game may be reading it
         }
         snapshot = null;
     }
@@ -154,9 +153,7 @@ public final class WarmGame implements AutoCloseable {
             }
             process = null;
         }
-        if (dead.owesAnswer() || !wasReady) {
-            listener.failed(message);
-        }
+        listener.failed(message);
         if (wasReady) {
             warm();
         }

@@ -14,8 +14,8 @@ import nephele.engine.sim.state.SimLevel;
 import nephele.engine.terminal.CommandFailure;
 
 /** The recorded solution of a level, and its check in the background. */
-public final class Solutions {
-    private Solutions() {}
+public final class RecordedSolution {
+    private RecordedSolution() {}
 
     /** Returns the file of a level's solution, which need not exist: {@code replays/x.json} beside {@code x.json}. */
     public static Path fileOf(Path level) {

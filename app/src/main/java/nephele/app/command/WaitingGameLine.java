@@ -1,0 +1,41 @@
+package nephele.app.command;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import nephele.app.Main;
+import nephele.editor.play.GameMemory;
+
+/** The command line of the game that waits for the editor: the same Java and the same classes as this process. */
+final class WaitingGameLine {
+    private static final int FIRST_WITH_UNSAFE_WARNINGS = 23;
+
+    private WaitingGameLine() {}
+
+    /** Returns the program and its arguments. */
+    static List<String> words() {
+        String classPath = System.getProperty("java.class.path");
+        var words = new ArrayList<String>();
+        words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        words.addAll(GameMemory.JAVA_OPTIONS);
+        words.addAll(archive(classPath));
+        if (Runtime.version().feature() >= FIRST_WITH_UNSAFE_WARNINGS) {
+            words.add("--sun-misc-unsafe-memory-access=allow");
+        }
+        words.addAll(List.of("-cp", classPath, Main.class.getName(), "play", "--warm"));
+        return words;
+    }
+
+    /** Returns the options for the archive of parsed classes that the start script keeps beside the jar, if it is there. */
+    private static List<String> archive(String classPath) {
+        if (!classPath.endsWith(".jar")) {
+            return List.of();
+        }
+        var name = "nephele-java" + Runtime.version().feature() + ".jsa";
+        Path archive = Path.of(classPath).toAbsolutePath().resolveSibling(name);
+        return archive.toFile().length() > 0 && Files.isReadable(archive)
+                ? List.of("-XX:SharedArchiveFile=" + archive, "-Xlog:cds=off", "-Xlog:cds+dynamic=off")
+                : List.of();
+    }
+}
