@@ -37,6 +37,9 @@ class SolutionCheckTest {
     private static final String FLOOR = box("floor", "0, -0.5, -10", "6, 1, 40", "");
     private static final String END_WALL = box("end", "0, 3, -16", "6, 6, 1", ", \"portalable\": true");
 
+    /** Too high to walk over, too low to hide the end wall from the player's eye. */
+    private static final String BLOCK = box("block", "0, 0.6, -4", "6, 1.2, 0.5", "");
+
     private static String box(String id, String centre, String size, String more) {
         return "{\"id\": \"" + id + "\", \"kind\": \"box\", \"material\": \"m\", \"centre\": [" + centre
                 + "], \"size\": [" + size + "]" + more + "}";
@@ -80,7 +83,7 @@ class SolutionCheckTest {
 
     @Test
     void aWallInTheWayIsFoundWithItsPlaceAndTime() {
-        var verdict = verdict(FLOOR, END_WALL, box("block", "0, 1, -4", "6, 2, 0.5", ""));
+        var verdict = verdict(FLOOR, END_WALL, BLOCK);
         var deviation = verdict.deviation().orElseThrow();
         assertFalse(verdict.isSolved());
         assertEquals(Cause.ELSEWHERE, deviation.cause());
@@ -103,7 +106,7 @@ class SolutionCheckTest {
     void ofARecordingWithoutATrackOnlyTheExitCounts() {
         var recorded = recorded();
         var old = new Replay("corridor.json", recorded.settings(), null, recorded.inputs());
-        var blocked = corridor(FLOOR, END_WALL, box("block", "0, 1, -4", "6, 2, 0.5", ""));
+        var blocked = corridor(FLOOR, END_WALL, BLOCK);
         var verdict = SolutionCheck.of(blocked, old, share -> {});
         assertEquals(Cause.EXIT_NOT_REACHED, verdict.deviation().orElseThrow().cause());
         assertTrue(SolutionCheck.of(corridor(FLOOR, END_WALL), old, share -> {})

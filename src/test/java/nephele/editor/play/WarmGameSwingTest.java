@@ -181,15 +181,4 @@ class WarmGameSwingTest {
             assertTrue(left.noneMatch(path -> path.toString().endsWith("unsaved.json")));
         }
     }
-
-    @Test
-    void aProcessThatDiesIsReportedAndReplaced() throws Exception {
-        game.warm();
-        assertEquals("ready", next());
-        long process = game.processId().orElseThrow();
-        ProcessHandle.of(process).orElseThrow().destroyForcibly();
-        assertTrue(next().toString().startsWith("failed the game ended (exit code 137)"));
-        assertEquals("ready", next());
-        assertTrue(process != game.processId().orElseThrow());
-    }
 }
