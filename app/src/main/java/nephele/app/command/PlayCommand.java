@@ -96,7 +96,7 @@ final class PlayCommand implements Command {
             description = "Draw one frame, print where the time since the JVM's start went, and leave.")
     private boolean profileStart;
 
-    /** The editor's way to play: orders come by standard input. */
+    /** The editor's way to play: orders come by standard input; a level only warms the process. */
     @Option(names = "--warm", hidden = true)
     private boolean warm;
 

@@ -13,8 +13,12 @@ final class WaitingGameLine {
 
     private WaitingGameLine() {}
 
-    /** Returns the program and its arguments. */
-    static List<String> words() {
+    /**
+     * Returns the program and its arguments.
+     *
+     * @param level the file of the open level, with which the game warms itself; {@code null} for none
+     */
+    static List<String> words(Path level) {
         String classPath = System.getProperty("java.class.path");
         var words = new ArrayList<String>();
         words.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
@@ -24,6 +28,9 @@ final class WaitingGameLine {
             words.add("--sun-misc-unsafe-memory-access=allow");
         }
         words.addAll(List.of("-cp", classPath, Main.class.getName(), "play", "--warm"));
+        if (level != null && Files.isRegularFile(level)) {
+            words.add(level.toAbsolutePath().toString());
+        }
         return words;
     }
 

@@ -82,7 +82,7 @@ public final class WaitingGame {
     /**
      * Carries out orders until the input ends.
      *
-     * @param usual what orders do not state
+     * @param usual what orders do not state; its level is the one to warm with, null for a sample
      */
     public static void run(PlayRequest usual, InputStream in, PrintStream answers) {
         System.setProperty("java.awt.headless", "true"); // ImageIO writes pictures and must not open a display
@@ -146,7 +146,7 @@ public final class WaitingGame {
     /** Loads and draws a level, so that its classes are loaded and its programs compiled; its failure only costs time. */
     private void warm() {
         try {
-            var name = new LevelName(WARMING);
+            var name = usual.level() == null ? new LevelName(WARMING) : usual.level();
             var request = usual.of(name);
             current.become(Session.load(
                     gl,

@@ -6,6 +6,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.Supplier;
 import nephele.engine.asset.AssetException;
+import nephele.engine.level.json.LevelFile;
 import nephele.engine.level.json.LevelFormatException;
 import nephele.engine.level.placed.PlacedLevel;
 import nephele.engine.named.LevelName;
@@ -46,7 +47,8 @@ public final class FollowingBake implements AutoCloseable {
     /** Returns the baked light of a level as saved; empty if it was not baked, or the level cannot be read. */
     public static Optional<SkyVisibility> lightOf(LevelName level) {
         try {
-            return BakedSky.known(level.open().placed());
+            var saved = LevelFile.open(level.typed());
+            return BakedSky.known(PlacedLevel.of(saved.level(), saved.assets()));
         } catch (LevelFormatException | AssetException unusable) {
             return Optional.empty();
         }
