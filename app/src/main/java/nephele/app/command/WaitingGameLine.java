@@ -4,11 +4,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import nephele.app.Main;
 import nephele.editor.play.GameMemory;
 
 /** The command line of the game that waits for the editor: the same Java and the same classes as this process. */
 final class WaitingGameLine {
+    /** By name: the main class uses this package. */
+    private static final String MAIN_CLASS = "nephele.app.Main";
+
     private static final int FIRST_WITH_UNSAFE_WARNINGS = 23;
 
     private WaitingGameLine() {}
@@ -27,7 +29,7 @@ final class WaitingGameLine {
         if (Runtime.version().feature() >= FIRST_WITH_UNSAFE_WARNINGS) {
             words.add("--sun-misc-unsafe-memory-access=allow");
         }
-        words.addAll(List.of("-cp", classPath, Main.class.getName(), "play", "--warm"));
+        words.addAll(List.of("-cp", classPath, MAIN_CLASS, "play", "--warm"));
         if (level != null && Files.isRegularFile(level)) {
             words.add(level.toAbsolutePath().toString());
         }
